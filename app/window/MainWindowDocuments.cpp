@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What the main window does when documents come, change and go.
+#include "controls/FocusedField.h"
 #include "panels/DocumentsPanel.h"
 #include "panels/HintBar.h"
 #include "panels/JobBar.h"
@@ -168,6 +169,10 @@ void MainWindow::connectStartPage() {
 }
 
 void MainWindow::showDocument(DocumentTab* document) {
+  if (document != m_shown) commitFocusedField();  // its text is of the document that was shown until now
+  // Who goes through the documents with keys goes on with them. Fields that go hand the focus on to whatever is next.
+  const QWidget* const focused = focusWidget();
+  const bool isByKeys = m_documents->isAncestorOf(focused) || m_tabs->isAncestorOf(focused);
   KindUi* present = document ? &document->ui : nullptr;
   storePicture();
   m_toolChoice->putAway();
@@ -195,9 +200,7 @@ void MainWindow::showDocument(DocumentTab* document) {
   if (!document) m_viewSettings->setSectionFigures({});
   for (QAction* action : m_viewActions->views() + m_viewActions->shadings()) action->setEnabled(document != nullptr);
   m_viewActions->fit()->setEnabled(document != nullptr);
-  // Who goes through the documents with keys goes on with them.
-  const QWidget* focused = focusWidget();
-  if (document && !m_documents->isAncestorOf(focused) && !m_tabs->isAncestorOf(focused)) m_viewport->setFocus();
+  if (document && !isByKeys) m_viewport->setFocus();
   m_pictureTimer.start();
   updateTitle();
   updateFigures();

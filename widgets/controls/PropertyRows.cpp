@@ -244,8 +244,13 @@ LongTextRow::LongTextRow(QWidget* parent)
   arrange(both, false);
 }
 
+// As in TextRow.
 void LongTextRow::showValue(const Property& property, LengthUnit) {
-  m_value = plainText(property);
+  const QString value = plainText(property);
+  if (std::exchange(m_value, value) != value && !m_field->hasFocus()) {
+    m_field->document()->setModified(false);
+    forgetRefusal();
+  }
   if (m_field->document()->isModified() || m_field->toPlainText() == m_value) return;
   restore();
 }

@@ -98,7 +98,7 @@ void MessageBar::place() {
   constexpr int kCorner = 136;  // pixels: of the view cube with its margin
   if (!m_area) return;
   const int width = std::max(m_area->width() - kCorner, m_area->width() / 2);
-  const int height = std::max(sizeHint().height(), heightForWidth(width));
+  const int height = hasHeightForWidth() ? heightForWidth(width) : sizeHint().height();
   setGeometry(m_area->x(), m_area->y(), width, std::min(height, m_area->height()));
 }
 

@@ -32,8 +32,7 @@ void CellPaths::optimise() {
       if (!now) return;
       if (!(*now == before) || scene != m_collisions.scene()) {
         return reportChanged(before.name, [this, name = before.name] {
-          m_tree->select({PlanTree::Entry::Kind::Path, name});
-          optimise();
+          if (choosePath(name)) optimise();
         });
       }
       if (!optimised) return report(optimised.error());

@@ -93,8 +93,7 @@ void CellPaths::planAgain() {
   const RobotPath* const present = path();
   if (!present) return;
   const auto again = [this, name = present->name] {
-    m_tree->select({PlanTree::Entry::Kind::Path, name});
-    planAgain();
+    if (choosePath(name)) planAgain();
   };
   const QString text = tr("Plan %1 again");
   if (present->process) {

@@ -53,18 +53,23 @@ QString withEnding(const QString& file, const Post& post) {
 void CellPaths::requestProgram() {
   const RobotPath* const present = path();
   if (!present) return;
+  if (!scene()) return reportUnprepared();  // nothing is known of any path
   const QString name = QString::fromStdString(present->name);
   const auto known = checked();
   Message asked{.weight = Message::Weight::Warning, .title = tr("%1 is outdated").arg(name)};
   asked.about = &m_document->document;
   // About that path, whichever is selected when it is answered.
-  const auto answer = [this, document = m_document,
-                       row = PlanTree::Entry{PlanTree::Entry::Kind::Path, present->name}](std::function<void()> what) {
-    return [this, document, row, what = std::move(what)] {
-      if (document != m_document) return;
-      m_tree->select(row);
-      what();
+  const auto answer = [this, document = m_document, of = present->name](std::function<void()> what) {
+    return [this, document, of, what = std::move(what)] {
+      if (document == m_document && choosePath(of)) what();
     };
+  };
+  asked.isOver = [this, document = m_document, of = present->name, isKnown = known != nullptr] {
+    const RobotPath* const now = static_cast<RobotCellDocument&>(document->document).plans()->path(of);
+    if (!now) return true;
+    if (document != m_document) return false;  // its state is looked at while it is shown
+    const auto found = m_checks.of(*now);
+    return found && (!isKnown || found->partMoved.empty());
   };
   if (!known) {
     const PathRemark remark = remarkOf(m_checks.stateOf(*present), *present, cell().displayUnit(), QLocale());
@@ -86,9 +91,25 @@ void CellPaths::requestProgram() {
   emit message(asked);
 }
 
+// Selects a path; false: it is not there any more, or not of the robot that is planned for, which was reported.
+bool CellPaths::choosePath(const std::string& name) {
+  m_tree->select({PlanTree::Entry::Kind::Path, name});
+  if (path() && path()->name == name) return true;
+  const bool isOfOther = plans().path(name) != nullptr;
+  Message gone{.weight = Message::Weight::Warning,
+               .title = (isOfOther ? tr("%1 is a path of another robot") : tr("%1 is not in the plan any more"))
+                            .arg(QString::fromStdString(name)),
+               .detail = tr("Nothing was done.")};
+  if (isOfOther) gone.advice = tr("Choose the robot of the path first.");
+  gone.about = &m_document->document;
+  emit message(gone);
+  return false;
+}
+
 void CellPaths::askForProgram(OutdatedPath outdated) {
   const auto prepared = scene();
-  if (!checked() || !prepared) return;
+  if (!prepared) return reportUnprepared();
+  if (!checked()) return requestProgram();  // it has changed since
   QStringList filters;
   for (const auto& post : posts()) filters += filterOf(*post);
   const Post& usual = usualPost(prepared->plannedArm());
@@ -107,26 +128,27 @@ void CellPaths::askForProgram(OutdatedPath outdated) {
     const QStringList files = dialog->selectedFiles();
     if (!files.isEmpty()) dialog->selectFile(withEnding(QFileInfo(files.front()).fileName(), post));
   });
-  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, outdated](const QString& file) {
-    rememberFolder(file);
-    exportAs(file, postOf(dialog->selectedNameFilter()), outdated);
-  });
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, dialog, request = ProgramRequest{*path(), outdated}](const QString& file) {
+            rememberFolder(file);
+            exportAs(file, postOf(dialog->selectedNameFilter()), request);
+          });
   dialog->open();
 }
 
 // The ending of the file tells the language; only a name without one gets that of the chosen type.
-void CellPaths::exportAs(const QString& file, const Post& chosen, OutdatedPath outdated) {
-  if (const Post* const post = postForEnding(file.toStdString())) return exportProgram(*post, file, outdated);
+void CellPaths::exportAs(const QString& file, const Post& chosen, const ProgramRequest& request) {
+  if (const Post* const post = postForEnding(file.toStdString())) return exportProgram(*post, file, request);
   const QString whole = withEnding(file, chosen);
-  if (!QFileInfo::exists(whole)) return exportProgram(chosen, whole, outdated);
+  if (!QFileInfo::exists(whole)) return exportProgram(chosen, whole, request);
   emit message(
       {Message::Weight::Warning,  // the dialog has asked about another name
        tr("%1 is there already").arg(QFileInfo(whole).fileName()),
        tr("The name had no extension of a robot language, so that of %1 was added.").arg(QLatin1String(chosen.title())),
        {},
        tr("Replace it"),
-       [this, whole, &chosen, outdated, document = m_document] {
-         if (document == m_document) exportProgram(chosen, whole, outdated);
+       [this, whole, &chosen, request, document = m_document] {
+         if (document == m_document && choosePath(request.path.name)) exportProgram(chosen, whole, request);
        },
        {},
        {},
@@ -134,16 +156,19 @@ void CellPaths::exportAs(const QString& file, const Post& chosen, OutdatedPath o
 }
 
 // Checking and reading back takes long for long paths.
-void CellPaths::exportProgram(const Post& post, const QString& file, OutdatedPath outdated) {
+void CellPaths::exportProgram(const Post& post, const QString& file, const ProgramRequest& request) {
+  if (!m_document) return;
   const auto scene = m_collisions.scene();
+  if (!scene) return reportUnprepared();
+  if (!path() || !(*path() == request.path)) return reportNotWritten(request.path.name);
   const auto known = checked();
-  if (!scene || !known || !path()) return;
+  if (!known) return requestProgram();
   Job job;
   job.name = tr("Writing %1").arg(QFileInfo(file).fileName());
   job.owner = this;
   job.failed = [this](const Error& error) { report(error); };
-  job.work = [this, scene, known, plans = cell().plans(), path = *path(), &post, file,
-              outdated](Progress) -> Job::Finish {
+  job.work = [this, scene, known, plans = cell().plans(), path = request.path, &post, file,
+              outdated = request.outdated](Progress) -> Job::Finish {
     auto written = writeProgram(*scene, *plans, path, *known, post, QFile::encodeName(file).toStdString(), outdated);
     return [this, &post, file, partMoved = known->partMoved, written = std::move(written)] {
       if (!m_document) return;
@@ -152,6 +177,16 @@ void CellPaths::exportProgram(const Post& post, const QString& file, OutdatedPat
     };
   };
   m_parts.jobs.start(std::move(job));
+}
+
+// It is another one than that which was to be written.
+void CellPaths::reportNotWritten(const std::string& path) {
+  Message changed{.weight = Message::Weight::Warning,
+                  .title = tr("%1 was not exported").arg(QString::fromStdString(path)),
+                  .detail = tr("The path was changed since its export was asked for."),
+                  .advice = tr("Export it again.")};
+  changed.about = &m_document->document;
+  emit message(changed);
 }
 
 void CellPaths::reportWritten(const WrittenProgram& written, const Post& post, const QString& file,

@@ -120,8 +120,15 @@ class CellPaths : public QObject {
   void reportSemantics(const RobotSemantics& read, const QString& file, const QString& robot);
   void requestProgram();
   void askForProgram(OutdatedPath outdated);
-  void exportAs(const QString& file, const Post& chosen, OutdatedPath outdated);
-  void exportProgram(const Post& post, const QString& file, OutdatedPath outdated);
+  // What is to be written, as it was when that was asked for.
+  struct ProgramRequest {
+    RobotPath path;
+    OutdatedPath outdated;
+  };
+  bool choosePath(const std::string& name);
+  void exportAs(const QString& file, const Post& chosen, const ProgramRequest& request);
+  void exportProgram(const Post& post, const QString& file, const ProgramRequest& request);
+  void reportNotWritten(const std::string& path);
   void reportWritten(const WrittenProgram& written, const Post& post, const QString& file, const QString& partMoved);
   void importProgram(const QString& file);
   void verify();

@@ -130,8 +130,8 @@ void PathChecks::verify(const RobotPath& path, Wish wish) {
       .clearance = now->plans->clearance,
       .resolution = std::min(PathCheckSettings().resolution, fidelity.of(planResolutionSetting())),
       .step = fidelity.of(verifyStepSetting())};
-  // One of those that wait gives way to the one that is asked for.
-  if (m_run && !m_waiting.empty()) m_waiting.push_back(m_run->basis.path.name);
+  // One of those that wait gives way to the one that is asked for; also the last of all, which is not done.
+  if (m_run && (m_isAllAsked || !m_waiting.empty())) m_waiting.push_back(m_run->basis.path.name);
   m_parts.jobs.cancelOf(this);
   const std::uint64_t run = ++m_runs;
   m_run = Run{basisOf(*now, path), wish == Wish::Again, wish == Wish::OfAll, run};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/documents/FileActions.h"
 
+#include "controls/FocusedField.h"
 #include "window/ActionToolTip.h"
 #include "window/documents/ClosePrompt.h"
 #include "window/documents/DocumentTab.h"
@@ -72,7 +73,10 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
 
   connect(&m_open, &QAction::triggered, this, &FileActions::askForFiles);
   connect(&m_save, &QAction::triggered, this, &FileActions::saveCurrent);
-  connect(&m_saveAs, &QAction::triggered, this, [this] { askForName(m_tabs.current(), {}); });
+  connect(&m_saveAs, &QAction::triggered, this, [this] {
+    commitFocusedField();
+    askForName(m_tabs.current(), {});
+  });
   connect(&m_close, &QAction::triggered, this, [this] { requestClose(m_tabs.current()); });
   connect(&m_nextTab, &QAction::triggered, this, [this] { m_tabs.step(+1); });
   connect(&m_previousTab, &QAction::triggered, this, [this] { m_tabs.step(-1); });
@@ -204,6 +208,7 @@ void FileActions::askForFiles() {
 }
 
 void FileActions::saveCurrent() {
+  commitFocusedField();
   saveOrAsk(m_tabs.current(), {});
 }
 
@@ -269,6 +274,7 @@ void FileActions::offerContainer(DocumentTab* document, Message message) {
 void FileActions::requestClose(DocumentTab* document, std::function<void()> then) {
   const bool isUnderWay = m_closing.contains(document);
   if (!isUnderWay) {
+    commitFocusedField();
     emit aboutToClose();
     document->document.settle();
   }
@@ -309,6 +315,7 @@ void FileActions::endClosing(DocumentTab* document, bool close) {
 }
 
 void FileActions::requestCloseAll(std::function<void()> then) {
+  commitFocusedField();
   emit aboutToClose();
   for (const auto& each : m_tabs.all()) each->document.settle();
   decideNext({}, std::move(then));

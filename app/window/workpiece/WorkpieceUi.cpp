@@ -228,6 +228,8 @@ void WorkpieceUi::watchLoads() {
     if (!peaks) return {};
     return [this, task, document, part = workpiece.part, found = *peaks] {
       if (document != m_loaded) return;
+      // Undone or cut on since: the part of now is looked at by its own job.
+      if (static_cast<const WorkpieceDocument&>(document->document).workpiece().part != part) return;
       m_loadedPart = part;
       warnOfLoads(document, *task, found.first, found.second);
     };

@@ -52,6 +52,23 @@ class MessageBarTest : public QObject {
     QVERIFY(bar.isHidden());
   }
 
+  // It covers no more of the view than its text needs at its width.
+
+  void aLineIsAsHighAsAnotherLine() {
+    QWidget window, *area = new QWidget(&window);
+    area->setGeometry(0, 0, 6000, 400);
+    MessageBar bar(&window);
+    bar.lieOver(area);
+    window.show();
+    bar.showMessage({Message::Weight::Info, "short", {}, {}, {}, {}});
+    QCoreApplication::processEvents();
+    const int height = bar.height();
+    bar.findChild<QAbstractButton*>("messageClose")->click();
+    bar.showMessage({Message::Weight::Info, QString("word ").repeated(40) + "end", {}, {}, {}, {}});
+    QCoreApplication::processEvents();
+    QCOMPARE(bar.height(), height);
+  }
+
   // A button may still get the release of a key or of the mouse when its message is no longer in front.
 
   void aMessageThatWentHasNoButtons() {

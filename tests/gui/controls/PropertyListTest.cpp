@@ -5,6 +5,7 @@
 #include "Accessibility.h"
 #include "ControlScenes.h"
 #include "ControlsTestMain.h"
+#include "controls/FocusedField.h"
 #include "controls/PropertyRow.h"
 
 #include <QAbstractItemView>
@@ -105,6 +106,7 @@ class PropertyListTest : public QObject {
 
   void editsOfEachKind();
   void longTexts();
+  void typedTextIsTold();
   void numbersInTexts();
   void sliderDrags();
   void valuesChangeInPlace();
@@ -202,6 +204,27 @@ void PropertyListTest::longTexts() {
   bench.find<QLineEdit>("diameter", "numberLine")->setFocus();
   QCOMPARE(bench.edits.size(), std::size_t{2});
   QCOMPARE(std::get<std::string>(bench.edits.back().value).size(), whole.size() + 1);
+  // What was refused stays, until the value is another one.
+  bench.list.refuse("step.1.text", std::string("refused"), "No.");
+  bench.list.setProperties(properties);
+  QCOMPARE(field->toPlainText(), QString("refused"));
+  named(properties, "step.1.text").value = std::string("another");
+  bench.list.setProperties(properties);
+  QCOMPARE(field->toPlainText(), QString("another"));
+}
+
+// What is typed is told before it is saved or hidden, and typing goes on.
+void PropertyListTest::typedTextIsTold() {
+  PropertyListBench bench;
+  auto* note = bench.find<QLineEdit>("note", "propertyText");
+  note->setFocus();
+  commitFocusedField();
+  QVERIFY(bench.edits.empty());
+  QTest::keyClicks(note, "!");
+  QVERIFY(bench.edits.empty());
+  commitFocusedField();
+  QVERIFY(bench.edits == std::vector<Edit>({{"note", std::string("first try!"), false}}));
+  QVERIFY(note->hasFocus());
 }
 
 void PropertyListTest::sliderDrags() {

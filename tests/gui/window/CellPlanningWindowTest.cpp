@@ -209,6 +209,11 @@ class CellPlanningWindowTest : public QObject {
     QVERIFY(!dialog());
     QVERIFY(driver.text("messageText").contains("outdated"));
     QVERIFY(driver.text("messageText").contains("box"));
+    // What is said of a path goes with it.
+    driver.paths()->child(0)->setText(0, "weld");
+    QVERIFY(!driver.find<QWidget>("messageOther")->isVisible());
+    driver.choose("exportProgram");
+    QVERIFY(driver.text("messageText").contains("weld is outdated"));
     driver.click("messageOther");  // as it is
     QTemporaryDir folder;
     QVERIFY(driver.enterFileName("exportProgramDialog", folder.filePath("way.mod")));

@@ -3,14 +3,18 @@
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/Samples.h"
 
 #include <rapidcheck.h>
+#include <QPlainTextEdit>
 #include <QTreeView>
 
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What is selected in one document is never looked up in another, which may have fewer holes.
+// What is selected in one document is never looked up in another, which may have fewer holes; nor is what was typed.
 class DocumentSwitchTest : public QObject {
   Q_OBJECT
 
@@ -56,6 +60,33 @@ class DocumentSwitchTest : public QObject {
     QVERIFY(driver.open(fileWithHoles(0)));
     QVERIFY(!driver.find<QAction>("nextHole")->isEnabled());
     QVERIFY(isSelectionOfDocument(driver));
+  }
+
+  // What is typed is of the document that was in view, also when its tab is left by a click or a key.
+  void aTypedTaskStaysWithItsExercise() {
+    const QTemporaryDir folder;
+    WindowDriver driver;
+    for (const char* name : {"one.exercise.json", "two.exercise.json"}) {
+      const QString path = folder.filePath(QLatin1String(name));
+      QVERIFY(QFile::copy(samplePath("shaft.exercise.json"), path));
+      QVERIFY(driver.open(path));
+    }
+    auto* tabs = driver.window().findChild<DocumentTabs*>();
+    const auto task = [&](std::size_t tab) {
+      return std::get<std::string>(tabs->all()[tab]->document.property("text")->value);
+    };
+    const std::string before = task(0);
+    auto* row = driver.find<QWidget>("exerciseEditor")->findChild<QWidget*>("property/text");
+    QVERIFY(row);
+    auto* field = row->findChild<QPlainTextEdit*>("propertyLongText");
+    QTRY_VERIFY(field->isVisible());
+    field->setFocus();
+    QTRY_VERIFY(field->hasFocus());
+    QTest::keyClicks(field, "Mine. ");
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    QVERIFY(driver.settle());
+    QCOMPARE(task(1), "Mine. " + before);
+    QCOMPARE(task(0), before);
   }
 
   // Whatever is selected, kept open, previewed or worked on by a tool; also while jobs run.

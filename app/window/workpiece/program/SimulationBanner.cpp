@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/workpiece/program/SimulationBanner.h"
 
+#include "panels/MessageBar.h"
+
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -17,7 +19,8 @@ constexpr int kFromTop = 8;  // pixels
 SimulationBanner::SimulationBanner(QWidget* view)
     : QFrame(view),
       m_text(new QLabel(tr("Simulated – not cut yet"), this)),
-      m_cut(new QPushButton(tr("&Cut the work"), this)) {
+      m_cut(new QPushButton(tr("&Cut the work"), this)),
+      m_messages(view->window()->findChild<MessageBar*>()) {
   setObjectName(QStringLiteral("simulationBanner"));
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
@@ -33,6 +36,7 @@ SimulationBanner::SimulationBanner(QWidget* view)
   connect(m_cut, &QPushButton::clicked, this, &SimulationBanner::cutRequested);
   connect(leave, &QPushButton::clicked, this, &SimulationBanner::leaveRequested);
   view->installEventFilter(this);
+  if (m_messages) m_messages->installEventFilter(this);
   hide();
 }
 
@@ -44,7 +48,9 @@ void SimulationBanner::showFor(bool isCuttable, const QString& why) {
 }
 
 bool SimulationBanner::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == parent() && event->type() == QEvent::Resize && isVisible()) place();
+  const bool isPlaced = event->type() == QEvent::Resize || event->type() == QEvent::Move ||
+                        event->type() == QEvent::Show || event->type() == QEvent::Hide;
+  if (isPlaced && (watched == parent() || watched == m_messages) && isVisible()) place();
   return QFrame::eventFilter(watched, event);
 }
 
@@ -56,7 +62,12 @@ void SimulationBanner::hideEvent(QHideEvent* event) {
 
 void SimulationBanner::place() {
   adjustSize();
-  move(std::max(0, (parentWidget()->width() - width()) / 2), kFromTop);
+  int top = kFromTop;
+  if (m_messages && m_messages->isVisible()) {
+    const QPoint below = m_messages->mapToGlobal(QPoint(0, m_messages->height()));
+    top += std::max(0, parentWidget()->mapFromGlobal(below).y());
+  }
+  move(std::max(0, (parentWidget()->width() - width()) / 2), top);
   raise();
   parentWidget()->update();
 }

@@ -3,14 +3,17 @@
 #pragma once
 
 #include <QFrame>
+#include <QPointer>
 
 class QLabel;
 class QPushButton;
 
 namespace handwheel {
 
-// What lies over the view while that shows what a program would cut: nothing of it is in the document yet. Window
-// thread.
+class MessageBar;
+
+// What lies over the view while that shows what a program would cut: nothing of it is in the document yet. It
+// lies below the messages of the window. Window thread.
 class SimulationBanner : public QFrame {
   Q_OBJECT
 
@@ -33,6 +36,7 @@ class SimulationBanner : public QFrame {
 
   QLabel* m_text;
   QPushButton* m_cut;
+  QPointer<MessageBar> m_messages;  // null: the window has none
 };
 
 }  // namespace handwheel

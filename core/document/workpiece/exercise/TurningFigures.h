@@ -49,8 +49,8 @@ class MeasuredPart {
   std::optional<FinishReading> finish(TurningSide side, AxisRange range) const;
   // The same at a sample.
   FinishMark finishAt(TurningSide side, std::size_t i) const;
-  // mm, Z that remarks count from: the finished face of the target.
-  double zero() const { return m_task.target ? m_task.target->upperEnd() : 0.0; }
+  // mm, Z that remarks count from.
+  double zero() const { return m_task.zero(); }
 
  private:
   Figure ofPasses(const MarkingCriterion& criterion) const;

@@ -93,8 +93,7 @@ Status TurningSubject::applyTolerance(MarkingCriterion& criterion) const {
 }
 
 std::optional<double> TurningSubject::drawingZero(const ExerciseTask& task) const {
-  const auto& target = turningOf(task).target;
-  return target ? std::optional(target->upperEnd()) : std::nullopt;
+  return turningOf(task).zero();
 }
 
 std::optional<double> TurningSubject::usualLimit(const std::string& figure, const ExerciseTask& task) const {

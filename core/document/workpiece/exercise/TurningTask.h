@@ -31,6 +31,9 @@ struct TurningTask : ExerciseTask {
   double powerLimit = 3.0;     // kW
   std::vector<AllowedTool> tools;
   std::optional<TargetProfile> target;
+
+  // mm, Z of the zero of the drawing and of programs: the finished face, or the free end of the bar, as programZero().
+  double zero() const { return target ? target->upperEnd() : stock.position + stock.length; }
 };
 
 // As containers and descriptions have it; docs/format.md lists the keys.

@@ -4,6 +4,7 @@
 #include "TurningExercises.h"
 #include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ExerciseRows.h"
+#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/exercise/TurningFigures.h"
 #include "document/workpiece/exercise/TurningTask.h"
 
@@ -93,6 +94,18 @@ class TurningLoadsTest : public QObject {
     QVERIFY(!remark.arguments.empty());
     const double place = std::stod(remark.arguments.front());
     QVERIFY2(place > -30.1 && place < -19.9, remark.arguments.front().c_str());
+  }
+
+  // Without a drawing from the free end of the bar, which is the zero of programs then.
+  void withoutATargetPlacesCountFromTheFreeEnd() {
+    TurningTask task;
+    task.stock = {40.0, 120.0, 0.0};
+    QVERIFY(!task.target);
+    WorkpieceSnapshot workpiece;
+    workpiece.stock = task.stock;
+    QCOMPARE(task.zero(), 120.0);
+    QCOMPARE(programZero(workpiece), 120.0);
+    QVERIFY(shoulder()->subject->drawingZero(task) == std::optional(120.0));
   }
 
   // A cut beyond what the lathe has is in the report, whether or not there are points for it.

@@ -6,6 +6,7 @@
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TargetEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "panels/MessageBar.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/workpiece/program/ProgramPlayer.h"
@@ -132,6 +133,11 @@ class ProgramWindowTest : public QObject {
     QVERIFY(!banner->isVisible());
     QVERIFY(window.run(kTurned));
     QVERIFY(banner->isVisible() && window.session().picture().part);
+    auto* bar = window.driver.find<MessageBar>("messageBar");
+    bar->showMessage({Message::Weight::Info, "It does not cover the banner.", {}, {}, {}, {}});
+    const auto placeOf = [](const QWidget* each) { return QRect(each->mapToGlobal(QPoint()), each->size()); };
+    QTRY_VERIFY(bar->isVisible() && !placeOf(bar).intersects(placeOf(banner)));
+    window.driver.click("messageClose");
     window.driver.click("simulationLeave");
     QVERIFY(window.driver.settle());
     QVERIFY(!banner->isVisible() && !window.session().picture().part);

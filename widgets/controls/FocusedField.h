@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace handwheel {
+
+// Has the field that is being typed in, if any, tell its text as if it was left; it keeps the focus. To be called
+// before what the text belongs to is saved, closed or shown no more: keys, tabs and menus do that without taking the
+// focus first. Nothing happens for fields of dialogs. Window thread.
+void commitFocusedField();
+
+}  // namespace handwheel
