@@ -27,8 +27,9 @@ Parameter sideParameter() {
                        .group = {},
                        .label = QT_TRANSLATE_NOOP("Property", "Wall"),
                        .value = 0.0,
-                       .choices = {QT_TRANSLATE_NOOP("Property", "Inside"), QT_TRANSLATE_NOOP("Property", "Outside"),
-                                   QT_TRANSLATE_NOOP("Property", "Middle")}},  // as WallSide
+                       .choices = {QT_TRANSLATE_NOOP("Property", "Inside the surface"),
+                                   QT_TRANSLATE_NOOP("Property", "Outside the surface"),
+                                   QT_TRANSLATE_NOOP("Property", "On both sides of it")}},  // as WallSide
           .meaning = "Where the wall is: inside of the surface, outside, or with the surface in its middle",
           .word = "SIDE",
           .words = {"inside", "outside", "middle"}};
