@@ -170,10 +170,6 @@
         <translation>Körper, deren Dreiecke nach innen zeigen, sodass innen und außen vertauscht sind.</translation>
     </message>
     <message>
-        <source>No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were reversed on opening. If the neighbours were wrong, “Reverse faces” reverses the whole shell.</source>
-        <translation>Kein Fehler mehr: Dreiecke, die in der Datei entgegengesetzt zu ihren Nachbarn orientiert waren, wurden beim Öffnen umgekehrt. Waren die Nachbarn falsch, kehrt „Flächen umkehren“ die ganze Schale um.</translation>
-    </message>
-    <message>
         <source>Triangles without area.</source>
         <translation>Dreiecke ohne Flächeninhalt.</translation>
     </message>
@@ -182,16 +178,28 @@
         <translation>Dreiecke, die genau auf einem anderen liegen.</translation>
     </message>
     <message>
-        <source>Pairs of triangles that intersect. “Repair all” resolves only those that keep a hole from being closed; “Resolve self-intersections” resolves the others.</source>
-        <translation>Paare von Dreiecken, die sich durchdringen. „Alles reparieren“ löst nur die auf, die das Schließen eines Lochs verhindern; „Selbstdurchdringungen auflösen“ löst die anderen auf.</translation>
-    </message>
-    <message>
         <source>Pieces apart from the largest one, with less than %1 % of its area and less than %2 % of its triangles. “Remove debris” removes all, or only the piece selected here; any other piece is removed with the tool “Select faces”.</source>
         <translation>Stücke neben dem größten, mit weniger als %1 % seiner Fläche und weniger als %2 % seiner Dreiecke. „Bruchstücke entfernen“ entfernt alle oder nur das hier gewählte Stück; andere Stücke entfernt das Werkzeug „Flächen auswählen“.</translation>
     </message>
     <message>
         <source>Boundaries kept open</source>
         <translation>Offen gelassene Ränder</translation>
+    </message>
+    <message>
+        <source>Inconsistent triangles</source>
+        <translation>Uneinheitliche Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles with an orientation opposite to that of their neighbours. Opening a file reverses them, as the first step of the history; they are listed here where that step is undone.</source>
+        <translation>Dreiecke, die entgegengesetzt zu ihren Nachbarn orientiert sind. Beim Öffnen einer Datei werden sie umgekehrt, als erster Schritt des Verlaufs; hier stehen sie, wenn dieser Schritt rückgängig gemacht ist.</translation>
+    </message>
+    <message>
+        <source>No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were reversed on opening, as the first step of the history. If the neighbours were wrong, “Reverse faces” reverses the whole shell.</source>
+        <translation>Kein Fehler mehr: Dreiecke, die in der Datei entgegengesetzt zu ihren Nachbarn orientiert waren, wurden beim Öffnen umgekehrt, als erster Schritt des Verlaufs. Waren die Nachbarn falsch, kehrt „Flächen umkehren“ die ganze Schale um.</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles that intersect. “Repair all” cuts them along each other and joins them so that none intersects another, where that leaves nothing else worse.</source>
+        <translation>Paare von Dreiecken, die sich durchdringen. „Alles reparieren“ schneidet sie aneinander und verbindet sie so, dass keines ein anderes durchdringt, sofern dadurch nichts anderes schlechter wird.</translation>
     </message>
 </context>
 <context>
@@ -1283,10 +1291,6 @@
         <translation>Wählen Sie größere Voxel, oder schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>Turn its faces outwards if it is inside out; a flat sheet has no inside.</source>
-        <translation>Kehren Sie ihre Flächen nach außen, wenn sie umgestülpt ist; eine offene Fläche hat kein Inneres.</translation>
-    </message>
-    <message>
         <source>Choose larger voxels, or work on a piece of the part.</source>
         <translation>Wählen Sie größere Voxel, oder arbeiten Sie an einem Stück des Teils.</translation>
     </message>
@@ -1485,6 +1489,42 @@
     <message>
         <source>no sample has a value from %1 to %2: the values of the image range from %3 to %4</source>
         <translation>kein Abtastwert hat einen Wert von %1 bis %2: Die Werte des Bildes reichen von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>Turn its faces outwards, or make walls of sheets: &apos;handwheel voxelize --wall MM&apos;.</source>
+        <translation>Kehren Sie ihre Flächen nach außen, oder machen Sie aus offenen Flächen Wände: „handwheel voxelize --wall MM“.</translation>
+    </message>
+    <message>
+        <source>“%1” has no meaning for a drilling program here</source>
+        <translation>„%1“ hat hier in einem Bohrprogramm keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>Drill by G0, G1, G81, G82, G83, G80, G98, G99 and G4, in millimetres and absolute.</source>
+        <translation>Bohren Sie mit G0, G1, G81, G82, G83, G80, G98, G99 und G4, in Millimetern und absolut.</translation>
+    </message>
+    <message>
+        <source>%1 is missing, which %2 needs</source>
+        <translation>%1 fehlt und wird von %2 benötigt</translation>
+    </message>
+    <message>
+        <source>%1 has a value that it cannot have (%2)</source>
+        <translation>%1 hat einen Wert, der nicht zulässig ist (%2)</translation>
+    </message>
+    <message>
+        <source>the program has more than %1 moves</source>
+        <translation>das Programm hat mehr als %1 Bewegungen</translation>
+    </message>
+    <message>
+        <source>Choose larger pecks, or a part of the program.</source>
+        <translation>Wählen Sie größere Zustellungen beim Tiefbohren (Q), oder einen Teil des Programms.</translation>
+    </message>
+    <message>
+        <source>the program moves nothing</source>
+        <translation>das Programm bewegt nichts</translation>
+    </message>
+    <message>
+        <source>It begins with a move of all three axes, such as G0 X0 Y0 Z10.</source>
+        <translation>Es beginnt mit einer Bewegung aller drei Achsen, wie G0 X0 Y0 Z10.</translation>
     </message>
 </context>
 <context>
@@ -2985,6 +3025,10 @@
         <source>it is not a volume</source>
         <translation>es ist kein Volumen</translation>
     </message>
+    <message>
+        <source>its samples need more memory than there is</source>
+        <translation>ihre Abtastwerte brauchen mehr Arbeitsspeicher, als vorhanden ist</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -3896,6 +3940,78 @@
     <message>
         <source>CPU time to check a motion</source>
         <translation>CPU-Zeit, um eine Bewegung zu prüfen</translation>
+    </message>
+    <message>
+        <source>Voxels along the largest extent of a part</source>
+        <translation>Voxel entlang der größten Ausdehnung eines Teils</translation>
+    </message>
+    <message>
+        <source>largest distance of the surface from the part, in extents</source>
+        <translation>größter Abstand der Oberfläche vom Teil, in Ausdehnungen</translation>
+    </message>
+    <message>
+        <source>CPU time to make the volume and its surface</source>
+        <translation>CPU-Zeit, um das Volumen und seine Oberfläche zu erzeugen</translation>
+    </message>
+    <message>
+        <source>How voxels are sampled</source>
+        <translation>Abtastung der Voxel</translation>
+    </message>
+    <message>
+        <source>sign</source>
+        <translation>Vorzeichen</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>largest distance of the surface from the part, in voxels</source>
+        <translation>größter Abstand der Oberfläche vom Teil, in Voxeln</translation>
+    </message>
+    <message>
+        <source>CPU time to make the volume</source>
+        <translation>CPU-Zeit, um das Volumen zu erzeugen</translation>
+    </message>
+    <message>
+        <source>Voxels that a repair by volume may move the surface by to save triangles</source>
+        <translation>Voxel, um die eine volumetrische Reparatur die Oberfläche verschieben darf, um Dreiecke zu sparen</translation>
+    </message>
+    <message>
+        <source>How a volume becomes triangles</source>
+        <translation>Umwandlung eines Volumens in Dreiecke</translation>
+    </message>
+    <message>
+        <source>marching</source>
+        <translation>Marching Cubes</translation>
+    </message>
+    <message>
+        <source>dual</source>
+        <translation>Dual Contouring</translation>
+    </message>
+    <message>
+        <source>RMS distance of edges from the surface, in voxels</source>
+        <translation>RMS-Abstand der Kanten von der Oberfläche, in Voxeln</translation>
+    </message>
+    <message>
+        <source>CPU time to make the triangles</source>
+        <translation>CPU-Zeit, um die Dreiecke zu erzeugen</translation>
+    </message>
+    <message>
+        <source>What a voxel loses to a drill in a cycle, in lengths of its way</source>
+        <translation>Was ein Voxel in einem Takt an einen Bohrer verliert, in Längen von dessen Weg</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>RMS error of the thrust</source>
+        <translation>RMS-Fehler der Vorschubkraft</translation>
+    </message>
+    <message>
+        <source>CPU time of a cycle</source>
+        <translation>CPU-Zeit eines Takts</translation>
     </message>
 </context>
 <context>
@@ -7264,14 +7380,6 @@
         <translation>Wand</translation>
     </message>
     <message>
-        <source>Outside</source>
-        <translation>Außen</translation>
-    </message>
-    <message>
-        <source>Middle</source>
-        <translation>Mittig</translation>
-    </message>
-    <message>
         <source>All of the surface</source>
         <translation>Alle der Oberfläche</translation>
     </message>
@@ -7286,6 +7394,34 @@
     <message>
         <source>Triangles of the mesh</source>
         <translation>Dreiecke des Netzes</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Marching cubes</source>
+        <translation>Marching Cubes</translation>
+    </message>
+    <message>
+        <source>Dual contouring</source>
+        <translation>Dual Contouring</translation>
+    </message>
+    <message>
+        <source>Inside the surface</source>
+        <translation>Innerhalb der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Outside the surface</source>
+        <translation>Außerhalb der Oberfläche</translation>
+    </message>
+    <message>
+        <source>On both sides of it</source>
+        <translation>Auf beiden Seiten</translation>
     </message>
 </context>
 <context>
@@ -7384,6 +7520,13 @@
         <translation>
             <numerusform>%Ln Außenrand oder offen gelassenes Loch</numerusform>
             <numerusform>%Ln Außenränder und offen gelassene Löcher</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln inconsistent triangle(s)</source>
+        <translation>
+            <numerusform>%Ln uneinheitliches Dreieck</numerusform>
+            <numerusform>%Ln uneinheitliche Dreiecke</numerusform>
         </translation>
     </message>
 </context>
@@ -9017,6 +9160,22 @@
         <source>Move surface</source>
         <translation>Oberfläche versetzen</translation>
     </message>
+    <message>
+        <source>all neighbours agree already</source>
+        <translation>alle Nachbarn stimmen schon überein</translation>
+    </message>
+    <message>
+        <source>it would take too long for a mesh of this size; “handwheel voxelize --wall” makes a volume with walls of any sheets</source>
+        <translation>das würde für ein Netz dieser Größe zu lange dauern; „handwheel voxelize --wall“ erzeugt ein Volumen mit Wänden aus beliebigen offenen Flächen</translation>
+    </message>
+    <message>
+        <source>Orient consistently</source>
+        <translation>Einheitlich orientieren</translation>
+    </message>
+    <message>
+        <source>no part is that small</source>
+        <translation>kein Teil ist so klein</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -10194,6 +10353,30 @@
     <message>
         <source>Select the robot that the file describes, and read it again.</source>
         <translation>Wählen Sie den Roboter, den die Datei beschreibt, und lesen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is a path of another robot</source>
+        <translation>%1 ist eine Bahn eines anderen Roboters</translation>
+    </message>
+    <message>
+        <source>%1 is not in the plan any more</source>
+        <translation>%1 ist nicht mehr im Plan</translation>
+    </message>
+    <message>
+        <source>Nothing was done.</source>
+        <translation>Es wurde nichts getan.</translation>
+    </message>
+    <message>
+        <source>%1 was not exported</source>
+        <translation>%1 wurde nicht exportiert</translation>
+    </message>
+    <message>
+        <source>The path was changed since its export was asked for.</source>
+        <translation>Die Bahn wurde geändert, seit der Export angefordert wurde.</translation>
+    </message>
+    <message>
+        <source>Export it again.</source>
+        <translation>Exportieren Sie sie noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -11610,6 +11793,30 @@
         <source>Not all of %1 is kept</source>
         <translation>Von %1 bleibt nicht alles erhalten</translation>
     </message>
+    <message>
+        <source>A document could not be recovered</source>
+        <translation>Ein Dokument konnte nicht wiederhergestellt werden</translation>
+    </message>
+    <message>
+        <source>%1 could not be recovered</source>
+        <translation>%1 konnte nicht wiederhergestellt werden</translation>
+    </message>
+    <message>
+        <source>Its autosave is kept, and offered again at the next start.</source>
+        <translation>Die automatische Sicherung bleibt erhalten und wird beim nächsten Start wieder angeboten.</translation>
+    </message>
+    <message>
+        <source>The last changes of %1 cannot be read</source>
+        <translation>Die letzten Änderungen von %1 lassen sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>It is recovered as it was autosaved before them.</source>
+        <translation>Das Dokument wird in dem Stand wiederhergestellt, der vor ihnen automatisch gesichert wurde.</translation>
+    </message>
+    <message>
+        <source>Their file is kept and listed in the Log; it can be discarded at the next start.</source>
+        <translation>Ihre Datei bleibt erhalten und ist im Protokoll aufgeführt; sie kann beim nächsten Start verworfen werden.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileSaver</name>
@@ -12578,10 +12785,6 @@
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>As opened</source>
-        <translation>Wie geöffnet</translation>
-    </message>
-    <message>
         <source>Documents</source>
         <translation>Dokumente</translation>
     </message>
@@ -12721,6 +12924,18 @@
         <source>Sa&amp;mples and exercises</source>
         <translation>Beis&amp;piele und Übungen</translation>
     </message>
+    <message>
+        <source>As created</source>
+        <translation>Wie erstellt</translation>
+    </message>
+    <message>
+        <source>History begins when the file was opened</source>
+        <translation>Der Verlauf beginnt beim Öffnen der Datei</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Wie in der Datei</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MappingForm</name>
@@ -12738,6 +12953,10 @@
     <message>
         <source>No longer keep open</source>
         <translation>Nicht mehr offen lassen</translation>
+    </message>
+    <message>
+        <source>Triangles reversed on opening: %1</source>
+        <translation>Beim Öffnen umgekehrte Dreiecke: %1</translation>
     </message>
 </context>
 <context>
@@ -14062,10 +14281,6 @@
         <translation>Auswahl und Vorschau aufheben</translation>
     </message>
     <message>
-        <source>Fill all holes except those kept open, and repair the other defects, as one step</source>
-        <translation>Alle Löcher außer den offen gelassenen füllen und die anderen Fehler beheben, in einem Schritt</translation>
-    </message>
-    <message>
         <source>Mark this opening as intended: “Repair all” does not close it</source>
         <translation>Diese Öffnung als beabsichtigt markieren: „Alles reparieren“ schließt sie nicht</translation>
     </message>
@@ -14088,6 +14303,10 @@
     <message>
         <source>Choose the size of the voxels, and replace everything by the surface of the volume that is enclosed</source>
         <translation>Die Größe der Voxel wählen und alles durch die Oberfläche des eingeschlossenen Volumens ersetzen</translation>
+    </message>
+    <message>
+        <source>Fill all holes except those kept open, resolve self-intersections, and repair the other defects except debris, as one step</source>
+        <translation>Alle Löcher außer den offen gelassenen füllen, Selbstdurchdringungen auflösen und die anderen Fehler außer Bruchstücken beheben, in einem Schritt</translation>
     </message>
 </context>
 <context>
@@ -15464,6 +15683,10 @@
     <message>
         <source>self-intersections not known yet</source>
         <translation>Selbstdurchdringungen noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Inconsistently oriented</source>
+        <translation>Uneinheitlich orientiert</translation>
     </message>
 </context>
 <context>

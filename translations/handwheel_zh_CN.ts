@@ -169,10 +169,6 @@
         <translation>三角形朝内的体，其内外颠倒。</translation>
     </message>
     <message>
-        <source>No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were reversed on opening. If the neighbours were wrong, “Reverse faces” reverses the whole shell.</source>
-        <translation>不再是缺陷：文件中与相邻三角形方向相反的三角形在打开时已反转。如果错误的是相邻三角形，“反转面”可反转整个壳体。</translation>
-    </message>
-    <message>
         <source>Triangles without area.</source>
         <translation>面积为零的三角形。</translation>
     </message>
@@ -181,16 +177,28 @@
         <translation>与另一个完全重合的三角形。</translation>
     </message>
     <message>
-        <source>Pairs of triangles that intersect. “Repair all” resolves only those that keep a hole from being closed; “Resolve self-intersections” resolves the others.</source>
-        <translation>相互穿插的三角形对。“全部修复”只处理妨碍孔封闭的那些；“消除自相交”处理其余的。</translation>
-    </message>
-    <message>
         <source>Pieces apart from the largest one, with less than %1 % of its area and less than %2 % of its triangles. “Remove debris” removes all, or only the piece selected here; any other piece is removed with the tool “Select faces”.</source>
         <translation>最大部件以外的碎片，其面积小于最大部件的 %1 %，三角形数小于其 %2 %。“移除碎片”移除全部或仅移除此处选中的一块；其他部分用“选择面”工具移除。</translation>
     </message>
     <message>
         <source>Boundaries kept open</source>
         <translation>保持开放的边界</translation>
+    </message>
+    <message>
+        <source>Inconsistent triangles</source>
+        <translation>方向不一致的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles with an orientation opposite to that of their neighbours. Opening a file reverses them, as the first step of the history; they are listed here where that step is undone.</source>
+        <translation>与相邻三角形方向相反的三角形。打开文件时会将其反转，作为历史记录的第一步；撤销该步骤后，它们会列在此处。</translation>
+    </message>
+    <message>
+        <source>No longer a defect: triangles with an orientation opposite to that of their neighbours in the file were reversed on opening, as the first step of the history. If the neighbours were wrong, “Reverse faces” reverses the whole shell.</source>
+        <translation>不再是缺陷：文件中与相邻三角形方向相反的三角形在打开时已反转，作为历史记录的第一步。如果错误的是相邻三角形，“反转面”可反转整个壳体。</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles that intersect. “Repair all” cuts them along each other and joins them so that none intersects another, where that leaves nothing else worse.</source>
+        <translation>相互穿插的三角形对。“全部修复”沿交线将其切开并重新连接，使三角形不再相互穿插，前提是不会使其他方面变差。</translation>
     </message>
 </context>
 <context>
@@ -1282,10 +1290,6 @@
         <translation>请选择更大的体素，或关闭其他程序。</translation>
     </message>
     <message>
-        <source>Turn its faces outwards if it is inside out; a flat sheet has no inside.</source>
-        <translation>如果内外颠倒，请使其各面朝外；平的片体没有内部。</translation>
-    </message>
-    <message>
         <source>Choose larger voxels, or work on a piece of the part.</source>
         <translation>请选择更大的体素，或只处理零件的一部分。</translation>
     </message>
@@ -1484,6 +1488,42 @@
     <message>
         <source>no sample has a value from %1 to %2: the values of the image range from %3 to %4</source>
         <translation>没有采样点的值在 %1 至 %2 之间：图像的值为 %3 至 %4</translation>
+    </message>
+    <message>
+        <source>Turn its faces outwards, or make walls of sheets: &apos;handwheel voxelize --wall MM&apos;.</source>
+        <translation>请使其各面朝外，或将片体做成壁：“handwheel voxelize --wall MM”。</translation>
+    </message>
+    <message>
+        <source>“%1” has no meaning for a drilling program here</source>
+        <translation>“%1”在此处的钻孔程序中没有意义</translation>
+    </message>
+    <message>
+        <source>Drill by G0, G1, G81, G82, G83, G80, G98, G99 and G4, in millimetres and absolute.</source>
+        <translation>请使用 G0、G1、G81、G82、G83、G80、G98、G99 和 G4 钻孔，以毫米为单位并采用绝对坐标。</translation>
+    </message>
+    <message>
+        <source>%1 is missing, which %2 needs</source>
+        <translation>缺少 %2 所需的 %1</translation>
+    </message>
+    <message>
+        <source>%1 has a value that it cannot have (%2)</source>
+        <translation>%1 的值不允许（%2）</translation>
+    </message>
+    <message>
+        <source>the program has more than %1 moves</source>
+        <translation>程序超过 %1 次移动</translation>
+    </message>
+    <message>
+        <source>Choose larger pecks, or a part of the program.</source>
+        <translation>请选择更大的啄钻深度，或只用程序的一部分。</translation>
+    </message>
+    <message>
+        <source>the program moves nothing</source>
+        <translation>程序没有任何移动</translation>
+    </message>
+    <message>
+        <source>It begins with a move of all three axes, such as G0 X0 Y0 Z10.</source>
+        <translation>程序以三个轴同时移动开始，例如 G0 X0 Y0 Z10。</translation>
     </message>
 </context>
 <context>
@@ -2984,6 +3024,10 @@
         <source>it is not a volume</source>
         <translation>不是体素模型</translation>
     </message>
+    <message>
+        <source>its samples need more memory than there is</source>
+        <translation>其采样点所需内存超过现有内存</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -3895,6 +3939,78 @@
     <message>
         <source>CPU time to check a motion</source>
         <translation>检查一个运动的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>Voxels along the largest extent of a part</source>
+        <translation>沿零件最大尺寸方向的体素数</translation>
+    </message>
+    <message>
+        <source>largest distance of the surface from the part, in extents</source>
+        <translation>表面与零件的最大距离（以零件最大尺寸计）</translation>
+    </message>
+    <message>
+        <source>CPU time to make the volume and its surface</source>
+        <translation>生成体素模型及其表面的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>How voxels are sampled</source>
+        <translation>体素的采样方式</translation>
+    </message>
+    <message>
+        <source>sign</source>
+        <translation>符号</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>密度</translation>
+    </message>
+    <message>
+        <source>largest distance of the surface from the part, in voxels</source>
+        <translation>表面与零件的最大距离（以体素计）</translation>
+    </message>
+    <message>
+        <source>CPU time to make the volume</source>
+        <translation>生成体素模型的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>Voxels that a repair by volume may move the surface by to save triangles</source>
+        <translation>体素修复为减少三角形可将表面移动的体素数</translation>
+    </message>
+    <message>
+        <source>How a volume becomes triangles</source>
+        <translation>体素模型转换为三角形的方法</translation>
+    </message>
+    <message>
+        <source>marching</source>
+        <translation>移动立方体</translation>
+    </message>
+    <message>
+        <source>dual</source>
+        <translation>对偶轮廓</translation>
+    </message>
+    <message>
+        <source>RMS distance of edges from the surface, in voxels</source>
+        <translation>边到表面的均方根距离（以体素计）</translation>
+    </message>
+    <message>
+        <source>CPU time to make the triangles</source>
+        <translation>生成三角形的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>What a voxel loses to a drill in a cycle, in lengths of its way</source>
+        <translation>体素在一个周期内被钻头去除的量（以钻头行程的长度计）</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>RMS error of the thrust</source>
+        <translation>轴向力的均方根误差</translation>
+    </message>
+    <message>
+        <source>CPU time of a cycle</source>
+        <translation>每个周期的 CPU 时间</translation>
     </message>
 </context>
 <context>
@@ -7255,14 +7371,6 @@
         <translation>壁的位置</translation>
     </message>
     <message>
-        <source>Outside</source>
-        <translation>外侧</translation>
-    </message>
-    <message>
-        <source>Middle</source>
-        <translation>居中</translation>
-    </message>
-    <message>
         <source>All of the surface</source>
         <translation>表面的全部三角形</translation>
     </message>
@@ -7277,6 +7385,34 @@
     <message>
         <source>Triangles of the mesh</source>
         <translation>网格的三角形数</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>密度</translation>
+    </message>
+    <message>
+        <source>Marching cubes</source>
+        <translation>移动立方体</translation>
+    </message>
+    <message>
+        <source>Dual contouring</source>
+        <translation>对偶轮廓</translation>
+    </message>
+    <message>
+        <source>Inside the surface</source>
+        <translation>表面内侧</translation>
+    </message>
+    <message>
+        <source>Outside the surface</source>
+        <translation>表面外侧</translation>
+    </message>
+    <message>
+        <source>On both sides of it</source>
+        <translation>表面两侧</translation>
     </message>
 </context>
 <context>
@@ -7363,6 +7499,12 @@
         <source>%Ln outer boundary(ies) and kept hole(s)</source>
         <translation>
             <numerusform>%Ln 个外边界和保持开放的孔洞</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln inconsistent triangle(s)</source>
+        <translation>
+            <numerusform>%Ln 个方向不一致的三角形</numerusform>
         </translation>
     </message>
 </context>
@@ -8970,6 +9112,22 @@
         <source>Move surface</source>
         <translation>偏移表面</translation>
     </message>
+    <message>
+        <source>all neighbours agree already</source>
+        <translation>所有相邻三角形的方向已一致</translation>
+    </message>
+    <message>
+        <source>it would take too long for a mesh of this size; “handwheel voxelize --wall” makes a volume with walls of any sheets</source>
+        <translation>对于这样大小的网格，这会花费太长时间；“handwheel voxelize --wall”可由任意片体生成带壁的体素模型</translation>
+    </message>
+    <message>
+        <source>Orient consistently</source>
+        <translation>统一方向</translation>
+    </message>
+    <message>
+        <source>no part is that small</source>
+        <translation>没有这么小的部分</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -10131,6 +10289,30 @@
     <message>
         <source>Select the robot that the file describes, and read it again.</source>
         <translation>请选择该文件所描述的机器人，然后重新读取。</translation>
+    </message>
+    <message>
+        <source>%1 is a path of another robot</source>
+        <translation>%1 是另一台机器人的路径</translation>
+    </message>
+    <message>
+        <source>%1 is not in the plan any more</source>
+        <translation>规划中已没有 %1</translation>
+    </message>
+    <message>
+        <source>Nothing was done.</source>
+        <translation>未执行任何操作。</translation>
+    </message>
+    <message>
+        <source>%1 was not exported</source>
+        <translation>%1 未导出</translation>
+    </message>
+    <message>
+        <source>The path was changed since its export was asked for.</source>
+        <translation>请求导出之后，该路径已被更改。</translation>
+    </message>
+    <message>
+        <source>Export it again.</source>
+        <translation>请重新导出。</translation>
     </message>
 </context>
 <context>
@@ -11540,6 +11722,30 @@
         <source>Not all of %1 is kept</source>
         <translation>%1 的内容未全部保留</translation>
     </message>
+    <message>
+        <source>A document could not be recovered</source>
+        <translation>无法恢复某个文档</translation>
+    </message>
+    <message>
+        <source>%1 could not be recovered</source>
+        <translation>无法恢复 %1</translation>
+    </message>
+    <message>
+        <source>Its autosave is kept, and offered again at the next start.</source>
+        <translation>其自动保存会保留，并在下次启动时再次提示。</translation>
+    </message>
+    <message>
+        <source>The last changes of %1 cannot be read</source>
+        <translation>无法读取 %1 的最近更改</translation>
+    </message>
+    <message>
+        <source>It is recovered as it was autosaved before them.</source>
+        <translation>将恢复到这些更改之前自动保存的状态。</translation>
+    </message>
+    <message>
+        <source>Their file is kept and listed in the Log; it can be discarded at the next start.</source>
+        <translation>这些更改的文件会保留，并在日志中列出；下次启动时可将其丢弃。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileSaver</name>
@@ -12499,10 +12705,6 @@
         <translation>历史</translation>
     </message>
     <message>
-        <source>As opened</source>
-        <translation>打开时</translation>
-    </message>
-    <message>
         <source>Documents</source>
         <translation>文档</translation>
     </message>
@@ -12642,6 +12844,18 @@
         <source>Sa&amp;mples and exercises</source>
         <translation>示例与练习(&amp;M)</translation>
     </message>
+    <message>
+        <source>As created</source>
+        <translation>创建时</translation>
+    </message>
+    <message>
+        <source>History begins when the file was opened</source>
+        <translation>历史从打开文件时开始</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>文件中的状态</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MappingForm</name>
@@ -12659,6 +12873,10 @@
     <message>
         <source>No longer keep open</source>
         <translation>不再保持开放</translation>
+    </message>
+    <message>
+        <source>Triangles reversed on opening: %1</source>
+        <translation>打开时反转的三角形：%1</translation>
     </message>
 </context>
 <context>
@@ -13971,10 +14189,6 @@
         <translation>清除选择和预览</translation>
     </message>
     <message>
-        <source>Fill all holes except those kept open, and repair the other defects, as one step</source>
-        <translation>一步填补所有未保持开放的孔洞，并修复其他缺陷</translation>
-    </message>
-    <message>
         <source>Mark this opening as intended: “Repair all” does not close it</source>
         <translation>将此开口标记为有意保留：“全部修复”不会封闭它</translation>
     </message>
@@ -13997,6 +14211,10 @@
     <message>
         <source>Choose the size of the voxels, and replace everything by the surface of the volume that is enclosed</source>
         <translation>选择体素大小，并用所围体积的表面替换全部内容</translation>
+    </message>
+    <message>
+        <source>Fill all holes except those kept open, resolve self-intersections, and repair the other defects except debris, as one step</source>
+        <translation>一步填补所有未保持开放的孔洞，消除自相交，并修复除碎片外的其他缺陷</translation>
     </message>
 </context>
 <context>
@@ -15356,6 +15574,10 @@
     <message>
         <source>self-intersections not known yet</source>
         <translation>尚不清楚是否自相交</translation>
+    </message>
+    <message>
+        <source>Inconsistently oriented</source>
+        <translation>方向不一致</translation>
     </message>
 </context>
 <context>
