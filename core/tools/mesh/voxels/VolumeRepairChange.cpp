@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/voxels/VolumeRepairChange.h"
 
+#include "mesh/measure/Deviation.h"
 #include "tools/mesh/FixParts.h"
 #include "tools/mesh/StepText.h"
 #include "tools/mesh/operations/FillOperation.h"
@@ -41,9 +42,10 @@ MeshChange volumeRepairChange(double voxel, double gaps, NumberType numbers) {
         const TriangleSoup surface = mesh.compact().soup;
         const VolumeRepairOptions options{
             .voxel = voxel > 0.0 ? voxel : usualVoxel(surface), .gaps = gaps, .numbers = numbers};
-        Result<VolumeRepair> repair = repairByVolume(surface, options, progress);
+        Result<VolumeRepair> repair = repairByVolume(surface, options, progress.part(0.0, 0.9));
         if (!repair) return repair.error().code == ErrorCode::Cancelled ? nullptr : reasonOf(repair.error());
-        *distance = repair->keptDistance;
+        *distance = largestDistance(repair->mesh, mesh, progress.part(0.9, 1.0));
+        if (progress.cancelled()) return nullptr;
         mesh = std::move(repair->mesh);
         return nullptr;
       });
