@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-std::shared_ptr<const ExerciseSnapshot> shoulder() {
+std::shared_ptr<const ExerciseSnapshot> loadedShoulder() {
   static const ExerciseKind kKind(turningOnly());
   static const auto kExercise = exerciseFrom(kKind, shoulderDescription());
   return kExercise;
@@ -33,9 +33,9 @@ class TurningLoadsTest : public QObject {
  private slots:
   // The peak is that of Kienzle's law for a groove as wide as the cut.
   void forceAndPower() {
-    const TurningTask& task = static_cast<const TurningTask&>(*shoulder()->task);
+    const TurningTask& task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     const Json work = {{"passes", {{{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}}}}};
-    const auto snapshot = workFrom(*shoulder(), work);
+    const auto snapshot = workFrom(*loadedShoulder(), work);
     const MeasuredPart part(task, static_cast<const WorkpieceSnapshot&>(*snapshot), {});
     double force = 0.0, power = 0.0;
     for (const auto& load : part.loads()) force = std::max(force, load.force), power = std::max(power, load.power);
@@ -49,11 +49,11 @@ class TurningLoadsTest : public QObject {
 
   // What is said of a pass, or of a program, is of that alone, whatever was cut before.
   void loadsOfEachPass() {
-    const TurningTask& task = static_cast<const TurningTask&>(*shoulder()->task);
+    const TurningTask& task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     const Json heavy = {{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}};
     const Json light = {{"nose_radius", 0.8}, {"feed", 0.1}, {"points", {{18.3, 100}, {18.3, 70}}}};
-    const auto one = workFrom(*shoulder(), {{"passes", {heavy}}});
-    const auto two = workFrom(*shoulder(), {{"passes", {heavy, light}}});
+    const auto one = workFrom(*loadedShoulder(), {{"passes", {heavy}}});
+    const auto two = workFrom(*loadedShoulder(), {{"passes", {heavy, light}}});
     const auto& before = static_cast<const WorkpieceSnapshot&>(*one);
     const auto& after = static_cast<const WorkpieceSnapshot&>(*two);
     // As above: 2 mm at 0.3 mm from ⌀40, then 0.5 mm at 0.1 mm from ⌀36.
@@ -73,10 +73,10 @@ class TurningLoadsTest : public QObject {
 
   // Places are told as the drawing and the read-out count: from the finished face, where fields count from the chuck.
   void placesAreThoseOfTheDrawing() {
-    const auto& task = static_cast<const TurningTask&>(*shoulder()->task);
+    const auto& task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     QVERIFY(task.target);
     const double zero = task.target->upperEnd();
-    ExerciseSnapshot scheme = withNewCriterion(*shoulder(), *figureType(turningFigureTypes(), "diameter"));
+    ExerciseSnapshot scheme = withNewCriterion(*loadedShoulder(), *figureType(turningFigureTypes(), "diameter"));
     MarkingCriterion& added = scheme.exercise.criteria.back();
     added.arguments = {zero - 30.0, zero - 20.0};
     added.lower = 1.0;
@@ -105,19 +105,19 @@ class TurningLoadsTest : public QObject {
     workpiece.stock = task.stock;
     QCOMPARE(task.zero(), 120.0);
     QCOMPARE(programZero(workpiece), 120.0);
-    QVERIFY(shoulder()->subject->drawingZero(task) == std::optional(120.0));
+    QVERIFY(loadedShoulder()->subject->drawingZero(task) == std::optional(120.0));
   }
 
   // A cut beyond what the lathe has is in the report, whether or not there are points for it.
   void tooHeavyIsReported() {
-    TurningTask task = static_cast<const TurningTask&>(*shoulder()->task);
+    TurningTask task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     const Json work = {{"passes", {{{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}}}}};
-    const auto snapshot = workFrom(*shoulder(), work);
+    const auto snapshot = workFrom(*loadedShoulder(), work);
     const auto events = [&](double force, double power) {
       task.forceLimit = force;
       task.powerLimit = power;
       std::string all;
-      for (const ReportEvent& each : shoulder()->subject->details(task, *snapshot, {}).events)
+      for (const ReportEvent& each : loadedShoulder()->subject->details(task, *snapshot, {}).events)
         all += each.text.inEnglish() + "\n";
       return all;
     };
@@ -129,20 +129,20 @@ class TurningLoadsTest : public QObject {
 
   // A new mark for what must not happen has a limit, so that it gives its points to good work, and to that only.
   void newMarksHaveLimits() {
-    const auto& task = static_cast<const TurningTask&>(*shoulder()->task);
+    const auto& task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     for (const auto& [figure, limit] :
          {std::pair("crashes", 0.0), std::pair("force", task.forceLimit), std::pair("power", task.powerLimit)}) {
       const FigureType* const type = figureType(turningFigureTypes(), figure);
-      const ExerciseSnapshot scheme = withNewCriterion(*shoulder(), *type);
+      const ExerciseSnapshot scheme = withNewCriterion(*loadedShoulder(), *type);
       const MarkingCriterion& added = scheme.exercise.criteria.back();
       QCOMPARE(added.upper, std::optional(limit));
       const Marking good = markWork(scheme, *workFrom(scheme, shoulderWork()), {});
       QCOMPARE(good.find(added.id)->points, added.points);
     }
     const FigureType* const diameter = figureType(turningFigureTypes(), "diameter");
-    QVERIFY(!withNewCriterion(*shoulder(), *diameter).exercise.criteria.back().hasLimit());
+    QVERIFY(!withNewCriterion(*loadedShoulder(), *diameter).exercise.criteria.back().hasLimit());
     // However often the tool strikes, no more is lost than the points of the mark.
-    const ExerciseSnapshot scheme = withNewCriterion(*shoulder(), *figureType(turningFigureTypes(), "crashes"));
+    const ExerciseSnapshot scheme = withNewCriterion(*loadedShoulder(), *figureType(turningFigureTypes(), "crashes"));
     WorkpieceSnapshot struck = static_cast<const WorkpieceSnapshot&>(*workFrom(scheme, shoulderWork()));
     struck.crashes = std::make_shared<const std::vector<LatheCollision>>(100);
     const Marking bad = markWork(scheme, struck, {}), good = markWork(scheme, *workFrom(scheme, shoulderWork()), {});
