@@ -160,7 +160,7 @@ inline std::vector<ExtremeMesh> topologicalMeshes() {
        .loops = 2,
        .filled = 2,
        .flat = true},
-      {.name = "ball whose hole has a folded border",
+      {.name = "ball whose hole has a folded boundary",
        .soup = [] { return withFoldedBorder(withHole(icosphere(4), Vec3(1, 2, 3).normalized(), 0.15)); },
        .loops = 1,
        .filled = 1,

@@ -384,9 +384,9 @@ void MeshStepsTest::mistakes_data() {
   row("repair --colour red", "repair has no option '--colour'");
   row("repair --rims off", "--rims takes keep, back or fill, not 'off'");
   row("repair --near-weld nan", "--near-weld takes a number from 0 to 1, not 'nan'");
-  row("place --scale 0", "--scale takes a number from 1e-09 to 1e+09, not '0'");
-  row("place --move 1,2", "--move takes X,Y,Z, each a length from -1e+09 to 1e+09 mm, not '1,2'");
-  row("place --move 1,2,inf", "--move takes X,Y,Z, each a length from -1e+09 to 1e+09 mm, not '1,2,inf'");
+  row("place --scale 0", "--scale takes a number from 1e-09 to 1000000000, not '0'");
+  row("place --move 1,2", "--move takes X,Y,Z, each a length from -1000000000 to 1000000000 mm, not '1,2'");
+  row("place --move 1,2,inf", "--move takes X,Y,Z, each a length from -1000000000 to 1000000000 mm, not '1,2,inf'");
   row("place --turn 1,2,400", "--turn takes A,B,C, each an angle from -360 to 360 degrees, not '1,2,400'");
   row("place --unit ft", "--unit takes mm, cm, m, in or um, not 'ft'");
   row("place --scale 2 --scale 3", "--scale is given twice");
