@@ -95,7 +95,7 @@ class InterruptTest : public QObject {
     QTRY_VERIFY(catches(process.processId(), SIGTERM));
     QTest::qWait(milliseconds);
     process.terminate();
-    QVERIFY(process.waitForFinished(kLongestRun));
+    QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished(kLongestRun));
     QTest::qWait(1000);
     const bool isDone = process.exitCode() == 0;  // it was quicker than that
     QCOMPARE(bench.names(), isDone ? (QStringList{"a.off", "p.png"}) : QStringList{"a.off"});
