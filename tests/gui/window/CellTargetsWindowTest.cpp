@@ -37,7 +37,7 @@ class CellTargetsWindowTest : public QObject {
     const double z = driver.number("tool.z");
     driver.choose("storeTarget");
     QCOMPARE(driver.targets()->childCount(), 1);
-    QTRY_VERIFY_WITH_TIMEOUT(driver.targets()->child(0)->text(1).contains("way"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.targets()->child(0)->text(1).contains("configuration"), kPatienceMs);
     driver.edit("joint.joint_2", "0");
     QVERIFY(std::abs(driver.number("tool.z") - z) > 1.0);
     QVERIFY(driver.settle());
@@ -66,11 +66,11 @@ class CellTargetsWindowTest : public QObject {
     driver.edit("body.1.x", "500");
     driver.edit("body.1.y", "600");
     driver.choose("storeTarget");
-    QTRY_VERIFY_WITH_TIMEOUT(driver.targets()->child(0)->text(1).contains("way"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.targets()->child(0)->text(1).contains("configuration"), kPatienceMs);
     driver.edit("body.1.x", "9000");
     QTRY_VERIFY_WITH_TIMEOUT(driver.targets()->child(0)->text(1).contains("out of reach"), kPatienceMs);
     driver.click("quickActions/undo");
-    QTRY_VERIFY_WITH_TIMEOUT(driver.targets()->child(0)->text(1).contains("way"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.targets()->child(0)->text(1).contains("configuration"), kPatienceMs);
   }
 
   // Chosen from a list, with the mouse alone.
