@@ -56,7 +56,9 @@ Status RecoverySession::store(std::uint64_t key, const AutosaveInfo& info, const
     Slot& slot = m_slots[key];
     if (slot.isClosed) return Done{};
     if (const Status open = openFolder(); !open) return open.error();
-    stored = slot.stored;
+    // Changes beside an autosave that somebody has removed are of nothing.
+    std::error_code ignored;
+    if (std::filesystem::exists(autosaveFile(m_folder, key), ignored)) stored = slot.stored;
   }
   const std::optional<Container> changes = stored ? changesSince(*stored, container) : std::nullopt;
   const Result<std::string> bytes =

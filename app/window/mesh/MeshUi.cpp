@@ -281,8 +281,8 @@ std::vector<ToolDescriptor> MeshUi::tools() {
       {kVolumeRepairTool, tr("Repair by &volume"),
        tr("Replace everything by the surface of the volume that is enclosed: closed and free of self-intersections, "
           "without details smaller than a voxel"),
-       QStringLiteral("kind-volume"), QKeySequence(Qt::Key_V), [this] { return m_tools.volumeRepairTool(); },
-       "volume-repair", VolumeRepairTool::keys()},
+       QStringLiteral("kind-volume"), QKeySequence(Qt::SHIFT | Qt::Key_R),
+       [this] { return m_tools.volumeRepairTool(); }, "volume-repair", VolumeRepairTool::keys()},
       {QStringLiteral("subdivideTool"), tr("Su&bdivide"),
        tr("Refine the whole mesh by a subdivision scheme, including open edges"), QStringLiteral("subdivide"),
        QKeySequence(Qt::Key_E), [this] { return m_tools.subdivideTool(); }, "subdivide", SubdivideTool::keys()},

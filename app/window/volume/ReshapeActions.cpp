@@ -38,6 +38,7 @@ ReshapeActions::ReshapeActions(const WindowContext& parts, QObject* parent) : QO
   const auto add = [this](Change change, const QString& text, const char* name, const char* iconName,
                           const QString& tip) {
     QAction& action = m_actions[static_cast<std::size_t>(change)];
+    action.setParent(this);  // so that commands and keys find it
     action.setText(text);
     prepare(action, name, iconName, tip);
     action.setEnabled(false);

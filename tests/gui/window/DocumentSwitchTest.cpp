@@ -80,6 +80,7 @@ class DocumentSwitchTest : public QObject {
     QVERIFY(row);
     auto* field = row->findChild<QPlainTextEdit*>("propertyLongText");
     QTRY_VERIFY(field->isVisible());
+    driver.window().activateWindow();
     field->setFocus();
     QTRY_VERIFY(field->hasFocus());
     QTest::keyClicks(field, "Mine. ");

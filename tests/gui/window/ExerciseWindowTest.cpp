@@ -407,7 +407,8 @@ class ExerciseWindowTest : public QObject {
     QTRY_VERIFY(dialog->isVisible());
     const auto faceIs = [&](const char* place) {
       const auto labels = dialog->findChild<QWidget*>("property/target_face")->findChildren<QLabel*>();
-      return std::any_of(labels.begin(), labels.end(), [&](const QLabel* each) { return each->text() == place; });
+      return std::any_of(labels.begin(), labels.end(),
+                         [&](const QLabel* each) { return each->text().simplified() == place; });
     };
     QVERIFY(faceIs("99 mm"));
     dialog->reject();

@@ -137,8 +137,7 @@ class VolumeWindowTest : public QObject {
     QTRY_VERIFY(dialog->isVisible());
     QVERIFY(driver.settle());
     driver.find<QPushButton>("propertiesAccept")->click();
-    QVERIFY(driver.settle());
-    QCOMPARE(driver.tabs(), 2);
+    QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 2, 4 * kPatienceMs);
     const Document& mesh = driver.window().findChild<DocumentTabs*>()->current()->document;
     QCOMPARE(mesh.kind().id(), std::string("mesh"));
     QCOMPARE(mesh.name(), QStringLiteral("clay ball"));
