@@ -424,7 +424,7 @@ class ExerciseWindowTest : public QObject {
     facing->selectAll();
     QTest::keyClicks(facing, "2.5");
     QTest::keyClick(facing, Qt::Key_Tab);
-    QVERIFY(faceIs("97.5 mm"));  // nothing in the dialog tells another place
+    QTRY_VERIFY(faceIs("97.5 mm"));  // nothing in the dialog tells another place
     QVERIFY(!labelsOf(dialog).contains("behind the free end of the bar"));
     dialog->findChild<QPushButton*>("propertiesAccept")->click();
     QVERIFY(driver.settle());
