@@ -38,4 +38,9 @@ void PropertyDialog::edit(const std::string& id, const PropertyValue& value) {
   m_list->setProperties(m_shown());
 }
 
+// A field that loses the focus as it is deleted commits its text, when the functions are gone.
+PropertyDialog::~PropertyDialog() {
+  m_list->disconnect(this);
+}
+
 }  // namespace handwheel

@@ -24,6 +24,7 @@ class PropertyDialog : public QDialog {
   using Shown = std::function<std::vector<Property>()>;
   using Change = std::function<Status(const std::string& id, const PropertyValue& value)>;
   PropertyDialog(const Text& text, Shown shown, Change change, QWidget* parent);
+  ~PropertyDialog() override;
 
   // To be called when what is shown has changed by itself.
   void refresh() { m_list->setProperties(m_shown()); }

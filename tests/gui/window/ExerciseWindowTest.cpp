@@ -421,6 +421,9 @@ class ExerciseWindowTest : public QObject {
     dialog = driver.find<QDialog>("targetPlaceDialog");
     auto* facing = dialog->findChild<QWidget*>("property/facing_allowance")->findChild<QLineEdit*>();
     QVERIFY(facing->text().startsWith(QLatin1Char('1')));
+    dialog->activateWindow();
+    facing->setFocus();
+    QTRY_VERIFY(facing->hasFocus());
     facing->selectAll();
     QTest::keyClicks(facing, "2.5");
     QTest::keyClick(facing, Qt::Key_Tab);
