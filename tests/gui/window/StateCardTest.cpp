@@ -4,7 +4,7 @@
 
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
-#include "TestClass.h"
+#include "WindowTestMain.h"
 
 #include <QLabel>
 #include <QtTest>
@@ -36,5 +36,5 @@ class StateCardTest : public QObject {
   }
 };
 
-HANDWHEEL_TEST(StateCardTest)
+HANDWHEEL_WINDOW_TEST(StateCardTest)
 #include "StateCardTest.moc"
