@@ -17,20 +17,30 @@ class CommandLineTest : public QObject {
     const Ran overview = bench.run({"--help"});
     QCOMPARE(overview.code, 0);
     QCOMPARE(overview.err, QByteArray());
-    for (const char* command : {"inspect",  "repair",  "convert",
-                                "picture",  "new",     "set",
-                                "measure",  "compare", "decimate",
-                                "split",    "merge",   "section",
-                                "devices",  "feel",    "edit",
-                                "turn",     "body",    "recording",
-                                "exercise", "mark",    "program",
-                                "target",   "train",   "force",
-                                "thread",   "ik",      "benchmark-planning",
-                                "plan",     "verify",  "configuration",
-                                "post",     "teleop",  "optimise-path",
-                                "robot"}) {
+    for (const char* command : {"inspect",  "repair",   "convert",
+                                "picture",  "new",      "set",
+                                "measure",  "compare",  "decimate",
+                                "split",    "merge",    "section",
+                                "devices",  "feel",     "edit",
+                                "turn",     "body",     "recording",
+                                "exercise", "mark",     "program",
+                                "target",   "train",    "force",
+                                "thread",   "ik",       "benchmark-planning",
+                                "plan",     "verify",   "configuration",
+                                "post",     "teleop",   "optimise-path",
+                                "robot",    "voxelize", "remesh",
+                                "boolean",  "shell",    "offset",
+                                "debris",   "gaps",     "smooth",
+                                "drill",    "segment"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
       const Ran page = bench.run({"help", command});
+      QStringList options;  // no two of one name
+      for (const QByteArray& line : page.out.split('\n')) {
+        const QString option = QString::fromUtf8(line).section(QStringLiteral("--"), 1, 1).section(' ', 0, 0);
+        if (line.startsWith("  ") && line.left(8).contains("--")) options << option;
+      }
+      options.sort();
+      QCOMPARE(options.removeDuplicates(), 0);
       QCOMPARE(page.code, 0);
       QVERIFY(page.out.startsWith(QByteArray("Usage: handwheel ") + command + " "));
       QCOMPARE(bench.run({command, "--help"}).out, page.out);

@@ -88,7 +88,8 @@ CommandSpec booleanSpec() {
                        {"subtract", 0, "", "What is in A and not in B"},
                        {"intersect", 0, "", "What is in both"},
                        {"output", 'o', "OUT", "The volume (.handwheel, .vdb, .nrrd), or its surface as a mesh"}}};
-  for (OptionSpec& option : optionsOf(voxelizeOperation(), {"method"})) spec.options.push_back(std::move(option));
+  for (OptionSpec& option : optionsOf(voxelizeOperation(), {"method", "wall"}))
+    spec.options.push_back(std::move(option));
   spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
   spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});

@@ -10,7 +10,6 @@
 #include "cli/volume/VolumeFiles.h"
 #include "tools/volume/VolumeChanges.h"
 #include "tools/volume/VolumeOperations.h"
-#include "tools/volume/WallOperations.h"
 
 #include <nlohmann/json.hpp>
 
@@ -114,7 +113,8 @@ CommandSpec specOf(const Operation& operation, std::string_view summary) {
   CommandSpec spec = {operation.id, "IN", summary, {}};
   for (OptionSpec& option : optionsOf(operation)) spec.options.push_back(std::move(option));
   spec.options.push_back({"output", 'o', "OUT", "The volume (.handwheel, .vdb, .nrrd), or its surface as a mesh"});
-  for (OptionSpec& option : optionsOf(voxelizeOperation(), {"method"})) spec.options.push_back(std::move(option));
+  for (OptionSpec& option : optionsOf(voxelizeOperation(), {"method", "wall"}))
+    spec.options.push_back(std::move(option));
   spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
   spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});

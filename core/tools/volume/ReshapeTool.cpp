@@ -6,7 +6,6 @@
 #include "document/volume/VolumeMaking.h"
 #include "tools/OperationSettings.h"
 #include "tools/ToolProperty.h"
-#include "tools/volume/WallOperations.h"
 #include "volume/VolumeToSurface.h"
 
 #include <QCoreApplication>

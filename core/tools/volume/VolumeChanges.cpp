@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/volume/VolumeChanges.h"
 
+#include "tools/volume/VolumeOperations.h"
 #include "volume/VolumeBoolean.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeFilters.h"
@@ -16,18 +17,20 @@
 namespace handwheel {
 namespace {
 
-constexpr double kMostPasses = 50.0;  // of smoothing: more are a change of the shape
+constexpr double kLeastLength = 1e-9, kLargestLength = 1e6;  // mm
+constexpr double kMostPasses = 50.0;                         // of smoothing: more are a change of the shape
 
-Parameter lengthOf(const char* id, const char* label, double value, std::string meaning) {
-  return {.property = {.id = id,
+Parameter sideParameter() {
+  return {.property = {.id = "side",
                        .group = {},
-                       .label = label,
-                       .value = value,
-                       .quantity = Quantity::Length,
-                       .least = 1e-9,
-                       .largest = 1e6},
-          .meaning = std::move(meaning),
-          .word = "MM"};
+                       .label = QT_TRANSLATE_NOOP("Property", "Wall"),
+                       .value = 0.0,
+                       .choices = {QT_TRANSLATE_NOOP("Property", "Inside the surface"),
+                                   QT_TRANSLATE_NOOP("Property", "Outside the surface"),
+                                   QT_TRANSLATE_NOOP("Property", "On both sides of it")}},  // as WallSide
+          .meaning = "Where the wall is: inside of the surface, outside, or with the surface in its middle",
+          .word = "SIDE",
+          .words = {"inside", "outside", "middle"}};
 }
 
 Result<SparseVolume> unlessEmpty(Result<SparseVolume> made, const Progress& progress) {
@@ -56,23 +59,48 @@ const Operation& booleanOperation() {
   return operation;
 }
 
+const Operation& shellOperation() {
+  static const Operation operation = {
+      .id = "shell",
+      .title = QT_TRANSLATE_NOOP("Tool", "Make shell"),
+      .meaning = "Leaves a wall along the surface of a volume",
+      .parameters = {lengthParameter("wall", QT_TRANSLATE_NOOP("Property", "Wall thickness"),
+                                     "Thickness of the wall; at least two voxels", kLeastLength, kLargestLength),
+                     sideParameter()}};
+  return operation;
+}
+
+const Operation& offsetOperation() {
+  static const Operation operation = {
+      .id = "offset",
+      .title = QT_TRANSLATE_NOOP("Tool", "Move surface"),
+      .meaning = "Moves the surface of a volume out or in",
+      .parameters = {lengthParameter("distance", QT_TRANSLATE_NOOP("Property", "Distance"), "Outwards; below 0 inwards",
+                                     -kLargestLength, kLargestLength)}};
+  return operation;
+}
+
 const Operation& debrisOperation() {
   static const Operation operation = {
       .id = "debris",
       .title = QT_TRANSLATE_NOOP("Tool", "Remove debris"),
       .meaning = "Takes the small parts of a volume away",
-      .parameters = {lengthOf("below", QT_TRANSLATE_NOOP("Property", "Smaller than a ball of"), 1.0,
-                              "Take parts away that have less volume than a ball of this diameter; the largest part "
-                              "stays")}};
+      .parameters = {
+          lengthParameter("below", QT_TRANSLATE_NOOP("Property", "Smaller than a ball of"),
+                          "Take parts away that have less volume than a ball of this diameter; the largest part "
+                          "stays",
+                          kLeastLength, kLargestLength)}};
   return operation;
 }
 
 const Operation& gapsOperation() {
-  static const Operation operation = {.id = "gaps",
-                                      .title = QT_TRANSLATE_NOOP("Tool", "Close gaps"),
-                                      .meaning = "Fills gaps, cracks and pits of a volume",
-                                      .parameters = {lengthOf("radius", QT_TRANSLATE_NOOP("Property", "Radius"), 1.0,
-                                                              "Fill what a ball of this radius does not get into")}};
+  static const Operation operation = {
+      .id = "gaps",
+      .title = QT_TRANSLATE_NOOP("Tool", "Close gaps"),
+      .meaning = "Fills gaps, cracks and pits of a volume",
+      .parameters = {lengthParameter("radius", QT_TRANSLATE_NOOP("Property", "Radius"),
+                                     "Fill what a ball of this radius does not get into", kLeastLength,
+                                     kLargestLength)}};
   return operation;
 }
 
@@ -106,6 +134,15 @@ std::uint64_t voxelsOf(double diameter, double voxel) {
 std::size_t keptParts(const VolumeParts& parts, const OperationValues& values, double voxel) {
   const std::size_t kept = parts.countFrom(voxelsOf(values.number("below"), voxel));
   return std::min(parts.voxels().size(), std::max<std::size_t>(kept, 1));
+}
+
+Result<SparseVolume> makeShell(const SparseVolume& volume, const OperationValues& values, Progress progress) {
+  return unlessEmpty(shellOf(volume, values.number("wall"), static_cast<WallSide>(values.whole("side")), progress),
+                     progress);
+}
+
+Result<SparseVolume> makeOffset(const SparseVolume& volume, const OperationValues& values, Progress progress) {
+  return unlessEmpty(movedSurface(volume, values.number("distance"), progress), progress);
 }
 
 Result<SparseVolume> makeBoolean(const SparseVolume& volume, const SparseVolume& other, const OperationValues& values,

@@ -10,6 +10,10 @@
 
 namespace handwheel {
 
+// Leaves a wall along the surface of a volume: its thickness, and on which side.
+const Operation& shellOperation();
+// Moves the surface of a volume out or in.
+const Operation& offsetOperation();
 // Unites a volume with another, or takes what is in it, or what is not.
 const Operation& booleanOperation();
 // Takes parts away that are smaller than a ball of a diameter; the largest part stays.
@@ -26,7 +30,10 @@ std::uint64_t voxelsOf(double diameter, double voxel);
 // How many of the parts stay, by the values of debrisOperation().
 std::size_t keptParts(const VolumeParts& parts, const OperationValues& values, double voxel);
 
-// The volume after one of these. Errors: Cancelled, VolumeErrors::NothingLeft; those of combined() and withoutGaps().
+// The volume after one of these. Errors: Cancelled, VolumeErrors::NothingLeft; those of shellOf(), movedSurface(),
+// combined() and withoutGaps().
+Result<SparseVolume> makeShell(const SparseVolume& volume, const OperationValues& values, Progress progress);
+Result<SparseVolume> makeOffset(const SparseVolume& volume, const OperationValues& values, Progress progress);
 Result<SparseVolume> makeBoolean(const SparseVolume& volume, const SparseVolume& other, const OperationValues& values,
                                  Progress progress);
 Result<SparseVolume> removeDebris(const SparseVolume& volume, const OperationValues& values, Progress progress);

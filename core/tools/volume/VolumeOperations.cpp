@@ -13,19 +13,6 @@
 namespace handwheel {
 namespace {
 
-Parameter lengthParameter(const char* id, const char* label, std::string meaning) {
-  return {.property = {.id = id,
-                       .group = {},
-                       .label = label,
-                       .value = 0.0,
-                       .quantity = Quantity::Length,
-                       .least = 1e-9,
-                       .largest = 1e9},
-          .meaning = std::move(meaning),
-          .word = "MM",
-          .hasDefault = false};
-}
-
 Parameter methodParameter() {
   return {.property = {.id = "method",
                        .group = {},
@@ -67,6 +54,19 @@ HalfEdgeMesh meshOf(const VolumeTriangles& triangles) {
 }
 
 }  // namespace
+
+Parameter lengthParameter(const char* id, const char* label, std::string meaning, double least, double largest) {
+  return {.property = {.id = id,
+                       .group = {},
+                       .label = label,
+                       .value = 0.0,
+                       .quantity = Quantity::Length,
+                       .least = least,
+                       .largest = largest},
+          .meaning = std::move(meaning),
+          .word = "MM",
+          .hasDefault = false};
+}
 
 const Operation& voxelizeOperation() {
   static const Operation operation = {

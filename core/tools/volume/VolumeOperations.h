@@ -10,8 +10,13 @@
 #include "volume/VolumeSurface.h"
 
 #include <optional>
+#include <string>
 
 namespace handwheel {
+
+// A length in mm, without a default.
+Parameter lengthParameter(const char* id, const char* label, std::string meaning, double least = 1e-9,
+                          double largest = 1e9);
 
 // Makes a volume of a surface: its parameters are the voxel, the method and the thickness of walls.
 const Operation& voxelizeOperation();
