@@ -4,7 +4,7 @@
 #include "fidelity/ArmAmongBoxes.h"
 #include "fidelity/Cases.h"
 #include "planning/PathShortcuts.h"
-#include "planning/SblPlanner.h"
+#include "planning/planners/SblPlanner.h"
 
 #include <algorithm>
 

@@ -4,12 +4,12 @@
 #include "fidelity/CaseShapes.h"
 #include "fidelity/Cases.h"
 #include "proximity/TriangleHierarchy.h"
-#include "volume/SharpSurface.h"
 #include "volume/VolumeFidelity.h"
-#include "volume/VolumeRepair.h"
 #include "volume/VolumeShapes.h"
-#include "volume/VolumeToSurface.h"
 #include "volume/drilling/DrillRun.h"
+#include "volume/repair/VolumeRepair.h"
+#include "volume/surface/SharpSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <tbb/task_arena.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "controls/PropertyList.h"
+#include "controls/property/PropertyList.h"
 #include "mesh/search/PickRay.h"
 #include "viewport/Viewport.h"
 

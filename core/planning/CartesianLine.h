@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "planning/SblPlanner.h"
+#include "planning/planners/SblPlanner.h"
 #include "robot/arm/SerialArm.h"
 
 namespace handwheel {

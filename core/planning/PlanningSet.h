@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "planning/SblPlanner.h"
+#include "planning/planners/SblPlanner.h"
 
 namespace handwheel {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planning/RoutePlanning.h"
 
-#include "planning/Planners.h"
+#include "planning/planners/Planners.h"
 
 #include <cassert>
 

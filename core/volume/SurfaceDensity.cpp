@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/SurfaceDensity.h"
 
-#include "volume/ClosedSurfaceInVoxels.h"
-#include "volume/SurfaceRows.h"
 #include "volume/VolumeFilters.h"
+#include "volume/repair/ClosedSurfaceInVoxels.h"
+#include "volume/surface/SurfaceRows.h"
 
 #include <tbb/parallel_for.h>
 

@@ -3,9 +3,9 @@
 #include "volume/SurfaceToVolume.h"
 
 #include "proximity/ClosestPoint.h"
-#include "volume/ClosedSurfaceInVoxels.h"
-#include "volume/Membranes.h"
-#include "volume/SurfaceRows.h"
+#include "volume/repair/ClosedSurfaceInVoxels.h"
+#include "volume/repair/Membranes.h"
+#include "volume/surface/SurfaceRows.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

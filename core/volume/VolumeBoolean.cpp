@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/VolumeBoolean.h"
 
-#include "volume/DepthWindow.h"
 #include "volume/VolumeFilters.h"
 #include "volume/VolumeResampling.h"
+#include "volume/repair/DepthWindow.h"
 
 #include <tbb/parallel_for.h>
 

@@ -3,7 +3,7 @@
 #include "volume/VolumeFidelity.h"
 
 #include "base/Translatable.h"
-#include "volume/VolumeRepair.h"
+#include "volume/repair/VolumeRepair.h"
 
 #include <array>
 #include <limits>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "volume/DepthWindow.h"
+#include "volume/repair/DepthWindow.h"
 
 #include <span>
 #include <vector>

@@ -8,7 +8,7 @@
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeFilters.h"
 #include "volume/VolumeMemory.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <tbb/parallel_for.h>
 

@@ -3,7 +3,7 @@
 #include "base/ThreadClock.h"
 #include "bench/Bars.h"
 #include "machining/force/ForceCsv.h"
-#include "machining/force/ForceTraining.h"
+#include "machining/force/training/ForceTraining.h"
 
 #include <array>
 #include <cstdlib>

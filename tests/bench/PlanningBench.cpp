@@ -4,8 +4,8 @@
 #include "bench/Bars.h"
 #include "bench/SphereRobot.h"
 #include "planning/PathShortcuts.h"
-#include "planning/Planners.h"
-#include "planning/Roadmap.h"
+#include "planning/planners/Planners.h"
+#include "planning/planners/Roadmap.h"
 
 using namespace handwheel;
 

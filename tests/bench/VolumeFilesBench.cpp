@@ -4,11 +4,11 @@
 #include "bench/Bars.h"
 #include "document/FileBytes.h"
 #include "document/volume/ImageFiles.h"
-#include "volume/VolumeToSurface.h"
 #include "volume/image/ImageToVolume.h"
 #include "volume/image/NrrdWriter.h"
 #include "volume/segment/SegmentParts.h"
 #include "volume/segment/SlicePicture.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QTemporaryDir>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include "mesh/structure/MeshBuilder.h"
 #include "support/MeshShapes.h"
 #include "volume/SurfaceToVolume.h"
-#include "volume/VolumeRepair.h"
+#include "volume/repair/VolumeRepair.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -4,8 +4,8 @@
 #include "MeshChecks.h"
 #include "TestClass.h"
 #include "base/Tolerance.h"
-#include "mesh/repair/FoldedRegionRemoval.h"
-#include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/repair/intersections/FoldedRegionRemoval.h"
+#include "mesh/repair/intersections/SelfIntersectionRemoval.h"
 #include "mesh/structure/MeshValidator.h"
 
 #include <numeric>

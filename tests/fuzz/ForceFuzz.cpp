@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/force/ForceCsv.h"
-#include "machining/force/ForceTraining.h"
+#include "machining/force/training/ForceTraining.h"
 
 #include <cmath>
 #include <cstddef>

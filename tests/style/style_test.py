@@ -13,12 +13,18 @@ HEAD = "// SPDX-FileCopyrightText: 2026 The Handwheel developers\n// SPDX-Licens
 
 class StyleTest(unittest.TestCase):
     def run_on(self, name, text):
+        return self.run_on_files({name: text})
+
+    def run_on_files(self, files):
         with tempfile.TemporaryDirectory() as root:
             with open(os.path.join(ROOT, ".clang-format"), encoding="utf-8") as rules:
                 with open(os.path.join(root, ".clang-format"), "w", encoding="utf-8") as copy:
                     copy.write(rules.read())
-            with open(os.path.join(root, name), "w", encoding="utf-8", newline="") as stream:
-                stream.write(text)
+            for name, text in files.items():
+                path = os.path.join(root, name)
+                os.makedirs(os.path.dirname(path), exist_ok=True)
+                with open(path, "w", encoding="utf-8", newline="") as stream:
+                    stream.write(text)
             run = subprocess.run([os.path.join(ROOT, "tools", "style"), root], capture_output=True, text=True)
             return run.returncode, run.stdout
 
@@ -57,6 +63,15 @@ class StyleTest(unittest.TestCase):
         self.assertEqual(code, 0, output)
         self.assertIn("warning: Wheel.cpp:301", output)
         self.assert_finds("Wheel.cpp", HEAD + "int a;\n" * 499, 501, "501 lines")
+
+    def test_folder(self):
+        def wheels(count):
+            return {f"wheels/Wheel{i}.cpp": HEAD + "int spokes = 5;\n" for i in range(count)}
+
+        self.assertEqual(self.run_on_files(wheels(45))[0], 0)
+        code, output = self.run_on_files(wheels(46))
+        self.assertEqual(code, 1, output)
+        self.assertIn("wheels: 46 sources", output)
 
 
 if __name__ == "__main__":

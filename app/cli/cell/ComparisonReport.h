@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tools/cell/PlanComparison.h"
+#include "tools/cell/path/PlanComparison.h"
 
 #include <nlohmann/json.hpp>
 

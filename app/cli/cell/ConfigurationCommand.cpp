@@ -14,7 +14,7 @@
 #include "robot/program/PathFile.h"
 #include "tools/cell/ConfigurationOperation.h"
 #include "tools/cell/ConfigurationPoses.h"
-#include "tools/cell/WayText.h"
+#include "tools/cell/path/WayText.h"
 
 #include <algorithm>
 #include <cmath>

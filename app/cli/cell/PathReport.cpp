@@ -9,7 +9,7 @@
 #include "document/cell/CellErrors.h"
 #include "planning/PlanningFidelity.h"
 #include "robot/program/PathFile.h"
-#include "tools/cell/PathExport.h"
+#include "tools/cell/path/PathExport.h"
 
 #include <filesystem>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tools/cell/PathCheck.h"
+#include "tools/cell/path/PathCheck.h"
 
 #include "cli/Arguments.h"
 

@@ -4,8 +4,8 @@
 
 #include "cli/Command.h"
 #include "cli/cell/CellFile.h"
-#include "tools/cell/PathCheck.h"
-#include "tools/cell/PlanOperation.h"
+#include "tools/cell/path/PathCheck.h"
+#include "tools/cell/path/PlanOperation.h"
 
 #include <nlohmann/json.hpp>
 

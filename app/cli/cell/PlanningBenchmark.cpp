@@ -10,8 +10,8 @@
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "planning/PathShortcuts.h"
-#include "planning/Planners.h"
 #include "planning/PlanningSet.h"
+#include "planning/planners/Planners.h"
 #include "robot/UrdfReader.h"
 
 #include <QtGlobal>

@@ -8,7 +8,7 @@
 #include "cli/ReportJson.h"
 #include "cli/cell/CellFile.h"
 #include "cli/cell/PathReport.h"
-#include "tools/cell/PathExport.h"
+#include "tools/cell/path/PathExport.h"
 
 namespace handwheel {
 

@@ -15,7 +15,7 @@
 #include "document/cell/CellScene.h"
 #include "planning/GuideCurve.h"
 #include "planning/Teleoperation.h"
-#include "tools/cell/PathCheck.h"
+#include "tools/cell/path/PathCheck.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include "document/Document.h"
 #include "document/mesh/MeshSnapshot.h"
 #include "document/mesh/UnitDoubt.h"
-#include "document/workpiece/TargetImport.h"
+#include "document/workpiece/target/TargetImport.h"
 #include "text/NoteText.h"
 
 #include <algorithm>

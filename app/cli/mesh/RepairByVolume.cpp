@@ -16,7 +16,7 @@
 #include "text/RepairText.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeFidelity.h"
-#include "volume/VolumeRepair.h"
+#include "volume/repair/VolumeRepair.h"
 
 #include <algorithm>
 #include <array>

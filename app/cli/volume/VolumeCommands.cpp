@@ -18,8 +18,8 @@
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "tools/volume/VolumeOperations.h"
-#include "volume/TriangleWalls.h"
 #include "volume/VolumeFidelity.h"
+#include "volume/repair/TriangleWalls.h"
 
 #include <nlohmann/json.hpp>
 

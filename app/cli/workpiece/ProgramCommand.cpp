@@ -12,8 +12,8 @@
 #include "document/workpiece/PassesProgram.h"
 #include "machining/TurningFidelity.h"
 #include "machining/lathe/LatheJson.h"
-#include "machining/program/BoreCuts.h"
-#include "machining/program/CycleProgram.h"
+#include "machining/program/cycles/BoreCuts.h"
+#include "machining/program/cycles/CycleProgram.h"
 
 #include <cmath>
 

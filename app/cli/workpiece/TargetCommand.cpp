@@ -7,10 +7,10 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "document/OperationText.h"
-#include "document/workpiece/DrawingExport.h"
-#include "document/workpiece/TargetImport.h"
-#include "document/workpiece/TargetPlace.h"
-#include "document/workpiece/TargetReport.h"
+#include "document/workpiece/target/DrawingExport.h"
+#include "document/workpiece/target/TargetImport.h"
+#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetReport.h"
 #include "text/NoteText.h"
 
 #include <cmath>

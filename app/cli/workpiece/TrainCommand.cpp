@@ -13,7 +13,7 @@
 #include "document/FileBytes.h"
 #include "machining/force/ForceCsv.h"
 #include "machining/force/ForceErrors.h"
-#include "machining/force/ForceTraining.h"
+#include "machining/force/training/ForceTraining.h"
 #include "plot/PlotExport.h"
 #include "tools/workpiece/ForceOperations.h"
 

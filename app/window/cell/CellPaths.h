@@ -3,9 +3,9 @@
 #pragma once
 
 #include "panels/MessageBar.h"
-#include "tools/cell/PathExport.h"
-#include "tools/cell/PlanOperation.h"
 #include "tools/cell/ProcessOperation.h"
+#include "tools/cell/path/PathExport.h"
+#include "tools/cell/path/PlanOperation.h"
 #include "window/cell/PathChecks.h"
 #include "window/cell/PlanTree.h"
 

@@ -5,7 +5,7 @@
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/RobotCellDocument.h"
-#include "tools/cell/WayText.h"
+#include "tools/cell/path/WayText.h"
 #include "viewport/Viewport.h"
 #include "viewport/path/PathLayer.h"
 #include "window/JobRunner.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tools/cell/PathBasis.h"
-#include "tools/cell/PathCheck.h"
-#include "tools/cell/PathDigests.h"
+#include "tools/cell/path/PathBasis.h"
+#include "tools/cell/path/PathCheck.h"
+#include "tools/cell/path/PathDigests.h"
 #include "window/cell/CellCollisions.h"
 
 #include <QDateTime>

@@ -3,7 +3,7 @@
 #include "window/cell/PathGuides.h"
 
 #include "document/cell/CellArms.h"
-#include "tools/cell/PathCheck.h"
+#include "tools/cell/path/PathCheck.h"
 #include "window/JobRunner.h"
 
 namespace handwheel {

@@ -4,8 +4,8 @@
 
 #include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
 
-#include "controls/PropertyList.h"
-#include "tools/cell/PlanOperation.h"
+#include "controls/property/PropertyList.h"
+#include "tools/cell/path/PlanOperation.h"
 
 #include <QDialog>
 

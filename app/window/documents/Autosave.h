@@ -3,9 +3,9 @@
 #pragma once
 
 #include "base/Service.h"
-#include "document/OrphanedAutosaves.h"
-#include "document/Recovery.h"
 #include "document/Snapshot.h"
+#include "document/recovery/OrphanedAutosaves.h"
+#include "document/recovery/Recovery.h"
 #include "panels/MessageBar.h"
 #include "window/JobRunner.h"
 

@@ -3,9 +3,9 @@
 #include "window/documents/FileLoader.h"
 
 #include "controls/Preferences.h"
-#include "document/AutosaveChanges.h"
 #include "document/DocumentKind.h"
-#include "document/RecoveryFiles.h"
+#include "document/recovery/AutosaveChanges.h"
+#include "document/recovery/RecoveryFiles.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "text/LossText.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/exercise/ExerciseEditor.h"
 
-#include "controls/PropertyList.h"
 #include "controls/ScrolledPanel.h"
+#include "controls/property/PropertyList.h"
 #include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ExerciseRows.h"
 #include "document/exercise/ShippedExercises.h"

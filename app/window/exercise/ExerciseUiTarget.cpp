@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The target of an exercise: from a file, from the work that was begun, in round sizes. Each is one undo step.
-#include "controls/PropertyDialog.h"
+#include "controls/property/PropertyDialog.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/fidelity/FidelityPanel.h"
 
-#include "controls/PropertyList.h"
+#include "controls/property/PropertyList.h"
 #include "plot/PlotWidget.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/fidelity/FitText.h"

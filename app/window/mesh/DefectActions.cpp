@@ -5,17 +5,17 @@
 #include "mesh/measure/MeshFidelity.h"
 #include "mesh/repair/SheetThickening.h"
 #include "text/RepairText.h"
-#include "tools/mesh/DefectFixes.h"
-#include "tools/mesh/HoleFixes.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/operations/MeshOperations.h"
+#include "tools/mesh/repair/DefectFixes.h"
+#include "tools/mesh/repair/HoleFixes.h"
 #include "window/ActionToolTip.h"
 #include "window/fidelity/FidelityChoice.h"
-#include "window/mesh/FixPreview.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTab.h"
-#include "window/mesh/RepairJobs.h"
 #include "window/mesh/Selection.h"
+#include "window/mesh/repair/FixPreview.h"
+#include "window/mesh/repair/RepairJobs.h"
 
 #include <QCoreApplication>
 

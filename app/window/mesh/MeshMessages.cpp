@@ -7,7 +7,7 @@
 #include "text/ErrorText.h"
 #include "text/NoteText.h"
 #include "window/documents/FileLoader.h"
-#include "window/mesh/RepairJobs.h"
+#include "window/mesh/repair/RepairJobs.h"
 
 #include <QCoreApplication>
 

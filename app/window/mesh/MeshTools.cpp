@@ -15,8 +15,8 @@
 #include "viewport/surface/MeshLayer.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTab.h"
-#include "window/mesh/RepairActions.h"
 #include "window/mesh/Selection.h"
+#include "window/mesh/repair/RepairActions.h"
 #include "window/tools/ToolHost.h"
 
 #include <QCoreApplication>

@@ -4,12 +4,9 @@
 
 #include "window/kinds/KindUi.h"
 #include "window/mesh/DefectActions.h"
-#include "window/mesh/FixPreview.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshHapticsProvider.h"
 #include "window/mesh/MeshTools.h"
-#include "window/mesh/RepairActions.h"
-#include "window/mesh/RepairJobs.h"
 #include "window/mesh/SectionView.h"
 #include "window/mesh/Selection.h"
 #include "window/mesh/SelfIntersectionSearch.h"
@@ -17,6 +14,9 @@
 #include "window/mesh/StepsFile.h"
 #include "window/mesh/demo/RepairDemo.h"
 #include "window/mesh/deviation/DeviationView.h"
+#include "window/mesh/repair/FixPreview.h"
+#include "window/mesh/repair/RepairActions.h"
+#include "window/mesh/repair/RepairJobs.h"
 
 #include <QPointer>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/SelfIntersectionSearch.h"
 
-#include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/repair/intersections/SelfIntersectionRemoval.h"
 #include "window/WindowServices.h"
 #include "window/mesh/MeshTab.h"
 

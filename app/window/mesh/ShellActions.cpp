@@ -17,7 +17,7 @@
 #include "window/mesh/MeshReading.h"
 #include "window/mesh/MeshTab.h"
 #include "window/mesh/MeshUi.h"
-#include "window/mesh/RepairJobs.h"
+#include "window/mesh/repair/RepairJobs.h"
 
 #include <QDir>
 #include <QFile>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/volume/RemeshAction.h"
 
-#include "controls/PropertyDialog.h"
+#include "controls/property/PropertyDialog.h"
 #include "document/volume/VolumeDocument.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"

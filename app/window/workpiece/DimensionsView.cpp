@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/workpiece/DimensionsView.h"
 
-#include "document/workpiece/TargetImport.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/target/TargetImport.h"
 #include "machining/drawing/PartDrawing.h"
 #include "viewport/Viewport.h"
 #include "window/ActionToolTip.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/workpiece/TargetView.h"
 
-#include "controls/PropertyDialog.h"
-#include "document/workpiece/DeviationDisplay.h"
-#include "document/workpiece/TargetEdit.h"
-#include "document/workpiece/TargetPlace.h"
-#include "document/workpiece/TargetReport.h"
+#include "controls/property/PropertyDialog.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/target/DeviationDisplay.h"
+#include "document/workpiece/target/TargetEdit.h"
+#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetReport.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"

@@ -4,8 +4,8 @@
 
 #include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
 
-#include "document/workpiece/TargetImport.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
+#include "document/workpiece/target/TargetImport.h"
 #include "viewport/path/PathLayer.h"
 #include "window/JobRunner.h"
 #include "window/kinds/KindUi.h"

@@ -4,7 +4,7 @@
 
 #include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
 
-#include "controls/PropertyList.h"
+#include "controls/property/PropertyList.h"
 #include "tools/workpiece/ThreadOperation.h"
 
 #include <QDialog>

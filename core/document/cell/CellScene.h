@@ -4,7 +4,7 @@
 
 #include "document/cell/RobotCellSnapshot.h"
 #include "planning/PathShortcuts.h"
-#include "planning/Roadmap.h"
+#include "planning/planners/Roadmap.h"
 
 #include <mutex>
 #include <unordered_map>

@@ -12,9 +12,9 @@
 #include "document/volume/VolumeMaking.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "volume/VolumeShapes.h"
-#include "volume/VolumeToSurface.h"
 #include "volume/image/NrrdWriter.h"
 #include "volume/image/VolumeToImage.h"
+#include "volume/surface/VolumeToSurface.h"
 #include "volume/vdb/VdbFile.h"
 
 #include <QtGlobal>

@@ -5,9 +5,9 @@
 #include "document/Snapshot.h"
 #include "document/volume/Scan.h"
 #include "volume/SparseVolume.h"
-#include "volume/VolumeSurface.h"
 #include "volume/drilling/DrillRecord.h"
 #include "volume/segment/Segment.h"
+#include "volume/surface/VolumeSurface.h"
 
 #include <memory>
 #include <string>

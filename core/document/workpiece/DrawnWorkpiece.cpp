@@ -3,9 +3,9 @@
 #include "document/workpiece/DrawnWorkpiece.h"
 
 #include "base/NumberText.h"
-#include "document/workpiece/TargetImport.h"
-#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/WorkpieceProperties.h"
+#include "document/workpiece/target/TargetImport.h"
+#include "document/workpiece/target/TargetPlace.h"
 #include "machining/target/DxfReader.h"
 #include "machining/target/SvgReader.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/PassesProgram.h"
 
-#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/WorkpieceErrors.h"
+#include "document/workpiece/target/TargetPlace.h"
 
 namespace handwheel {
 

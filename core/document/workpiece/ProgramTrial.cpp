@@ -3,8 +3,8 @@
 #include "document/workpiece/ProgramTrial.h"
 
 #include "document/workpiece/LatheSetupEdit.h"
-#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/target/TargetPlace.h"
 #include "machining/finish/FinishMeter.h"
 #include "machining/program/ProgramInterpreter.h"
 

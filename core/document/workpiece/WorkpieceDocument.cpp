@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/WorkpieceDocument.h"
 
-#include "document/workpiece/TargetEdit.h"
-#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/WorkpieceEdit.h"
 #include "document/workpiece/WorkpieceErrors.h"
+#include "document/workpiece/target/TargetEdit.h"
+#include "document/workpiece/target/TargetPlace.h"
 
 namespace handwheel {
 

@@ -3,7 +3,7 @@
 #include "document/workpiece/WorkpieceProperties.h"
 
 #include "document/Utf8.h"
-#include "document/workpiece/TargetPlace.h"
+#include "document/workpiece/target/TargetPlace.h"
 #include "machining/force/WorkMaterials.h"
 
 #include <QCoreApplication>

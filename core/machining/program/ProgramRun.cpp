@@ -3,10 +3,10 @@
 #include "machining/program/ProgramRun.h"
 
 #include "base/NumberText.h"
-#include "machining/program/FanucRun.h"
-#include "machining/program/LinuxCncRun.h"
 #include "machining/program/ProgramArc.h"
 #include "machining/program/ProgramInterpreter.h"
+#include "machining/program/dialects/FanucRun.h"
+#include "machining/program/dialects/LinuxCncRun.h"
 
 #include <cmath>
 

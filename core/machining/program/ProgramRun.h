@@ -3,10 +3,10 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "machining/program/ContourCycle.h"
 #include "machining/program/ProgramBlock.h"
 #include "machining/program/ProgramMachine.h"
 #include "machining/program/ProgramOutline.h"
+#include "machining/program/cycles/ContourCycle.h"
 
 namespace handwheel {
 

@@ -3,7 +3,7 @@
 #include "mesh/repair/PatchTrial.h"
 
 #include "mesh/holes/HoleFiller.h"
-#include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/repair/intersections/SelfIntersectionRemoval.h"
 #include "mesh/structure/PositionTriangles.h"
 
 #include <algorithm>

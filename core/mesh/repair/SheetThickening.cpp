@@ -3,8 +3,8 @@
 #include "mesh/repair/SheetThickening.h"
 
 #include "base/Tolerance.h"
-#include "mesh/repair/SelfIntersectionRemoval.h"
 #include "mesh/repair/SheetBacks.h"
+#include "mesh/repair/intersections/SelfIntersectionRemoval.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/PositionKey.h"
 

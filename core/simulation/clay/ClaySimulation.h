@@ -4,7 +4,7 @@
 
 #include "simulation/Simulation.h"
 #include "simulation/clay/ClayStroke.h"
-#include "volume/VolumeSurface.h"
+#include "volume/surface/VolumeSurface.h"
 
 #include <set>
 

@@ -6,7 +6,7 @@
 #include "document/cell/CellDisplay.h"
 #include "document/cell/CellProperties.h"
 #include "tools/ToolProperty.h"
-#include "tools/cell/WayText.h"
+#include "tools/cell/path/WayText.h"
 
 #include <QCoreApplication>
 

@@ -4,7 +4,7 @@
 #include "document/cell/CellArms.h"
 #include "tools/ToolProperty.h"
 #include "tools/cell/LeadState.h"
-#include "tools/cell/PathCheck.h"
+#include "tools/cell/path/PathCheck.h"
 
 #include <QtGlobal>
 #include <algorithm>

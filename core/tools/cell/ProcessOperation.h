@@ -3,7 +3,7 @@
 #pragma once
 
 #include "planning/PartSurface.h"
-#include "tools/cell/PlanOperation.h"
+#include "tools/cell/path/PlanOperation.h"
 
 namespace handwheel {
 

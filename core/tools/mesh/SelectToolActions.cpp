@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshDocument.h"
 #include "mesh/selection/RegionGrowing.h"
-#include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/ManualMeshChanges.h"
 #include "tools/mesh/MeshPreview.h"
 #include "tools/mesh/SelectTool.h"
+#include "tools/mesh/repair/DefectFixes.h"
 
 #include <QtGlobal>
 #include <utility>

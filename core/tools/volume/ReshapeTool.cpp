@@ -6,7 +6,7 @@
 #include "document/volume/VolumeMaking.h"
 #include "tools/OperationSettings.h"
 #include "tools/ToolProperty.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QCoreApplication>
 #include <algorithm>

@@ -4,8 +4,8 @@
 
 #include "mesh/simplify/Decimation.h"
 #include "mesh/structure/MeshBuilder.h"
-#include "volume/SharpSurface.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/SharpSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QtGlobal>
 #include <algorithm>

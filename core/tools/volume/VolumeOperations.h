@@ -7,7 +7,7 @@
 #include "document/Operation.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 #include "volume/SparseVolume.h"
-#include "volume/VolumeSurface.h"
+#include "volume/surface/VolumeSurface.h"
 
 #include <optional>
 #include <string>

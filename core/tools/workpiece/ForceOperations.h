@@ -5,7 +5,7 @@
 #include "document/Operation.h"
 #include "machining/force/CutWarnings.h"
 #include "machining/force/CuttingFeel.h"
-#include "machining/force/NetworkTraining.h"
+#include "machining/force/training/NetworkTraining.h"
 
 namespace handwheel {
 

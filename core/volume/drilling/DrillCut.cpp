@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/drilling/DrillCut.h"
 
-#include "volume/DepthWindow.h"
+#include "volume/repair/DepthWindow.h"
 
 #include <tbb/parallel_for.h>
 

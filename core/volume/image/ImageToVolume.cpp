@@ -3,11 +3,11 @@
 #include "volume/image/ImageToVolume.h"
 
 #include "base/NumberText.h"
-#include "volume/DepthWindow.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeFilters.h"
 #include "volume/VolumeMemory.h"
 #include "volume/image/ImageExtremes.h"
+#include "volume/repair/DepthWindow.h"
 
 #include <tbb/parallel_for.h>
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "CrashModel.h"
 #include "TestClass.h"
 #include "document/FileBytes.h"
-#include "document/OrphanedAutosaves.h"
+#include "document/recovery/OrphanedAutosaves.h"
 
 #include <QFile>
 #include <QProcess>

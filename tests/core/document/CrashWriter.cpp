@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CrashModel.h"
 #include "document/AtomicFile.h"
-#include "document/Recovery.h"
+#include "document/recovery/Recovery.h"
 
 #include <unistd.h>
 #include <atomic>

@@ -4,8 +4,8 @@
 
 #include "document/Container.h"
 #include "document/FileBytes.h"
-#include "document/OrphanedAutosaves.h"
-#include "document/Recovery.h"
+#include "document/recovery/OrphanedAutosaves.h"
+#include "document/recovery/Recovery.h"
 
 #include <QFile>
 #include <QTemporaryDir>

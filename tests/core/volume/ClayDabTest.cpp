@@ -7,7 +7,7 @@
 #include "proximity/SelfIntersection.h"
 #include "volume/VolumeReader.h"
 #include "volume/VolumeShapes.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <rapidcheck.h>
 

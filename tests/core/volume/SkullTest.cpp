@@ -5,7 +5,7 @@
 #include "ClosedSurface.h"
 #include "TestClass.h"
 #include "volume/VolumeReader.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QtTest>
 #include <cmath>

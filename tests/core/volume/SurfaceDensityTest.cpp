@@ -7,7 +7,7 @@
 #include "TestClass.h"
 #include "proximity/TriangleHierarchy.h"
 #include "volume/VolumeErrors.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QtTest>
 

@@ -6,7 +6,7 @@
 #include "SolidShapes.h"
 #include "TestClass.h"
 #include "volume/VolumeErrors.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <rapidcheck.h>
 

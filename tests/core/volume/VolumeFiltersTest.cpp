@@ -6,7 +6,7 @@
 #include "TestClass.h"
 #include "volume/VolumeReader.h"
 #include "volume/VolumeShapes.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QtTest>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeReader.h"
 #include "volume/VolumeShapes.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QtTest>
 #include <cmath>

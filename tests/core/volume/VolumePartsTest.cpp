@@ -7,7 +7,7 @@
 #include "TestClass.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeShapes.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <rapidcheck.h>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "controls/PropertyList.h"
+#include "controls/property/PropertyList.h"
 
 #include "Accessibility.h"
 #include "ControlScenes.h"
 #include "ControlsTestMain.h"
 #include "controls/FocusedField.h"
-#include "controls/PropertyRow.h"
+#include "controls/property/PropertyRow.h"
 
 #include <QAbstractItemView>
 #include <QCheckBox>

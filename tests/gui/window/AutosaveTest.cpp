@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
-#include "document/OrphanedAutosaves.h"
 #include "document/RecordingsEdit.h"
+#include "document/recovery/OrphanedAutosaves.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileActions.h"

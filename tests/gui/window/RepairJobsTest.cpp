@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/mesh/RepairJobs.h"
+#include "window/mesh/repair/RepairJobs.h"
 
 #include "HoleShapes.h"
 #include "MeshDocuments.h"
@@ -9,8 +9,8 @@
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "panels/defects/RepairAccount.h"
-#include "tools/mesh/DefectFixes.h"
-#include "tools/mesh/HoleFixes.h"
+#include "tools/mesh/repair/DefectFixes.h"
+#include "tools/mesh/repair/HoleFixes.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/kinds/KindUi.h"

@@ -3,7 +3,7 @@
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
-#include "controls/PropertyList.h"
+#include "controls/property/PropertyList.h"
 #include "viewport/surface/MeshLayer.h"
 
 #include <QComboBox>

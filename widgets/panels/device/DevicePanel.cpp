@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/device/DevicePanel.h"
 
-#include "controls/PropertyList.h"
+#include "controls/property/PropertyList.h"
 #include "haptics/servo/ServoSample.h"
 #include "panels/device/DeviceCard.h"
 #include "panels/device/DeviceText.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "viewport/ViewLayer.h"
-#include "volume/VolumeSurface.h"
+#include "volume/surface/VolumeSurface.h"
 
 namespace handwheel {
 

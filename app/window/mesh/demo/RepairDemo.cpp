@@ -11,7 +11,7 @@
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/Samples.h"
 #include "window/mesh/MeshTab.h"
-#include "window/mesh/RepairJobs.h"
+#include "window/mesh/repair/RepairJobs.h"
 #include "window/tools/ToolHost.h"
 
 #include <algorithm>

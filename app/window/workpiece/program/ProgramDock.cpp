@@ -3,8 +3,8 @@
 #include "window/workpiece/program/ProgramDock.h"
 
 #include "controls/ScrolledPanel.h"
-#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/target/TargetPlace.h"
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
 #include "viewport/Viewport.h"

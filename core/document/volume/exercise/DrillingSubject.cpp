@@ -15,7 +15,7 @@
 #include "volume/Skull.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeReader.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QCoreApplication>
 #include <algorithm>

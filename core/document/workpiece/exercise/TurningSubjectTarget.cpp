@@ -4,9 +4,9 @@
 // The targets of exercises of turning: from work, from a file, in round sizes.
 #include "base/NumberText.h"
 #include "document/exercise/ExerciseErrors.h"
-#include "document/workpiece/TargetImport.h"
-#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/exercise/TurningSubject.h"
+#include "document/workpiece/target/TargetImport.h"
+#include "document/workpiece/target/TargetPlace.h"
 #include "machining/refit/SampledProfile.h"
 #include "machining/target/RoundedTarget.h"
 

@@ -5,8 +5,8 @@
 #include "base/JsonText.h"
 #include "base/NumberText.h"
 #include "document/container/UnknownPart.h"
-#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/exercise/TargetJson.h"
+#include "document/workpiece/target/TargetPlace.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/lathe/LatheJson.h"
 

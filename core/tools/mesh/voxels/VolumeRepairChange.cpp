@@ -3,13 +3,13 @@
 #include "tools/mesh/voxels/VolumeRepairChange.h"
 
 #include "mesh/measure/Deviation.h"
-#include "tools/mesh/FixParts.h"
 #include "tools/mesh/StepText.h"
 #include "tools/mesh/operations/FillOperation.h"
+#include "tools/mesh/repair/FixParts.h"
 #include "tools/mesh/voxels/VolumeRepairOperation.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
-#include "volume/VolumeRepair.h"
+#include "volume/repair/VolumeRepair.h"
 
 #include <QtGlobal>
 #include <optional>

@@ -4,9 +4,9 @@
 #include "TurningExercises.h"
 #include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ExerciseRows.h"
-#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/exercise/TurningFigures.h"
 #include "document/workpiece/exercise/TurningTask.h"
+#include "document/workpiece/target/TargetPlace.h"
 
 #include <QtTest>
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include "document/volume/VolumeDocument.h"
 #include "mesh/structure/Weld.h"
 #include "volume/SurfaceToVolume.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <rapidcheck.h>
 

@@ -4,9 +4,9 @@
 
 #include "TestClass.h"
 #include "document/workpiece/PassesProgram.h"
-#include "document/workpiece/TargetImport.h"
-#include "document/workpiece/TargetPlace.h"
 #include "document/workpiece/WorkpieceErrors.h"
+#include "document/workpiece/target/TargetImport.h"
+#include "document/workpiece/target/TargetPlace.h"
 #include "machining/program/ProgramErrors.h"
 
 #include <QtTest>

@@ -3,8 +3,8 @@
 #include "document/workpiece/ReplayTrack.h"
 
 #include "TestClass.h"
-#include "document/workpiece/DeviationDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/target/DeviationDisplay.h"
 #include "machining/force/KienzleModel.h"
 
 #include <QtTest>

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/workpiece/TargetImport.h"
+#include "document/workpiece/target/TargetImport.h"
 
 #include "TestClass.h"
 #include "document/DocumentErrors.h"
-#include "document/workpiece/DrawingExport.h"
-#include "document/workpiece/TargetBlobs.h"
-#include "document/workpiece/TargetEdit.h"
-#include "document/workpiece/TargetPlace.h"
-#include "document/workpiece/TargetReport.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceKind.h"
+#include "document/workpiece/target/DrawingExport.h"
+#include "document/workpiece/target/TargetBlobs.h"
+#include "document/workpiece/target/TargetEdit.h"
+#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetReport.h"
 #include "machining/target/DrawingWriter.h"
 #include "machining/target/TargetErrors.h"
 

@@ -5,7 +5,7 @@
 #include "CancelPoints.h"
 #include "TestClass.h"
 #include "machining/force/ForceCsv.h"
-#include "machining/force/ForceTraining.h"
+#include "machining/force/training/ForceTraining.h"
 
 #include <rapidcheck.h>
 

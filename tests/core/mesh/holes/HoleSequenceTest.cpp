@@ -5,7 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/repair/intersections/SelfIntersectionRemoval.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
 

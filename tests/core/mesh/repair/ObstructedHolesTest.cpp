@@ -6,7 +6,7 @@
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "base/Tolerance.h"
-#include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/repair/intersections/SelfIntersectionRemoval.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
 

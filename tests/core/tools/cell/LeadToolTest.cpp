@@ -9,7 +9,7 @@
 #include "document/scene/BodyChanges.h"
 #include "robot/dh/DhTable.h"
 #include "scene/PrimitiveGeometry.h"
-#include "tools/cell/PathCheck.h"
+#include "tools/cell/path/PathCheck.h"
 
 #include <QTest>
 #include <cmath>

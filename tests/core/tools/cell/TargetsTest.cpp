@@ -5,7 +5,7 @@
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
 #include "tools/cell/ConfigurationOperation.h"
-#include "tools/cell/PlanOperation.h"
+#include "tools/cell/path/PlanOperation.h"
 
 #include <cmath>
 

@@ -10,8 +10,6 @@
 #include "TestClass.h"
 #include "ToolEvents.h"
 #include "tools/mesh/DecimateTool.h"
-#include "tools/mesh/DefectFixes.h"
-#include "tools/mesh/HoleFixes.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/ManualMeshChanges.h"
@@ -19,6 +17,8 @@
 #include "tools/mesh/SelectTool.h"
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
+#include "tools/mesh/repair/DefectFixes.h"
+#include "tools/mesh/repair/HoleFixes.h"
 #include "tools/mesh/sculpt/SculptTool.h"
 
 #include <QTest>

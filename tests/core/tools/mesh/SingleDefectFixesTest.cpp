@@ -6,9 +6,9 @@
 #include "OneSidedShapes.h"
 #include "TestClass.h"
 #include "mesh/structure/MeshValidator.h"
-#include "tools/mesh/ChangePreview.h"
-#include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/MeshSteps.h"
+#include "tools/mesh/repair/ChangePreview.h"
+#include "tools/mesh/repair/DefectFixes.h"
 
 #include <QTest>
 

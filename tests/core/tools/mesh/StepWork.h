@@ -4,7 +4,7 @@
 
 #include "StepReplay.h"
 #include "tools/mesh/LoopText.h"
-#include "tools/mesh/RepairChanges.h"
+#include "tools/mesh/repair/RepairChanges.h"
 
 namespace handwheel::test {
 

@@ -11,7 +11,7 @@
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeShapes.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QtTest>
 #include <cmath>

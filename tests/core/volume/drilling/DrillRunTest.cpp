@@ -9,7 +9,7 @@
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeReader.h"
 #include "volume/VolumeShapes.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <rapidcheck.h>
 

@@ -7,7 +7,7 @@
 #include "TestClass.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeReader.h"
-#include "volume/VolumeToSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QtTest>
 #include <cmath>

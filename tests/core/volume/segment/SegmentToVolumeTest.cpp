@@ -6,11 +6,11 @@
 #include "MadeSegments.h"
 #include "TestClass.h"
 #include "volume/VolumeErrors.h"
-#include "volume/VolumeSurface.h"
-#include "volume/VolumeToSurface.h"
 #include "volume/image/ImageToVolume.h"
 #include "volume/segment/SegmentBrush.h"
 #include "volume/segment/SegmentParts.h"
+#include "volume/surface/VolumeSurface.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QtTest>
 #include <cmath>

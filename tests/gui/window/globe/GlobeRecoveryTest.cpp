@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GlobeWindow.h"
-#include "document/OrphanedAutosaves.h"
+#include "document/recovery/OrphanedAutosaves.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 

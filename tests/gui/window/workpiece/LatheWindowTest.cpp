@@ -4,7 +4,7 @@
 #include "../haptics/TurningWindow.h"
 #include "controls/NumberField.h"
 #include "controls/machine/HandwheelDial.h"
-#include "document/Recovery.h"
+#include "document/recovery/Recovery.h"
 #include "panels/time/TimeLinePanel.h"
 #include "tools/workpiece/ManualLatheTool.h"
 #include "tools/workpiece/TurnTool.h"

@@ -3,7 +3,7 @@
 #include "globe/window/GlobeUi.h"
 
 #include "PointsLayer.h"
-#include "controls/PropertyList.h"
+#include "controls/property/PropertyList.h"
 #include "document/scene/BodyProperties.h"
 #include "globe/tools/DentTool.h"
 #include "globe/tools/GlobePreview.h"

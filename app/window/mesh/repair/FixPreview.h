@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Service.h"
+#include "theme/DefectColours.h"
+#include "tools/mesh/repair/ChangePreview.h"
+#include "window/JobRunner.h"
+
+#include <QAction>
+#include <optional>
+
+namespace handwheel {
+
+class WindowServices;
+struct MeshTab;
+
+// A fix that can be tried. It is made only when that is wanted: it may name millions of triangles.
+struct OfferedFix {
+  // These tell it from other fixes of the same mesh.
+  const QAction* action;
+  std::optional<DefectKind> kind;
+  int row;  // or loop
+  std::function<std::optional<MeshChange>()> make;
+};
+
+// Shows what the offered fix would do. It is tried on a worker as soon as it is offered, and given up with the
+// selection.
+class FixPreview : public QObject {
+  Q_OBJECT
+
+ public:
+  // isWanted: the check box of the previews.
+  FixPreview(QThreadPool& pool, WindowServices& services, const QAction& isWanted, QObject* parent = nullptr);
+
+  // Requests the preview of a fix. Does nothing when it is already shown or being computed. No fix: no preview.
+  void request(MeshTab* document, std::optional<OfferedFix> fix);
+
+  bool isWorking() const { return m_isWorking; }
+  // What is shown; empty while there is nothing.
+  const ChangePreview& shown() const { return m_shown; }
+  // It was tried, and would do nothing.
+  bool isPointless() const { return m_isReady && m_shown.isEmpty(); }
+  QString text() const;  // "Removes 2 triangles, adds 3"; empty when there is no fix
+
+ signals:
+  void changed();
+
+ private:
+  void start();
+
+  WindowServices& m_services;
+  const QAction& m_isWanted;
+  ServiceHandle m_need;  // held while a preview is wanted
+  JobRunner m_runner;
+  MeshTab* m_document = nullptr;
+  std::uint64_t m_revision = 0;
+  std::optional<OfferedFix> m_fix;
+  std::uint64_t m_request = 0;
+  bool m_isWorking = false;
+  bool m_isReady = false;
+  ChangePreview m_shown;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/repair/RepairActions.h"
+
+#include "window/ActionToolTip.h"
+#include "window/fidelity/FidelityChoice.h"
+#include "window/mesh/MeshTab.h"
+#include "window/mesh/Selection.h"
+
+#include <QSettings>
+#include <QTimer>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+const auto kPreviewKey = QStringLiteral("showPreview");
+// The patch is seen in its place for a moment before the camera leaves for the next hole.
+constexpr int kLookMs = 450;
+
+void prepare(QAction& action, const char* name, const char* iconName, const QList<QKeySequence>& keys,
+             const QString& tip) {
+  action.setShortcuts(keys);
+  handwheel::prepare(action, name, iconName, tip);
+}
+
+}  // namespace
+
+RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview,
+                             const FidelityChoice& fidelity, QObject* parent)
+    : QObject(parent),
+      m_selection(selection),
+      m_jobs(jobs),
+      m_preview(preview),
+      m_repairAll(tr("&Repair all"), this),
+      m_removeDebris(tr("Remove &debris"), this),
+      m_undoRepair(tr("&Undo repair"), this),
+      m_oneByOne(tr("&Go one by one"), this),
+      m_byVolume(tr("Repair by &volume…"), this),
+      m_fill(tr("&Fill"), this),
+      m_keepOpen(tr("&Keep open"), this),
+      m_showPreview(tr("&Preview"), this),
+      m_next(tr("&Next hole"), this),
+      m_previous(tr("Pre&vious hole"), this),
+      m_deselect(tr("&Clear selection"), this) {
+  prepare(m_repairAll, "repairAll", "repair", {QKeySequence(Qt::CTRL | Qt::Key_R)},
+          tr("Fill all holes except those kept open, resolve self-intersections, and repair the other defects except "
+             "debris, as one step"));
+  prepare(m_removeDebris, "removeDebris", "debris", {},
+          tr("Remove all pieces that are listed as debris; the list says which these are"));
+  prepare(m_undoRepair, "undoRepair", "undo", {}, tr("Undo all that “Repair all” has changed"));
+  prepare(m_oneByOne, "goOneByOne", "next", {}, tr("Look at one hole after the other"));
+  prepare(m_byVolume, "repairByVolume", "kind-volume", {},
+          tr("Choose the size of the voxels, and replace everything by the surface of the volume that is enclosed"));
+  prepare(m_fill, "fillHole", "fill-hole", {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)},
+          tr("Fill the selected hole"));
+  prepare(m_keepOpen, "keepOpen", "keep-open", {QKeySequence(Qt::Key_K)},
+          tr("Mark this opening as intended: “Repair all” does not close it"));
+  prepare(m_showPreview, "showPreview", "preview", {QKeySequence(Qt::Key_P)},
+          tr("Show the patch of the selected hole before it is filled"));
+  prepare(m_next, "nextHole", "next", {QKeySequence(Qt::Key_N)}, tr("Go to the next hole"));
+  prepare(m_previous, "previousHole", "previous", {QKeySequence(Qt::SHIFT | Qt::Key_N)}, tr("Go to the previous hole"));
+  prepare(m_deselect, "deselect", nullptr, {QKeySequence(Qt::Key_Escape)}, tr("Clear the selection and the preview"));
+  m_repairAll.setPriority(QAction::HighPriority);
+  m_fill.setPriority(QAction::HighPriority);
+  m_keepOpen.setCheckable(true);
+  m_showPreview.setCheckable(true);
+  // In menus the check mark stands where the icon would.
+  m_keepOpen.setIconVisibleInMenu(false);
+  m_showPreview.setIconVisibleInMenu(false);
+  m_showPreview.setChecked(QSettings().value(kPreviewKey, true).toBool());
+  connectActions();
+  connect(&fidelity, &FidelityChoice::changed, this, &RepairActions::follow);
+  follow();
+}
+
+void RepairActions::connectActions() {
+  connect(&m_repairAll, &QAction::triggered, this, [this] {
+    m_selection.select(-1);
+    m_jobs.repairAll(m_document);
+  });
+  connect(&m_removeDebris, &QAction::triggered, this, [this] { m_jobs.removeDebris(m_document); });
+  connect(&m_undoRepair, &QAction::triggered, this, [this] { m_document->document.history()->undo(); });
+  connect(&m_oneByOne, &QAction::triggered, this, [this] { step(+1); });
+  connect(&m_byVolume, &QAction::triggered, this, &RepairActions::volumeRepairRequested);
+  connect(&m_fill, &QAction::triggered, this, &RepairActions::fillSelected);
+  connect(&m_keepOpen, &QAction::triggered, this, &RepairActions::toggleKeepOpen);
+  connect(&m_next, &QAction::triggered, this, [this] { step(+1); });
+  connect(&m_previous, &QAction::triggered, this, [this] { step(-1); });
+  connect(&m_deselect, &QAction::triggered, this, [this] { m_selection.select(-1); });
+  connect(&m_showPreview, &QAction::toggled, this, [this](bool on) {
+    QSettings().setValue(kPreviewKey, on);
+    follow();
+  });
+  connect(&m_preview, &HolePreview::changed, this, &RepairActions::followPreview);
+  connect(&m_selection, &Selection::changed, this, &RepairActions::follow);
+  connect(&m_jobs, &RepairJobs::filled, this,
+          [this](MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench) {
+            if (document != m_document) return;
+            m_preview.returnCache(document, bench);
+            goOnAfter(document, key);
+          });
+  connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);
+}
+
+QList<QAction*> RepairActions::all() {
+  return {&m_repairAll, &m_removeDebris, &m_fill, &m_keepOpen, &m_showPreview, &m_next, &m_previous, &m_deselect};
+}
+
+void RepairActions::setDocument(MeshTab* document) {
+  if (m_document) disconnect(&m_document->document, &Document::changed, this, &RepairActions::followUndo);
+  m_document = document;
+  if (document) connect(&document->document, &Document::changed, this, &RepairActions::followUndo);
+  follow();
+}
+
+// Which actions are possible, and what the preview shows, follows from document and selection.
+void RepairActions::follow() {
+  MeshTab* document = m_document;
+  const int loop = document ? m_selection.loop() : -1;
+  const bool kept = loop >= 0 && document->document.isKeptOpen(document->inspection.loop(loop));
+  const bool holes = document && !document->inspection.holes().empty();
+  m_repairAll.setEnabled(!m_jobs.isWorking() && document && !document->inspection.isClean());
+  m_removeDebris.setEnabled(!m_jobs.isWorking() && document && !document->inspection.debris().empty());
+  for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) action->setEnabled(holes);
+  m_keepOpen.setEnabled(loop >= 0);
+  m_keepOpen.setChecked(kept);
+  m_deselect.setEnabled(loop >= 0);
+  m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1);
+  followPreview();
+  followUndo();
+}
+
+void RepairActions::followUndo() {
+  m_undoRepair.setEnabled(!m_jobs.isWorking() && m_document && m_document->isJustRepaired());
+}
+
+// There is no point in filling what the preview could not.
+void RepairActions::followPreview() {
+  const int loop = m_selection.loop();
+  const MeshTab* document = m_document;
+  const bool kept = loop >= 0 && document && document->document.isKeptOpen(document->inspection.loop(loop));
+  const bool hopeless = m_preview.state().kind == PreviewState::Kind::Failed;
+  m_fill.setEnabled(document && loop >= 0 && !kept && !hopeless && !m_jobs.isWorking());
+}
+
+void RepairActions::fillSelected() {
+  MeshTab* document = m_document;
+  const int loop = m_selection.loop();
+  m_jobs.fill(document, loop, m_preview.take(document->inspection.keyOf(loop)));
+}
+
+void RepairActions::toggleKeepOpen() {
+  MeshTab* document = m_document;
+  const BoundaryLoop loop = document->inspection.loop(m_selection.loop());
+  document->document.setKeptOpen(loop, !document->document.isKeptOpen(loop));
+  follow();
+}
+
+// Goes round among the holes, in the order of the list.
+void RepairActions::step(int direction) {
+  const std::vector<int>& holes = m_document->inspection.holes();
+  if (holes.empty()) return;
+  const int count = static_cast<int>(holes.size());
+  const auto at = std::lower_bound(holes.begin(), holes.end(), m_selection.loop());
+  int index = static_cast<int>(at - holes.begin());
+  const bool onHole = at != holes.end() && *at == m_selection.loop();
+  if (direction > 0 && onHole) ++index;
+  if (direction < 0) --index;
+  const int loop = holes[static_cast<std::size_t>((index + count) % count)];
+  m_selection.select(loop);
+  emit showLoopRequested(loop);
+}
+
+// Goes on to the hole after the one just filled, unless the user has chosen another meanwhile. The tool may have gone
+// there already; the camera follows a moment later.
+void RepairActions::goOnAfter(MeshTab* document, Vertex key) {
+  const Inspection& inspection = document->inspection;
+  const std::vector<int>& holes = inspection.holes();
+  if (holes.empty()) return;
+  // Loops are numbered in the order of their keys.
+  const auto after = std::find_if(holes.begin(), holes.end(), [&](int id) { return inspection.keyOf(id) > key; });
+  const int nextLoop = after != holes.end() ? *after : holes.front();
+  if (m_selection.loop() < 0) m_selection.select(nextLoop);
+  if (m_selection.loop() != nextLoop) return;
+  QTimer::singleShot(kLookMs, this, [this, document, next = inspection.keyOf(nextLoop)] {
+    if (m_document != document || document->selected != next || m_selection.loop() < 0) return;
+    emit showLoopRequested(m_selection.loop());
+  });
+}
+
+}  // namespace handwheel

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/mesh/repair/RepairJobs.h"
+
+#include <QAction>
+
+namespace handwheel {
+
+class FidelityChoice;
+class Selection;
+
+// The actions of the Repair menu. They are also used by keys, buttons and cards.
+class RepairActions : public QObject {
+  Q_OBJECT
+
+ public:
+  RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, const FidelityChoice& fidelity,
+                QObject* parent = nullptr);
+
+  void setDocument(MeshTab* document);  // null: no mesh is in view
+
+  QAction* repairAll() { return &m_repairAll; }
+  QAction* removeDebris() { return &m_removeDebris; }
+  QAction* undoRepair() { return &m_undoRepair; }  // of what was done last; for the card
+  QAction* goOneByOne() { return &m_oneByOne; }
+  QAction* repairByVolume() { return &m_byVolume; }  // for the card
+  QAction* fill() { return &m_fill; }
+  QAction* keepOpen() { return &m_keepOpen; }
+  QAction* preview() { return &m_showPreview; }
+  QAction* next() { return &m_next; }
+  QAction* previous() { return &m_previous; }
+  QAction* deselect() { return &m_deselect; }
+  QList<QAction*> all();
+
+ signals:
+  void showLoopRequested(int loop);  // move the camera there
+  void volumeRepairRequested();      // choose its tool
+
+ private:
+  void connectActions();
+  void follow();
+  void followPreview();
+  void followUndo();
+  void fillSelected();
+  void toggleKeepOpen();
+  void step(int direction);
+  void goOnAfter(MeshTab* document, Vertex key);
+
+  MeshTab* m_document = nullptr;
+  Selection& m_selection;
+  RepairJobs& m_jobs;
+  HolePreview& m_preview;
+  QAction m_repairAll;
+  QAction m_removeDebris;
+  QAction m_undoRepair;
+  QAction m_oneByOne;
+  QAction m_byVolume;
+  QAction m_fill;
+  QAction m_keepOpen;
+  QAction m_showPreview;
+  QAction m_next;
+  QAction m_previous;
+  QAction m_deselect;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/repair/RepairJobs.h"
+
+#include "mesh/measure/MeshFidelity.h"
+#include "mesh/repair/intersections/SelfIntersectionRemoval.h"
+#include "panels/LogModel.h"
+#include "panels/MessageBar.h"
+#include "proximity/SelfIntersection.h"
+#include "text/ErrorText.h"
+#include "text/RepairText.h"
+#include "tools/mesh/LoopText.h"
+#include "tools/mesh/repair/DefectFixes.h"
+#include "tools/mesh/repair/RemainingDefects.h"
+#include "tools/mesh/repair/RepairChanges.h"
+#include "window/CommandLines.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/fidelity/FidelityChoice.h"
+#include "window/mesh/EquivalentCommand.h"
+#include "window/mesh/MeshMessages.h"
+#include "window/mesh/MeshTab.h"
+#include "window/mesh/repair/RepairLog.h"
+#include "window/mesh/repair/RepairReasons.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+// Whether numbers of this type hold all digits of a mesh. O(n).
+bool isExactIn(const HalfEdgeMesh& mesh, NumberType numbers) {
+  if (numbers == NumberType::Float64) return true;
+  for (Vertex v = 0; v < mesh.vertexSlots(); ++v)
+    if (rounded(mesh.position(v), numbers) != mesh.position(v)) return false;
+  return true;
+}
+
+}  // namespace
+
+RepairJobs::RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const FidelityChoice& fidelity,
+                       QObject* parent)
+    : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_log(log), m_fidelity(fidelity) {
+  connect(&tabs, &DocumentTabs::closing, this, [this](DocumentTab* document) {
+    dropChanges(document);
+    m_jobs.cancelOf(document);
+  });
+}
+
+void RepairJobs::fill(MeshTab* document, int loop, PreparedFill prepared) {
+  startFill(document, document->inspection.keyOf(loop), std::move(prepared), Round::First);
+}
+
+void RepairJobs::startFill(MeshTab* document, Vertex key, PreparedFill prepared, Round round) {
+  const int loopId = document->inspection.loopWithKey(key);
+  if (loopId < 0) return;  // an undo or another fill was faster
+  const std::uint64_t revision = document->document.revision();
+  FillOptions options = prepared.options.value_or(FillOptions());
+  if (!prepared.options) apply(m_fidelity.values(), options);
+  options.numbers = document->document.fileNumbers();
+  if (!prepared.bench) prepared = {std::make_shared<HoleFillerCache>(document->document.mesh()), std::nullopt, options};
+  Job job;
+  job.name = tr("Filling hole %1").arg(document->inspection.loopNumber(loopId));
+  job.work = [this, document, key, revision, round, options, nearWeld = nearWeld(), prepared = std::move(prepared),
+              loop = document->inspection.loop(loopId)](Progress progress) -> Job::Finish {
+    HoleFiller* filler = prepared.bench->filler(progress.part(0.0, 0.3));
+    if (!filler) return {};
+    const FillFailure failure = fillHole(*filler, loop, options, prepared.attempt, progress.part(0.3, 0.6));
+    InspectedMesh after;
+    if (failure == FillFailure::None) after = inspected(filler->mesh(), nearWeld, progress.part(0.6, 1.0));
+    return [this, document, key, revision, round, options, bench = prepared.bench, failure, after] {
+      if (!m_tabs.contains(document)) return;
+      if (!isStale(document, revision))
+        return filledOne(document, key, bench, {failure, fillStep(key, options)}, after);
+      reportStale(*document, round);
+      if (round == Round::First) startFill(document, key, {nullptr, std::nullopt, options}, Round::Second);
+    };
+  };
+  start(document, std::move(job));
+}
+
+void RepairJobs::filledOne(MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench,
+                           const Filled& done, const InspectedMesh& after) {
+  const int loop = document->inspection.loopWithKey(key);
+  const QString name = document->inspection.loopName(loop);
+  const int number = document->inspection.loopNumber(loop);
+  document->inspection.setFailure(loop, done.failure);
+  if (done.failure != FillFailure::None) {
+    m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(done.failure)), {}, LogEntry::Weight::Warning);
+    return;
+  }
+  const QString command = stepCommand(*document, done.step);
+  document->document.commit(tr("Fill hole %1").arg(number), after, done.step);
+  m_log.add(tr("Filled %1 of %2").arg(name, document->document.name()), command);
+  emit filled(document, key, bench);
+}
+
+void RepairJobs::removeDebris(MeshTab* document) {
+  const std::vector<std::size_t>& debris = document->inspection.debris();
+  const std::vector<Component>& components = document->document.defects().components;
+  const auto all = std::count_if(components.begin(), components.end(), [](const Component& c) { return c.debris; });
+  if (debris.size() == static_cast<std::size_t>(all)) return change(document, allDebrisFix());
+  std::vector<Face> faces;  // without the pieces that a fix has cut off
+  for (const std::size_t i : debris) faces.push_back(components[i].faces.front());
+  change(document, debrisFix(std::move(faces)));
+}
+
+void RepairJobs::change(MeshTab* document, MeshChange wanted, std::optional<DefectRow> of) {
+  m_changes.push_back({document, std::move(wanted), of});
+  if (m_changes.size() == 1) startChange(m_changes.front(), Round::First);
+}
+
+void RepairJobs::changeEnded() {
+  const MeshChange ended = std::move(m_changes.front().wanted);
+  m_changes.pop_front();
+  if (!m_changes.empty()) startChange(m_changes.front(), Round::First);
+  ended.ended();
+}
+
+// Those that are not under way.
+void RepairJobs::dropChanges(const DocumentTab* document) {
+  if (m_changes.empty()) return;
+  m_changes.erase(std::remove_if(m_changes.begin() + 1, m_changes.end(),
+                                 [document](const auto& change) { return change.document == document; }),
+                  m_changes.end());
+}
+
+void RepairJobs::startChange(Request request, Round round) {
+  MeshTab* const document = request.document;
+  request.revision = document->document.revision();
+  const QString text = QCoreApplication::translate("Tool", request.wanted.text);
+  Job job;
+  job.name = text;
+  const bool isSearched = document->inspection.selfIntersections().has_value();
+  FaceSelection oldDebris;
+  for (const Component& piece : document->document.defects().components)
+    for (const Face f : piece.faces) oldDebris.add(f);
+  job.work = [this, request, round, text, isSearched, nearWeld = nearWeld(), oldDebris = std::move(oldDebris),
+              mesh = document->document.mesh()](Progress progress) -> Job::Finish {
+    HalfEdgeMesh result = mesh;
+    request.wanted.apply(result, progress.part(0.0, 0.4));
+    ChangeEffects effects = effectsOf(request.wanted, mesh, result, isSearched, progress.part(0.4, 0.5));
+    if (progress.cancelled()) return {};
+    const InspectedMesh after = inspected(std::move(result), nearWeld, progress.part(0.5, 1.0));
+    if (progress.cancelled()) return {};
+    if (request.wanted.isFix) effects.cutOff = cutOffCorners(oldDebris, after);
+    return [this, request, round, text, effects, after] {
+      if (!m_tabs.contains(request.document)) return changeEnded();
+      if (!isStale(request.document, request.revision)) {
+        changed(request, text, after, effects);
+        return changeEnded();
+      }
+      reportStale(*request.document, round);
+      if (round == Round::First) return startChange({request.document, request.wanted, {}}, Round::Second);
+      changeEnded();
+    };
+  };
+  job.failed = [this](const Error&) { changeEnded(); };
+  start(document, std::move(job));
+}
+
+void RepairJobs::changed(const Request& request, const QString& text, const InspectedMesh& after,
+                         const ChangeEffects& effects) {
+  MeshTab* const document = request.document;
+  const MeshChange& wanted = request.wanted;
+  const auto& crossings = effects.crossings;
+  Inspection& inspection = document->inspection;
+  // Those of a mesh that its file rounds are searched again as a whole.
+  const auto known = isExactIn(document->document.mesh(), document->document.fileNumbers())
+                         ? inspection.selfIntersections()
+                         : std::nullopt;
+  const auto before = inspection.counts();
+  const QString command = stepCommand(*document, wanted.step);
+  inspection.keepPieces(effects.cutOff);
+  if (document->document.commit(text, after, wanted.step)) {
+    if (crossings && known && known->size() < kMaxTrianglePairs)
+      inspection.setSelfIntersections(document->document.revision(), intersectionsAfter(*crossings, *known));
+    if (wanted.isFix) inspection.setBefore(before, effects.loops);
+    noteReasons(inspection, wanted, request.of, document->document.revision() == request.revision);
+    logChange(*document, wanted, text, command);
+    if (effects.piecesGone > 0) {  // one triangle was meant, perhaps, and all that hangs together with it was selected
+      const auto undo = [this, document] {
+        if (m_tabs.contains(document)) document->document.history()->undo();
+      };
+      emit message(piecesDeletedMessage(document->document, effects.piecesGone, effects.facesGone, undo));
+    }
+    if (!crossings || !wanted.crossed) return;
+    if (crossings->fresh > 0) reportCrossings(*document, *crossings);
+    wanted.crossed(crossings->fresh);
+  } else if (const char* reason = reasonOf(wanted)) {
+    noteReasons(inspection, wanted, request.of, document->document.revision() == request.revision);
+    if (request.of && request.of->row < 0) inspection.setHopeless(request.of->kind);
+    emit changedNothing(document, text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", reason)));
+  }
+}
+
+void RepairJobs::logChange(const MeshTab& document, const MeshChange& done, const QString& text,
+                           const QString& command) {
+  const ChangeAccount account = accountOf(document, done, text);
+  m_log.add(account.line, command, account.isPartly ? LogEntry::Weight::Warning : LogEntry::Weight::Info);
+  if (account.isPartly) {
+    emit changedPartly(&document, text, account.how);
+  } else if (account.isTold) {
+    emit message(changeMessage(document.document, text, account.how));
+  }
+}
+
+void RepairJobs::reportCrossings(const MeshTab& document, const IntersectionsChange& crossings) {
+  const int pairs = static_cast<int>(std::min(crossings.fresh, kMaxTrianglePairs));
+  m_log.add(
+      tr("%1: %n more pair(s) of triangles intersect; undo reverts this", nullptr, pairs).arg(document.document.name()),
+      {}, LogEntry::Weight::Warning);
+}
+
+void RepairJobs::repairAll(MeshTab* document) {
+  startRepair(document, Round::First);
+}
+
+void RepairJobs::startRepair(MeshTab* document, Round round) {
+  const std::uint64_t revision = document->document.revision();
+  RepairOptions options;
+  options.rims = RimHandling::Keep;  // the list shows them as left open
+  options.cutCrossings = true;       // adds nothing, and only where it leaves none of a cluster
+  apply(m_fidelity.values(), options);
+  options.fill.numbers = document->document.fileNumbers();
+  options.keepOpen = keptLoops(document->document);
+  Job job;
+  job.name = tr("Repairing %1").arg(document->document.name());
+  const bool isSearched = document->inspection.selfIntersections().has_value();
+  job.work = [this, document, revision, round, options, isSearched,
+              mesh = document->document.mesh()](Progress progress) -> Job::Finish {
+    HalfEdgeMesh result = mesh;
+    const auto report = std::make_shared<RepairReport>();
+    const MeshChange wanted = repairChange(options, report);
+    wanted.apply(result, progress.part(0.0, 0.85));
+    std::optional<FacePairs> pairs;
+    if (isSearched && !report->cancelled)
+      pairs = selfIntersectingPairs(result, options.fill.numbers, progress.part(0.85, 0.9));
+    if (report->cancelled || progress.cancelled()) return {};
+    const InspectedMesh after = inspected(std::move(result), options.nearWeld, progress.part(0.9, 0.98));
+    const RemainingDefects left = remainingDefects(after, *report, progress.part(0.98, 1.0));
+    return
+        [this, document, revision, round, options, step = wanted.step, report, pairs = std::move(pairs), after, left] {
+          if (!m_tabs.contains(document)) return;
+          if (!isStale(document, revision)) return repairedAll(document, after, {*report, options, step, pairs, left});
+          reportStale(*document, round);
+          if (round == Round::First) startRepair(document, Round::Second);
+        };
+  };
+  start(document, std::move(job));
+}
+
+void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done) {
+  Inspection& inspection = document->inspection;
+  const auto before = inspection.counts();
+  const QString command = document->isAsInFile() ? repairCommand(document->document.path(), done.options)
+                                                 : stepCommand(*document, done.step);
+  std::map<int, QString> names;
+  for (const LoopResult& loop : done.report.loops)
+    if (loop.id >= 0) names[loop.id] = inspection.loopName(loop.id);
+  const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
+  if (isChanged && done.pairs) inspection.setSelfIntersections(document->document.revision(), *done.pairs);
+  document->repairedRevision = document->document.revision();
+  document->hasRepairChanged = isChanged;
+  inspection.setFailures(failuresOf(done.report));
+  // A repair that changes nothing has no account: what is known from before is of another change.
+  if (isChanged)
+    inspection.setBefore(before, countOutcomes(done.report),
+                         repairSummary(done.report, document->document.displayUnit()));
+  else
+    inspection.setBefore({});
+  inspection.setReasons(reasonsOf(done.left, done.report, done.options));
+  if (!done.report.isIntersectionRemovalIncomplete) inspection.setHopeless(DefectKind::SelfIntersection);
+  logRepair(m_log, *document, done.report, names, command);
+  if (isChanged) inspection.setPatchWarnings(patchWarningsOf(done.report, names));
+  if (!isChanged)
+    emit changedNothing(document, tr("Repair all"),
+                        tr("Nothing more could be repaired without damage. The list of defects gives the reasons that "
+                           "are known."));
+}
+
+double RepairJobs::nearWeld() const {
+  return m_fidelity.values().of(nearWeldSetting());
+}
+
+bool RepairJobs::isStale(MeshTab* document, std::uint64_t revision) const {
+  return document->document.revision() != revision;
+}
+
+void RepairJobs::reportStale(const MeshTab& document, Round round) {
+  const QString name = document.document.name();
+  m_log.add(round == Round::First ? tr("%1 was changed meanwhile; the job runs again").arg(name)
+                                  : tr("%1 was changed again; the result was discarded").arg(name),
+            {}, LogEntry::Weight::Warning);
+}
+
+void RepairJobs::start(const DocumentTab* document, Job job) {
+  job.owner = document;
+  m_working.insert(document);
+  emit workingChanged();
+  job.work = [this, document, work = std::move(job.work)](Progress progress) -> Job::Finish {
+    return [this, document, finish = work(progress)] {
+      finish();
+      ended(document);
+    };
+  };
+  job.failed = [this, document, name = job.name, failed = std::move(job.failed)](const Error& error) {
+    reportFailure(document, name, error);
+    failed(error);
+    ended(document);
+  };
+  m_jobs.start(std::move(job));
+}
+
+void RepairJobs::reportFailure(const DocumentTab* document, const QString& job, const Error& error) {
+  m_log.add(job + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
+  if (error.code == ErrorCode::Cancelled || !m_tabs.contains(document)) return;
+  emit message(jobFailedMessage(document->document, job, error));
+}
+
+void RepairJobs::ended(const DocumentTab* document) {
+  m_working.erase(m_working.find(document));
+  emit workingChanged();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/defects/Defects.h"
+#include "mesh/repair/Repair.h"
+#include "panels/defects/Inspection.h"
+#include "tools/mesh/repair/ChangeEffects.h"
+#include "tools/mesh/repair/RemainingDefects.h"
+#include "window/mesh/HoleFillerCache.h"
+#include "window/mesh/HolePreview.h"
+
+#include <QObject>
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace handwheel {
+
+class DocumentTabs;
+class FidelityChoice;
+class LogModel;
+struct Message;
+struct DocumentTab;
+
+// Runs changes of a mesh as jobs on snapshots. The result becomes one undo step; when the document was changed
+// meanwhile, the result is discarded and the job runs once more.
+class RepairJobs : public QObject {
+  Q_OBJECT
+
+ public:
+  RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const FidelityChoice& fidelity,
+             QObject* parent = nullptr);
+
+  // prepared: results of the preview for this hole; may be empty.
+  void fill(MeshTab* document, int loop, PreparedFill prepared);
+  void repairAll(MeshTab* document);
+  void removeDebris(MeshTab* document);
+  // Applies a change requested by a tool, or a fix of these defects. Changes run one after the other.
+  void change(MeshTab* document, MeshChange wanted, std::optional<DefectRow> of = std::nullopt);
+
+  // Whether a fill, a repair or another change is waiting or running, of any document or of this one.
+  bool isWorking() const { return !m_working.empty(); }
+  bool isWorkingOn(const DocumentTab* document) const { return m_working.count(document) > 0; }
+
+ signals:
+  // key: of the loop that was filled. bench: the filler cache, valid for the present document.
+  void filled(handwheel::MeshTab* document, handwheel::Vertex key, std::shared_ptr<handwheel::HoleFillerCache> bench);
+  void workingChanged();
+  // A change had no effect. why: a sentence.
+  void changedNothing(const handwheel::MeshTab* document, const QString& what, const QString& why);
+  // A change had its effect on some of the sheets only. what: which, and why not on the others.
+  void changedPartly(const handwheel::MeshTab* document, const QString& what, const QString& how);
+  // A job failed.
+  void message(const handwheel::Message& message);
+
+ private:
+  enum class Round { First, Second };
+  void startFill(MeshTab* document, Vertex key, PreparedFill prepared, Round round);
+  struct Request {
+    MeshTab* document;
+    MeshChange wanted;
+    std::optional<DefectRow> of;
+    std::uint64_t revision = 0;  // for which it runs
+  };
+  void startChange(Request request, Round round);
+  void logChange(const MeshTab& document, const MeshChange& done, const QString& text, const QString& command);
+  void changeEnded();
+  void dropChanges(const DocumentTab* document);
+  void startRepair(MeshTab* document, Round round);
+  void changed(const Request& request, const QString& text, const InspectedMesh& after, const ChangeEffects& effects);
+  double nearWeld() const;  // tolerance for the defects of a job's result
+  bool isStale(MeshTab* document, std::uint64_t revision) const;
+  struct Filled {
+    FillFailure failure;
+    std::string step;
+  };
+  void filledOne(MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench, const Filled& done,
+                 const InspectedMesh& after);
+  struct Repaired {
+    RepairReport report;
+    RepairOptions options;
+    std::string step;
+    std::optional<FacePairs> pairs;  // that intersect then, where that is known of the mesh before
+    RemainingDefects left;
+  };
+  void repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done);
+  void reportCrossings(const MeshTab& document, const IntersectionsChange& crossings);
+  void reportStale(const MeshTab& document, Round round);
+  void start(const DocumentTab* document, Job job);
+  void reportFailure(const DocumentTab* document, const QString& job, const Error& error);
+  void ended(const DocumentTab* document);
+
+  DocumentTabs& m_tabs;
+  JobRunner& m_jobs;
+  LogModel& m_log;
+  const FidelityChoice& m_fidelity;
+  std::multiset<const DocumentTab*> m_working;  // of the jobs
+  std::deque<Request> m_changes;                // the first is running
+};
+
+}  // namespace handwheel

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/repair/RepairLog.h"
+
+#include "panels/LogModel.h"
+#include "panels/defects/RepairAccount.h"
+#include "text/RepairText.h"
+#include "window/mesh/MeshTab.h"
+#include "window/mesh/repair/RepairJobs.h"
+
+namespace handwheel {
+
+ChangeAccount accountOf(const MeshTab& document, const MeshChange& done, const QString& text) {
+  const QString name = document.document.name();
+  const LengthUnit unit = document.document.displayUnit();
+  const QString separator = QStringLiteral(", ");
+  const bool isMeasured = done.distance && *done.distance;
+  const QStringList defects = done.isFix ? repairAccount(document.inspection) : QStringList();
+  ChangeAccount account;
+  account.isPartly = done.sheets && done.sheets->leftCount() > 0;
+  const bool isThickened = !account.isPartly && done.sheets && done.sheets->thickened > 0;
+  QStringList how;
+  if (account.isPartly) how << sheetsText(*done.sheets, unit);
+  if (isMeasured)
+    how << RepairJobs::tr("largest distance found between the surface before and after %1")
+               .arg(lengthText(**done.distance, unit));
+  how << defects;
+  account.line = RepairJobs::tr("%1: %2").arg(name, text);
+  if (isThickened) {
+    const QString thickness = thicknessText(done.sheets->thickness, unit);
+    account.line = (QStringList(RepairJobs::tr("%1: %2 by %3").arg(name, text, thickness)) + how).join(separator);
+    how.prepend(thickness);
+  } else if (!how.isEmpty()) {
+    account.line = RepairJobs::tr("%1: %2: %3").arg(name, text, how.join(separator));
+  }
+  account.how = how.join(separator);
+  account.isTold = isMeasured || !defects.isEmpty() || (isThickened && done.sheets->thickness.thinVertices > 0);
+  return account;
+}
+
+QStringList patchWarningsOf(const RepairReport& report, const std::map<int, QString>& names) {
+  QStringList warnings;
+  for (const LoopResult& loop : report.loops) {
+    const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
+    if (loop.id >= 0 && !warning.isEmpty())
+      warnings << RepairJobs::tr("Check the patch of %1: %2.").arg(names.at(loop.id), warning);
+  }
+  return warnings;
+}
+
+void logRepair(LogModel& log, const MeshTab& document, const RepairReport& report, const std::map<int, QString>& names,
+               const QString& command) {
+  const QStringList account = repairAccount(document.inspection);
+  const QString part = document.document.name();
+  log.add(account.isEmpty() ? RepairJobs::tr("Repaired %1: nothing was changed").arg(part)
+                            : RepairJobs::tr("Repaired %1: %2").arg(part, account.join(QStringLiteral(", "))),
+          command);
+  for (const QString& warning : patchWarningsOf(report, names)) log.add(warning, {}, LogEntry::Weight::Warning);
+  for (const LoopResult& loop : report.loops) {
+    const QString name = loop.id >= 0 ? names.at(loop.id) : RepairJobs::tr("A hole opened by the repair");
+    if (loop.outcome == LoopOutcome::Failed)
+      log.add(RepairJobs::tr("%1 stays open: %2").arg(name, fillFailureReason(loop.reason)), {},
+              LogEntry::Weight::Warning);
+  }
+}
+
+}  // namespace handwheel

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/defects/Inspection.h"
+#include "tools/mesh/MeshServices.h"
+#include "tools/mesh/repair/RemainingDefects.h"
+
+namespace handwheel {
+
+// Why loops that were to be closed are open after a repair, by their keys in its result.
+std::map<Vertex, FillFailure> failuresOf(const RepairReport& report);
+
+// Why the other defects of its result remain, translated.
+DefectReasons reasonsOf(const RemainingDefects& left, const RepairReport& report, const RepairOptions& options);
+
+// Notes why a change left some of what it was to repair: the rows of the list keep it. of: what that was. isSame: the
+// change had no effect, so that its row is still the same.
+void noteReasons(Inspection& inspection, const MeshChange& change, std::optional<DefectRow> of, bool isSame);
+
+}  // namespace handwheel

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+#include "document/recovery/RecoveryFiles.h"
+#include "document/recovery/RecoveryLock.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// An autosave that a session left when it ended or was killed.
+struct OrphanedAutosave {
+  AutosaveInfo info;           // empty where it is damaged; the container knows its id and kind
+  std::filesystem::path file;  // a container; to be read after joinChanges()
+  std::uint64_t bytes = 0;
+  std::int64_t savedAt = 0;  // milliseconds since 1970
+  bool isOutdated = false;   // the file it belongs to was written later
+};
+
+// The autosaves that dead sessions left below a root folder. This object holds their locks, so that no other window
+// offers the same. Nothing is deleted until it is discarded; what is neither discarded nor adopted (Recovery.h) is
+// found again the next time.
+class OrphanedAutosaves {
+ public:
+  explicit OrphanedAutosaves(const std::filesystem::path& root = recoveryFolder());
+  ~OrphanedAutosaves();
+  OrphanedAutosaves(OrphanedAutosaves&&) = default;
+  OrphanedAutosaves& operator=(OrphanedAutosaves&&) = delete;
+
+  const std::vector<OrphanedAutosave>& found() const { return m_found; }  // the newest first
+  // Files too damaged to be autosaves, or changes of them: EntryDamaged {name}; subject: its path.
+  const std::vector<Error>& skipped() const { return m_skipped; }
+
+  void discard(const OrphanedAutosave& leftover) const;
+  void discardSkipped() const;
+
+ private:
+  struct Session {
+    std::filesystem::path folder;
+    RecoveryLock lock;
+  };
+
+  void list(const std::filesystem::path& folder);
+  void look(const std::filesystem::path& file);
+
+  std::vector<Session> m_sessions;
+  std::vector<OrphanedAutosave> m_found;
+  std::vector<Error> m_skipped;
+};
+
+namespace recovery {
+
+inline constexpr char kHiddenPrefix = '.';  // of a session folder that is not locked yet
+
+// Removes a session's folder unless an autosave is in it. The caller holds its lock.
+void removeIfEmpty(const std::filesystem::path& session);
+
+}  // namespace recovery
+
+}  // namespace handwheel

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/recovery/RecoveryFiles.h"
+
+#include "base/JsonText.h"
+
+#include <QByteArray>
+#include <QStandardPaths>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+std::filesystem::path recoveryFolder() {
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+  return std::filesystem::path(folder.toStdString()) / "recovery";
+}
+
+namespace recovery {
+
+std::filesystem::path autosaveFile(const std::filesystem::path& session, std::uint64_t key) {
+  return session / (std::to_string(key) + kAutosaveEnding);
+}
+
+std::filesystem::path infoFile(std::filesystem::path autosave) {
+  return autosave.replace_extension(".json");
+}
+
+std::filesystem::path changesFile(std::filesystem::path autosave) {
+  return autosave.replace_extension(".changes");
+}
+
+std::filesystem::path damagedFile(std::filesystem::path autosave) {
+  return autosave.replace_extension(kDamagedEnding);
+}
+
+// The autosave first: changes alone say nothing.
+void removeAutosave(const std::filesystem::path& autosave) {
+  std::error_code ignored;
+  std::filesystem::remove(autosave, ignored);
+  std::filesystem::remove(changesFile(autosave), ignored);
+}
+
+std::string infoText(const AutosaveInfo& info) {
+  // A path need not be UTF-8; JSON must.
+  const std::string path = QByteArray::fromStdString(info.path).toPercentEncoding("/ ").toStdString();
+  const nlohmann::json text = {{"id", info.documentId}, {"path", path}, {"name", info.name}, {"kind", info.kind}};
+  return text.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+AutosaveInfo parseInfo(std::string_view text) {
+  AutosaveInfo info;
+  const auto parsed = parseJson(text, "autosave");
+  if (!parsed || !parsed->is_object()) return info;
+  const auto take = [&parsed](const char* key, std::string& to) {
+    if (const auto found = parsed->find(key); found != parsed->end() && found->is_string()) to = *found;
+  };
+  take("id", info.documentId);
+  take("path", info.path);
+  take("name", info.name);
+  take("kind", info.kind);
+  info.path = QByteArray::fromPercentEncoding(QByteArray::fromStdString(info.path)).toStdString();
+  return info;
+}
+
+}  // namespace recovery
+
+}  // namespace handwheel

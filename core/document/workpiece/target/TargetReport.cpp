@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/target/TargetReport.h"
+
+#include "base/NumberText.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+std::string mmText(double value) {
+  return roundedText(std::round(value * 1e4) / 1e4, 9);
+}
+
+nlohmann::json placeJson(const TargetDeviation::Place& place) {
+  return {{"distance", place.distance}, {"r", place.at.x()}, {"z", place.at.y()}};
+}
+
+}  // namespace
+
+TargetDeviation deviationOf(const WorkpieceSnapshot& workpiece, Progress progress) {
+  constexpr double kBarSteps = 1000.0;
+  const StockCylinder& stock = workpiece.stock;
+  const TargetProfile& target = workpiece.target->profile;
+  if (workpiece.part) return deviationFrom(target, workpiece.part->profile, stock.position, progress);
+  return deviationFrom(target, TurnedProfile(stock, stock.length / kBarSteps), stock.position, progress);
+}
+
+std::string textOf(const ProfileFeature& f) {
+  std::string text = (f.isInner ? "inner " : "") + std::string(nameOf(f.kind));
+  if (f.kind == ProfileFeature::Kind::Cylinder) text += " Ø" + mmText(f.value);
+  if (f.kind == ProfileFeature::Kind::Arc) text += " R" + mmText(f.value);
+  if (f.kind == ProfileFeature::Kind::Taper)
+    text += " " + mmText(f.value * 180.0 / M_PI) + "° to the axis, Ø" + mmText(2.0 * f.low.x()) + " to Ø" +
+            mmText(2.0 * f.high.x());
+  if (f.kind == ProfileFeature::Kind::FlatFace)
+    return text + " Ø" + mmText(2.0 * f.low.x()) + " to Ø" + mmText(2.0 * f.high.x()) + ", Z " + mmText(f.low.y());
+  return text + ", Z " + mmText(f.low.y()) + " to " + mmText(f.high.y()) + ", length " + mmText(f.length());
+}
+
+nlohmann::json dimensionsJson(const TargetProfile& section, double tolerance) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const ProfileFeature& f : featuresOf(section, tolerance)) {
+    nlohmann::json one = {{"kind", nameOf(f.kind)}, {"inner", f.isInner}, {"z_from", f.low.y()}, {"z_to", f.high.y()},
+                          {"r_from", f.low.x()},    {"r_to", f.high.x()}, {"text", textOf(f)}};
+    if (f.kind == ProfileFeature::Kind::Cylinder) one["diameter"] = f.value;
+    if (f.kind == ProfileFeature::Kind::Arc) one["radius"] = f.value;
+    if (f.kind == ProfileFeature::Kind::Taper) one["angle"] = f.value;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+nlohmann::json deviationJson(const TargetDeviation& deviation) {
+  return {{"largest_over", placeJson(deviation.largestOver)},
+          {"largest_under", placeJson(deviation.largestUnder)},
+          {"largest", deviation.largest()}};
+}
+
+}  // namespace handwheel

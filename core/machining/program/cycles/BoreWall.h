@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/program/cycles/ContourCuts.h"
+#include "machining/target/TargetProfile.h"
+
+namespace handwheel {
+
+// The bore of a target that is open at the upper end, z = 0.
+struct BoreWall {
+  enum class Bottom { Through, Flat, Drilled };
+
+  CutContour wall;  // from the upper end down, without the bottom; r is the radius
+  Bottom bottom = Bottom::Through;
+  double depth = 0.0;  // mm, of a bottom on the axis: of the flat, or of the point of the drill
+
+  double leastRadius() const;  // mm, of the wall; of a drilled bottom, where its cone begins
+};
+
+// tan 59°: a drill of 118° is this much wider, on the radius, than its point is high.
+inline constexpr double kDrillPointSlope = 1.664279;
+
+// Throws ProgramRefusal: there is no such bore, it has an undercut, or its bottom is neither flat nor a cone of 118°.
+BoreWall boreWallOf(const TargetProfile& target);
+
+// The wall down to a height only, with a step inward to a radius there: what can be bored while the rest of a drill's
+// point is below. Throws ProgramRefusal: an arc is cut there.
+CutContour wallDownTo(const CutContour& wall, double z, double radius);
+
+}  // namespace handwheel

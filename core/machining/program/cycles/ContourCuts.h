@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/program/cycles/RoughAndFinish.h"
+
+namespace handwheel {
+
+// A surface that is to be cut, from its upper end, z = 0, down to its lower; r grows out of the material.
+using CutContour = std::vector<ProfileSegment>;
+
+// The path of the tip of a tool with its nose towards the axis and the chuck, which takes what is between a contour and
+// the radius of the bar (mm): levels inward, once along the contour with the allowance, and along the contour itself.
+// It begins and ends beside the bar, before its end. Throws ProgramRefusal.
+std::vector<ToolMove> contourCuts(CutContour contour, double barRadius, const CycleSettings& settings);
+
+}  // namespace handwheel

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/program/cycles/ContourSegment.h"
+#include "machining/program/cycles/CycleWork.h"
+
+namespace handwheel {
+
+// Cuts what lies outside of a contour in levels, from its start down; a part of ContourCycle. The contour goes on in
+// -z. A level is cut from where it enters the material to where it meets the contour; where the contour dips, its
+// pocket is cut when the contour has been followed to it.
+class ContourLevels {
+ public:
+  // depth: of a level; retract: of the escape of 45 degrees at its end. Refuses too many levels (ProgramRefusal).
+  ContourLevels(const std::vector<ContourSegment>& contour, double depth, double retract, const ProgramPlace& place,
+                CycleWork& work);
+
+  // mode: 0 all; 1 no pockets; 2 only the pockets, and what 1 leaves.
+  void cut(int mode, const CycleOutput& out);
+
+ private:
+  using Index = std::size_t;
+  enum class Dive { Moved, Climbs };
+
+  // Each goes along one segment from m_at; climbs: whether it does not go down here.
+  Dive dive(const ContourSegment& segment, double level, bool isIn);
+  Dive diveLine(const ContourSegment& line, double level, bool isIn);
+  Dive diveArc(const ContourSegment& arc, double level);
+  bool climb(const ContourSegment& segment);  // false: it goes down here, or does from where it has come to
+  void climbOnly(const ContourSegment& segment);
+  void climbRest(const ContourSegment& arc);
+  // Cuts the level at m_at. Moves p on where the level begins at a later segment.
+  void cutLevel(Index& p, double& level);
+  // Follows the contour from p on to the next pocket. False at its end.
+  bool follow(Index& p, int mode);
+  void spend();
+
+  const std::vector<ContourSegment>& m_contour;
+  double m_depth, m_retract;
+  ProgramPlace m_place;
+  CycleWork& m_work;
+  const CycleOutput* m_out = nullptr;
+  PlanePoint m_at;
+  std::vector<PlanePoint> m_pockets;  // where the levels of each begin
+  int m_steps = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/cycles/CycleProgram.h"
+
+#include "base/NumberText.h"
+#include "machining/program/ProgramErrors.h"
+#include "machining/program/ProgramInterpreter.h"
+#include "machining/program/ProgramSimulation.h"
+#include "machining/program/ProgramWriter.h"
+#include "machining/program/cycles/BoreCuts.h"
+#include "machining/target/TargetDeviation.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kGouge = 0.005;  // mm, of the target that cycles may cut into
+
+// For the head of the program.
+std::vector<std::string> commentsOf(const ProgramTools& tools) {
+  std::vector<std::string> comments;
+  for (const auto& [number, tool] : tools)
+    if (tool.body) comments.push_back("T" + std::to_string(number) + ": " + tool.body->designation);
+  return comments;
+}
+
+Status checkCycles(const std::string& text, const CycleTask& task, const ProgramSetup& setup, Progress progress) {
+  const Result<ToolPath> path = runProgram(text, setup, progress.part(0.0, 0.3));
+  if (!path) return path.error();
+  ProgramSimulation simulation(task.part, *path, setup);
+  if (!simulation.run(progress.part(0.3, 0.8))) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  if (simulation.collisionCount() > 0)
+    return Error{ProgramError::CyclesCollide, {std::to_string(simulation.collisions().front().line)}, {}, {}};
+  const TurnedProfile& part = simulation.part();
+  const TargetProfile& target = task.target;
+  const TargetDeviation deviation = deviationFrom(target, part, task.base, progress.part(0.8, 1.0));
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const double z = part.z(i) + task.base;
+    const bool isInside = z > target.lowerEnd() + part.spacing() && z < target.upperEnd() - part.spacing();
+    // What a cut before has taken too much is not the fault of the cycles.
+    const bool isCut = part.radius(i) < task.part.radius(i);
+    const bool isBored = part.inner(i) > task.part.inner(i);
+    const double outer = isCut ? deviation.outer[i] : 0.0, inner = isBored ? deviation.inner[i] : 0.0;
+    const double least = std::min(outer, inner);
+    if (isInside && least < -kGouge)
+      return Error{ProgramError::CyclesGouge,
+                   {roundedText(-least, 3), roundedText(z - task.base - part.length() + task.allowance, 4)},
+                   {},
+                   {}};
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<CycleProgram> cycleProgram(const CycleTask& task, ProgramDialect dialect, const CycleSettings& settings,
+                                  Progress progress) {
+  CycleProgram program;
+  for (const int tool : {settings.roughTool, settings.finishTool})
+    program.tools[tool] = {settings.nose, outsideOrientation(dialect), {0.0, 0.0}};
+  std::vector<ToolMove> moves;
+  const double below = task.target.lowerEnd() - task.base;
+  if (settings.drill > 0.0) {
+    const Result<BoreTools> tools = boreTools(task.target, settings.drill, task.tools);
+    if (!tools) return tools.error();
+    program.tools[settings.drillTool] = programToolOf(tools->drill, dialect);
+    if (tools->bar) program.tools[settings.boreTool] = programToolOf(tools->bar, dialect);
+    Result<std::vector<ToolMove>> bored = drillAndBore(task.target, *tools, settings, below);
+    if (!bored) return bored.error();
+    moves = std::move(bored.value());
+  }
+  CycleSettings limited = settings;
+  limited.room = std::min(settings.room, below - task.grip);
+  const Result<std::vector<ToolMove>> turned = roughAndFinish(task.target, 0.5 * task.stock.diameter, limited);
+  if (!turned) return turned.error();
+  moves.insert(moves.end(), turned->begin(), turned->end());
+  const double front = task.target.upperEnd() - (task.base + task.part.length() - task.allowance);
+  for (ToolMove& move : moves)
+    for (ProfilePoint* each : {&move.from, &move.to, &move.centre}) each->y() += front;
+  program.text = programText(moves, dialect, "rough and finish", commentsOf(program.tools));
+  ProgramSetup setup = usualSetup(dialect, task.stock, task.grip, settings.nose, task.allowance);
+  setup.tools = program.tools;
+  setup.lathe = task.lathe;
+  const Status problem = checkCycles(program.text, task, setup, progress);
+  if (!problem) return problem.error();
+  return program;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "machining/TurnedProfile.h"
+#include "machining/program/ProgramSetup.h"
+#include "machining/program/cycles/RoughAndFinish.h"
+
+#include <string>
+
+namespace handwheel {
+
+// What cycles are made for: a target and the part that it is cut from.
+struct CycleTask {
+  const TargetProfile& target;
+  const StockCylinder& stock;              // the bar
+  const TurnedProfile& part;               // the bar, or what was cut from it
+  double base = 0.0;                       // mm, z of the part's lower end in the coordinates of the target
+  double grip = 0.0;                       // mm of the part, from its lower end, that the chuck holds
+  LatheTools tools = {};                   // of the lathe, for bores
+  std::optional<ProgramLathe> lathe = {};  // in which it is made; none: a chuck that grips so
+  double allowance = 0.0;                  // mm of the part beyond z = 0 of the program
+};
+
+// What was written, and the tools with which it was simulated; those that turn the outside are a nose alone.
+struct CycleProgram {
+  std::string text;
+  ProgramTools tools;
+};
+
+// The cycles of drillAndBore(), where there is a drill, and of roughAndFinish() as a program whose z = 0 is the upper
+// end of the part but for the allowance. It is simulated before it is given away: it collides nowhere, not with the
+// chuck either, and cuts no more than 0.005 mm into the target. Errors: CyclesCollide, CyclesGouge, Cancelled, those of
+// both.
+Result<CycleProgram> cycleProgram(const CycleTask& task, ProgramDialect dialect, const CycleSettings& settings,
+                                  Progress progress = {});
+
+}  // namespace handwheel

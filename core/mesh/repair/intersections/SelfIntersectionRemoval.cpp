@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/intersections/SelfIntersectionRemoval.h"
+
+#include "base/Tolerance.h"
+#include "mesh/repair/Cleaning.h"
+#include "mesh/repair/CoincidentVertexSeparation.h"
+#include "mesh/repair/intersections/Autorefinement.h"
+#include "mesh/repair/intersections/CoincidentPieces.h"
+#include "mesh/repair/intersections/SharedWalls.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/PositionTriangles.h"
+
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+// As a file of these numbers shows the mesh. Nothing when cancelled.
+std::optional<std::vector<TrianglePair>> crossings(const HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
+  std::vector<Vec3> points(mesh.vertexSlots());
+  for (Vertex v = 0; v < points.size(); ++v) points[v] = rounded(mesh.position(v), numbers);
+  std::vector<Triangle> triangles(mesh.faceSlots(), Triangle{0, 0, 0});  // dead ones take no part
+  for (Face f = 0; f < triangles.size(); ++f) {
+    if (mesh.isLive(f)) triangles[f] = mesh.triangle(f);
+  }
+  return selfIntersections(points, triangles, progress);
+}
+
+// The pairs that hang together with these faces: all in which one of them takes part, all in which a face of those
+// does, and so on.
+std::vector<TrianglePair> cluster(const std::vector<TrianglePair>& pairs, const std::vector<Face>& faces,
+                                  std::size_t faceSlots) {
+  std::vector<std::vector<std::uint32_t>> pairsOf(faceSlots);
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    pairsOf[pairs[i].first].push_back(i);
+    pairsOf[pairs[i].second].push_back(i);
+  }
+  std::vector<TrianglePair> found;
+  std::vector<bool> seen(pairs.size(), false);
+  for (std::vector<Face> left = faces; !left.empty();) {
+    const Face f = left.back();
+    left.pop_back();
+    for (std::uint32_t i : pairsOf[f]) {
+      if (seen[i]) continue;
+      seen[i] = true;
+      found.push_back(pairs[i]);
+      left.push_back(pairs[i].first == f ? pairs[i].second : pairs[i].first);
+    }
+  }
+  return found;
+}
+
+// The pieces take the places of their faces, unpaired.
+void replace(HalfEdgeMesh& mesh, const Autorefinement& cuts, const PositionTriangles& byPosition) {
+  const std::size_t known = byPosition.classes.representative.size();
+  std::vector<Vertex> vertexOf(cuts.points.size(), kNone);
+  for (const auto& [f, pieces] : cuts.piecesOf) {
+    const Triangle corners = mesh.triangle(f), classes = byPosition.triangles[f];
+    const auto vertex = [&](std::uint32_t point) {
+      for (int k = 0; k < 3; ++k) {
+        if (classes[k] == point) return corners[k];
+      }
+      if (vertexOf[point] == kNone) {
+        vertexOf[point] = point < known ? byPosition.classes.representative[point] : mesh.addVertex(cuts.points[point]);
+      }
+      return vertexOf[point];
+    };
+    mesh.removeFace(f);
+    for (const Triangle& p : pieces) mesh.addFace({vertex(p[0]), vertex(p[1]), vertex(p[2])});
+  }
+}
+
+// most: of crossings; none for those of other clusters.
+IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std::vector<Face>& faces,
+                                                  NumberType numbers, std::optional<std::size_t> most,
+                                                  const Progress& progress) {
+  IntersectionRemoval report;
+  const auto before = crossings(mesh, numbers, progress.part(0.0, 0.2));
+  if (!before) return report;
+  report.intersectionsBefore = report.intersectionsAfter = before->size();
+  const std::vector<TrianglePair> pairs = cluster(*before, faces, mesh.faceSlots());
+  if (pairs.empty() || pairs.size() > tolerance::kMaxSelfIntersectionPairs) return report;
+  const std::size_t allowed = most.value_or(before->size() - pairs.size());
+
+  HalfEdgeMesh result = mesh;
+  const PositionTriangles byPosition(mesh, progress.part(0.2, 0.25));
+  if (progress.cancelled()) return report;
+  TriangleSoup soup;
+  for (Vertex v : byPosition.classes.representative) soup.points.push_back(mesh.position(v));
+  soup.triangles = byPosition.triangles;
+  // Not for trials of patches, which lie in no plane with what they cross and have no effort to spare.
+  const SharedPlanes planes = most ? SharedPlanes() : findSharedPlanes(soup, pairs, progress.part(0.25, 0.3));
+  const Autorefinement cuts = autorefine(soup, pairs, numbers, progress.part(0.3, 0.6), planes);
+  report.cutFaces = cuts.piecesOf.size();
+  if (progress.cancelled() || cuts.piecesOf.empty()) return report;
+  replace(result, cuts, byPosition);
+  const auto firstPiece = static_cast<Face>(mesh.faceSlots());
+  joinCoincidentPieces(result, firstPiece, progress.part(0.6, 0.63));
+  if (progress.cancelled()) return report;
+  // A wall is inside or outside as a whole only where all is cut.
+  if (pairs.size() == before->size()) uniteAtSharedWalls(result, firstPiece, progress.part(0.63, 0.65));
+  if (progress.cancelled()) return report;
+  relink(result, progress.part(0.65, 0.7));
+  removeDegenerateFaces(result, progress.part(0.7, 0.75));
+  separateCoincidentVertices(result, numbers, progress.part(0.75, 0.85), [&] {
+    const std::size_t made = countSelfIntersections(result, numbers, progress.part(0.85, 0.85));
+    return made < allowed ? allowed - made : 0;
+  });
+  relink(result, progress.part(0.85, 0.88));  // what was one edge too many before may be an open one now
+  const auto after = crossings(result, numbers, progress.part(0.88, 1.0));
+  if (!after || progress.cancelled()) return report;
+  report.intersectionsAfter = after->size();
+  report.changed = after->size() <= allowed;
+  if (report.changed) mesh = std::move(result);
+  return report;
+}
+
+}  // namespace
+
+std::vector<std::pair<Face, Face>> selfIntersectingPairs(const HalfEdgeMesh& mesh, NumberType numbers,
+                                                         Progress progress) {
+  return crossings(mesh, numbers, progress).value_or(std::vector<TrianglePair>());
+}
+
+std::size_t countSelfIntersections(const HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
+  return selfIntersectingPairs(mesh, numbers, progress).size();
+}
+
+std::vector<Face> intersectionCluster(const HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
+                                      Progress progress) {
+  std::vector<Face> found;
+  const auto pairs = crossings(mesh, numbers, progress);
+  if (!pairs) return found;
+  for (const auto& [f, g] : cluster(*pairs, faces, mesh.faceSlots())) found.insert(found.end(), {f, g});
+  return found;
+}
+
+IntersectionRemoval removeSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
+                                            std::size_t allowed, Progress progress) {
+  return removeSelfIntersectionsWithin(mesh, faces, numbers, allowed, progress);
+}
+
+IntersectionRemoval removeAllSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
+                                               Progress progress) {
+  return removeSelfIntersectionsWithin(mesh, faces, numbers, std::nullopt, progress);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/PathBasis.h"
+
+#include "document/cell/CellArms.h"
+#include "robot/arm/SerialArm.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+bool collideAlike(const BodySet& one, const BodySet& other) {
+  const auto isAlike = [](const BodyPointer& a, const BodyPointer& b) {
+    return a == b || (a->id == b->id && a->geometry == b->geometry && a->carrier == b->carrier &&
+                      a->pose.matrix() == b->pose.matrix());
+  };
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(), isAlike);
+}
+
+// Both of the same robots.
+bool standAlike(const PathBasis& basis, const JointValues& joints) {
+  JointValues others = joints;
+  for (const std::uint32_t dof : basis.planned) others[dof] = basis.joints[dof];
+  return others == basis.joints;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> plannedDofs(const CellRobot& robot, std::string_view arm) {
+  const auto number = armNumber(robot, arm);
+  if (!number) return {};
+  auto planned = SerialArm::of(robot.model, robot.model.root, robot.arms[*number].flange);
+  return planned ? std::move(planned->dofs) : std::vector<std::uint32_t>();
+}
+
+PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path) {
+  return {path,
+          cell.robot,
+          cell.bodies,
+          cell.joints,
+          plannedDofs(*cell.robot, path.arm),
+          cell.plans->allowed,
+          toolOf(*cell.robot, *cell.plans, path.arm),
+          cell.plans->clearance};
+}
+
+BasisChange changeSince(const PathBasis& basis, const RobotCellSnapshot& cell, const RobotPath& path) {
+  if (basis.robot != cell.robot) return BasisChange::Robots;
+  if (!areSameWay(basis.path, path)) return BasisChange::Path;
+  if (!standAlike(basis, cell.joints)) return BasisChange::Joints;
+  if (!collideAlike(basis.bodies, cell.bodies)) return BasisChange::Bodies;
+  if (basis.allowed != cell.plans->allowed) return BasisChange::Pairs;
+  if (basis.tool.matrix() != toolOf(*cell.robot, *cell.plans, path.arm).matrix()) return BasisChange::Tool;
+  if (basis.clearance != cell.plans->clearance) return BasisChange::Clearance;
+  return BasisChange::Nothing;
+}
+
+bool areSameWay(const RobotPath& one, const RobotPath& other) {
+  const auto isSameBase = [](const auto& a, const auto& b) {
+    return a.first == b.first && a.second.matrix() == b.second.matrix();
+  };
+  return one.arm == other.arm && one.places == other.places &&
+         std::equal(one.bases.begin(), one.bases.end(), other.bases.begin(), other.bases.end(), isSameBase);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/PathCheck.h"
+
+#include "document/cell/CellArms.h"
+#include "document/cell/CellErrors.h"
+#include "planning/CartesianLine.h"
+#include "robot/dh/DhTable.h"
+#include "robot/posts/PostText.h"
+#include "tools/cell/ProcessOperation.h"
+#include "tools/cell/path/PathBlends.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress) {
+  ResolvedPath way;
+  for (std::size_t i = 0; i < path.places.size(); ++i) {
+    const ArmValues values = scene.planned(path.places[i].joints);
+    if (i > 0 && path.places[i].motion == ProgramMotion::Kind::Linear) {
+      const FollowedLine line = followLine(scene.arm, plans.tool, way.joints.back(), values, {}, progress);
+      for (std::size_t k = 1; k < line.path.size(); ++k)
+        way.offs.push_back(scene.scene.travelBound(line.path[k], line.offs[k - 1]));
+      way.joints.insert(way.joints.end(), line.path.begin() + 1, line.path.end());
+      way.placeOf.resize(way.joints.size() - 1, i);
+      if (line.reached >= 1.0) continue;
+      way.stopsAt = i;
+      way.reached = line.reached;
+      return way;
+    }
+    way.joints.push_back(values);
+    if (i == 0) continue;
+    way.placeOf.push_back(i);
+    way.offs.push_back(0.0);
+  }
+  return way;
+}
+
+std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress) {
+  constexpr double kStep = 0.02;  // rad, mm: of the joint that moves most
+  constexpr double kMostSteps = 4000.0;
+  const JointPath way = resolved(scene, plans, path, progress).joints;
+  const double step = std::max(kStep, lengthOf(scene.scene, way) / kMostSteps);
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const ArmValues& from = way[i == 0 ? 0 : i - 1];
+    const int count = std::max(1, static_cast<int>(std::ceil((way[i] - from).cwiseAbs().maxCoeff() / step)));
+    for (int k = 1; k <= count; ++k) {
+      const ArmValues at = from + (static_cast<double>(k) / count) * (way[i] - from);
+      points.push_back((scene.arm.tipPose(at) * plans.tool).translation());
+    }
+  }
+  return points;
+}
+
+Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
+                              const PathCheckSettings& settings, Progress progress) {
+  if (path.places.size() < 2) return Error{CellError::PathTooShort, {path.name}, {}, {}};
+  if (armNumber(*scene.robot, path.arm) != scene.armNumber)
+    return Error{CellError::OfOtherArm, {path.name, path.arm}, {}, {}};
+  for (std::size_t i = 0; i < path.places.size(); ++i) {
+    const PathPlace& place = path.places[i];
+    if (scene.ownStandAs(place.joints)) continue;
+    return Error{CellError::OthersMoved, {place.name.empty() ? std::to_string(i + 1) : place.name}, {}, {}};
+  }
+  CheckedPath checked;
+  checked.robotsMoved = scene.robotsElsewhere(path);
+  if (path.process) checked.partMoved = partElsewhere(scene, *path.process);
+  checked.way = resolved(scene, plans, path, progress.part(0.0, 0.1));
+  MotionCheckSettings check;
+  check.clearance = settings.clearance;
+  check.resolution = settings.resolution;
+  checked.verification =
+      verified(scene.scene, checked.way.joints, check, settings.step, progress.part(0.1, 0.6), checked.way.offs);
+  checked.metrics = metricsOf(scene.scene, scene.arm, checked.way.joints, {}, progress.part(0.6, 0.95));
+  checked.blends = certifiedBlends(scene, plans, path, checked.way, settings.clearance, progress);
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  checked.seconds = timed(scene, plans, path, checked.way, checked.blends).duration();
+  return checked;
+}
+
+PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, double clearance) {
+  const auto& all = checked.verification.collisions;
+  PathFindings found{.isCertified = checked.isCertified(),
+                     .stopsAt = checked.way.stopsAt,
+                     .collisions = all.size(),
+                     .clearance = clearance,
+                     .leastClearance = checked.metrics.leastClearance,
+                     .seconds = checked.seconds,
+                     .hasShapeless = !scene.shapeless.empty(),
+                     .robotsMoved = checked.robotsMoved,
+                     .partMoved = checked.partMoved};
+  for (std::size_t i = 0; i < std::min(all.size(), PathFindings::kMostListed); ++i) {
+    auto [link, other] = scene.namesOf(all[i].deepest);
+    found.listed.push_back({checked.placeOf(all[i].motion), std::move(link), std::move(other)});
+  }
+  return found;
+}
+
+TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath& path, const ResolvedPath& way,
+                std::span<const double> blends) {
+  const auto place = [&](const ArmValues& values) {
+    return Vec3((scene.arm.tipPose(values) * plans.tool).translation());
+  };
+  std::vector<MotionPace> paces;
+  for (std::size_t i = 0; i < way.placeOf.size(); ++i) {
+    const std::size_t leadsTo = way.placeOf[i];
+    const PathPlace& to = path.places[leadsTo];
+    if (to.motion == ProgramMotion::Kind::Joint) {
+      paces.push_back({.speed = to.speed});
+      continue;
+    }
+    const bool isLast = i + 1 == way.placeOf.size() || way.placeOf[i + 1] != leadsTo;
+    const double length = (place(way.joints[i + 1]) - place(way.joints[i])).norm();
+    constexpr double kStill = 1e-6;  // mm: where the tool only turns the joints count
+    paces.push_back({.length = length > kStill ? length : 0.0,
+                     .toolSpeed = to.speed,
+                     .isContinued = !isLast || (leadsTo < blends.size() && blends[leadsTo] > 0.0)});
+  }
+  return TimedPath(scene.scene, way.joints, {}, paces);
+}
+
+namespace {
+
+std::vector<std::string> remarksOn(const CellScene& scene, const CheckedPath& checked) {
+  constexpr std::size_t kLongestName = 60;
+  std::vector<std::string> remarks;
+  if (!checked.partMoved.empty())
+    remarks.push_back("Outdated: the part " + identifierOf(checked.partMoved, kLongestName) +
+                      " has moved since the path was planned along it.");
+  for (const std::string& robot : checked.robotsMoved)
+    remarks.push_back("Proven with the robot " + identifierOf(robot, kLongestName) +
+                      " where it stood at export: it has moved since the path was made.");
+  for (const std::uint32_t link : scene.shapeless)
+    remarks.push_back("Not proven of the link " + identifierOf(scene.robot->model.links[link].name, kLongestName) +
+                      ": its mesh is missing.");
+  return remarks;
+}
+
+}  // namespace
+
+RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
+                       const CheckedPath& checked) {
+  RobotProgram program;
+  program.name = path.name;
+  program.robot = scene.plannedArm().title;
+  program.arm = scene.armFromBase();
+  program.tool = plans.tool;
+  program.isBaseOfController = libraryRobot(scene.plannedArm().title) != nullptr;
+  program.hasPlainShapes = hasPlainShapes(scene.robot->model, scene.robot->arms, scene.armNumber);
+  program.remarks = remarksOn(scene, checked);
+  for (std::size_t i = 0; i < path.places.size(); ++i) {
+    const PathPlace& place = path.places[i];
+    ProgramMotion motion{place.motion, scene.planned(place.joints), place.speed, checked.blends[i], place.name};
+    if (i == 0) motion.kind = ProgramMotion::Kind::Joint;
+    program.motions.push_back(std::move(motion));
+  }
+  return program;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/PathDigests.h"
+
+#include "document/cell/CellArms.h"
+#include "scene/PrimitiveGeometry.h"
+#include "tools/cell/path/PathBasis.h"
+
+#include <QCryptographicHash>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+// Of values one after the other; texts and lists go in with their sizes, so that no two sequences are the same bytes.
+class Digest {
+ public:
+  void add(std::uint64_t number) { addBytes(&number, sizeof number); }
+  template <class Number>
+  void addNumber(Number number) {
+    number += Number(0);  // -0 is 0
+    addBytes(&number, sizeof number);
+  }
+  void add(const std::string& text) {
+    add(std::uint64_t{text.size()});
+    addBytes(text.data(), text.size());
+  }
+  void add(const Pose& pose) {
+    for (Eigen::Index i = 0; i < 12; ++i) addNumber(pose.matrix()(i / 4, i % 4));
+  }
+  void add(const JointValues& joints) {
+    add(static_cast<std::uint64_t>(joints.size()));
+    for (const double value : joints) addNumber(value);
+  }
+  template <class Number>
+  void addSurface(const TriangleSoup& soup) {
+    std::vector<Number> block;
+    add(std::uint64_t{soup.points.size()});
+    for (const Vec3& point : soup.points) {
+      for (const double value : point) block.push_back(static_cast<Number>(value) + Number(0));
+      if (block.size() >= kBlock) flush(block);
+    }
+    flush(block);
+    add(std::uint64_t{soup.triangles.size()});
+    addBytes(soup.triangles.data(), soup.triangles.size() * sizeof soup.triangles[0]);
+  }
+  std::string text() const { return m_hash.result().toHex().toStdString(); }
+
+ private:
+  static constexpr std::size_t kBlock = 3 * 4096;
+
+  template <class Number>
+  void flush(std::vector<Number>& block) {
+    addBytes(block.data(), block.size() * sizeof(Number));
+    block.clear();
+  }
+  void addBytes(const void* bytes, std::size_t size) {
+    m_hash.addData(QByteArrayView(static_cast<const char*>(bytes), static_cast<qsizetype>(size)));
+  }
+
+  QCryptographicHash m_hash{QCryptographicHash::Sha256};
+};
+
+std::string ofRobots(const CellRobot& robot) {
+  Digest digest;
+  digest.add(robot.description);
+  for (const RobotArm& arm : robot.arms) {
+    digest.add(arm.name);
+    digest.add(arm.title);
+    digest.add(std::uint64_t{arm.base});
+    digest.add(std::uint64_t{arm.flange});
+  }
+  // What is no mesh is in the description. Meshes are stored in single precision.
+  for (std::size_t i = 0; i < robot.surfaces.size(); ++i) {
+    if (!std::holds_alternative<MeshShape>(robot.model.shapes[i])) continue;
+    digest.add(std::uint64_t{robot.surfaces[i] ? 1u : 0u});
+    if (robot.surfaces[i]) digest.addSurface<float>(*robot.surfaces[i]);
+  }
+  return digest.text();
+}
+
+std::string ofBodies(const BodySet& bodies) {
+  Digest digest;
+  for (const BodyPointer& body : bodies) {
+    digest.add(std::uint64_t{body->id});
+    digest.add(body->carrier);
+    digest.add(body->pose);
+    if (const auto* primitive = dynamic_cast<const PrimitiveGeometry*>(body->geometry.get())) {
+      digest.add(std::string(primitive->description().id));
+      for (const double value : primitive->dimensions()) digest.addNumber(value);
+    } else {
+      digest.add(std::string("surface"));
+      digest.addSurface<double>(*body->geometry->surface());
+    }
+  }
+  return digest.text();
+}
+
+std::string ofPairs(const std::set<std::pair<std::string, std::string>>& pairs) {
+  Digest digest;
+  for (const auto& [first, second] : pairs) {
+    digest.add(first);
+    digest.add(second);
+  }
+  return digest.text();
+}
+
+std::string ofPath(const RobotPath& path) {
+  Digest digest;
+  digest.add(path.arm);
+  digest.add(std::uint64_t{path.places.size()});
+  for (const PathPlace& place : path.places) {
+    digest.add(place.joints);
+    digest.add(place.name);
+    digest.add(std::uint64_t{place.isCritical ? 1u : 0u});
+    digest.add(static_cast<std::uint64_t>(place.motion));
+    digest.addNumber(place.speed);
+    digest.addNumber(place.blend);
+  }
+  for (const auto& [robot, base] : path.bases) {
+    digest.add(robot);
+    digest.add(base);
+  }
+  return digest.text();
+}
+
+// Where the joints stand that the path sets does not count.
+std::string ofJoints(const RobotCellSnapshot& cell, const std::string& arm) {
+  JointValues others = cell.joints;
+  for (const std::uint32_t dof : plannedDofs(*cell.robot, arm)) others[dof] = 0.0;
+  Digest digest;
+  digest.add(others);
+  return digest.text();
+}
+
+template <class Value>
+std::string ofValue(const Value& value) {
+  Digest digest;
+  if constexpr (std::is_same_v<Value, double>)
+    digest.addNumber(value);
+  else
+    digest.add(value);
+  return digest.text();
+}
+
+}  // namespace
+
+PathDigests::PathDigests(std::shared_ptr<const RobotCellSnapshot> cell, const PathDigests* former)
+    : m_cell(std::move(cell)),
+      m_robots(former && former->m_cell->robot == m_cell->robot ? former->m_robots : ofRobots(*m_cell->robot)),
+      m_bodies(former && former->m_cell->bodies == m_cell->bodies ? former->m_bodies : ofBodies(m_cell->bodies)),
+      m_allowed(ofPairs(m_cell->plans->allowed)) {}
+
+BasisDigests PathDigests::of(const RobotPath& path) const {
+  const CellPlans& plans = *m_cell->plans;
+  return {m_robots,
+          ofPath(path),
+          ofJoints(*m_cell, path.arm),
+          m_bodies,
+          m_allowed,
+          ofValue(toolOf(*m_cell->robot, plans, path.arm)),
+          ofValue(plans.clearance)};
+}
+
+BasisChange changeBetween(const BasisDigests& then, const BasisDigests& now) {
+  const auto differs = std::mismatch(then.begin(), then.end(), now.begin());
+  if (differs.first == then.end()) return BasisChange::Nothing;
+  return static_cast<BasisChange>(1 + (differs.first - then.begin()));
+}
+
+}  // namespace handwheel

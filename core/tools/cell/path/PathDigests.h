@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/cell/PathProof.h"
+#include "document/cell/RobotCellSnapshot.h"
+
+namespace handwheel {
+
+// Digests of what the verification of paths of a cell depends on, for a proof that outlives the session: equal where
+// PathBasis (tools/cell/path/PathBasis.h) finds no change, also in a cell that was stored and read again. Reads all
+// shapes once, about 5 s for a gigabyte of them. A value; any thread.
+class PathDigests {
+ public:
+  // former: of an earlier state of the cell; what it shares with that is not read again.
+  explicit PathDigests(std::shared_ptr<const RobotCellSnapshot> cell, const PathDigests* former = nullptr);
+
+  BasisDigests of(const RobotPath& path) const;
+
+ private:
+  std::shared_ptr<const RobotCellSnapshot> m_cell;
+  std::string m_robots, m_bodies, m_allowed;
+};
+
+// What differs first.
+BasisChange changeBetween(const BasisDigests& then, const BasisDigests& now);
+
+}  // namespace handwheel

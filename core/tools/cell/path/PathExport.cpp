@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/PathExport.h"
+
+#include "base/NumberText.h"
+#include "document/AtomicFile.h"
+#include "document/DocumentErrors.h"
+#include "document/cell/CellErrors.h"
+#include "robot/arm/NumericalIk.h"
+#include "robot/dh/DhTable.h"
+#include "robot/program/PathFile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kMostOff = 1e-3;  // mm, degrees
+
+std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
+  if (checked.isCertified()) return std::nullopt;
+  if (checked.way.stopsAt) {
+    const std::string place = std::to_string(*checked.way.stopsAt + 1);
+    return Error{CellError::LineUnreachable, {place, roundedText(100.0 * checked.way.reached, 3)}, {}, {}};
+  }
+  const auto& collisions = checked.verification.collisions;
+  const auto [link, other] =
+      collisions.empty() ? std::pair<std::string, std::string>() : scene.namesOf(collisions.front().deepest);
+  return Error{CellError::PathCollides, {path.name, std::to_string(collisions.size()), link, other}, {}, {}};
+}
+
+std::string otherRobot(const CellScene& scene, const Post& post) {
+  const LibraryRobot* const robot = libraryRobot(scene.plannedArm().title);
+  return robot && !std::string_view(robot->title).starts_with(post.maker()) ? robot->title : "";
+}
+
+// The share of the largest joint speeds at which the tool's centre point takes a joint motion with this speed (mm/s) on
+// average. None: it stays where it is.
+std::optional<double> shareFor(const SerialArm& arm, const Pose& tool, const ArmValues& from, const ArmValues& to,
+                               double toolSpeed) {
+  constexpr int kParts = 32;
+  double length = 0.0, fastest = 0.0;  // mm, s
+  Vec3 before = (arm.tipPose(from) * tool).translation();
+  for (int i = 1; i <= kParts; ++i) {
+    const ArmValues at = from + (static_cast<double>(i) / kParts) * (to - from);
+    const Vec3 now = (arm.tipPose(at) * tool).translation();
+    length += (now - before).norm();
+    before = now;
+  }
+  for (Eigen::Index i = 0; i < to.size(); ++i) {
+    const ArmJoint& joint = arm.joints()[static_cast<std::size_t>(i)];
+    const double usual = joint.isPrismatic ? 1e3 : M_PI;  // mm/s, rad/s
+    fastest = std::max(fastest, std::abs(to[i] - from[i]) / joint.velocity.value_or(usual));
+  }
+  constexpr double kLeastLength = 1e-3;  // mm
+  if (length < kLeastLength) return std::nullopt;
+  return fastest * toolSpeed / length;
+}
+
+// As paths have it: of a joint motion 0.001 to 1, of a line up to 100 m/s.
+double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional<double> share) {
+  if (kind == ProgramMotion::Kind::Linear) return std::clamp(motion.speed.value_or(250.0), 1e-3, 1e5);
+  const std::optional<double> own = motion.kind == kind ? motion.speed : std::nullopt;
+  return std::clamp(own ? *own : share.value_or(PathPlace().speed), 1e-3, 1.0);
+}
+
+}  // namespace
+
+// Descriptions name the model only, as "ur5_robot".
+const Post& usualPost(const RobotArm& arm) {
+  std::string plain;
+  for (const char letter : arm.title) {
+    const bool isPlain = (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z');
+    const bool isCapital = letter >= 'A' && letter <= 'Z';
+    if (isPlain || isCapital) plain += isCapital ? static_cast<char>(letter - 'A' + 'a') : letter;
+  }
+  const auto isOf = [&](const LibraryRobot& robot) {
+    return arm.title == robot.title || plain.find(robot.id) != std::string::npos;
+  };
+  const auto known = std::find_if(robotLibrary().begin(), robotLibrary().end(), isOf);
+  const std::string_view title = known == robotLibrary().end() ? std::string_view(arm.title) : known->title;
+  const auto suits = [&](const auto& post) {
+    const std::string_view maker = post->maker();
+    return !maker.empty() && title.starts_with(maker);
+  };
+  const auto own = std::find_if(posts().begin(), posts().end(), suits);
+  if (own != posts().end()) return **own;
+  const auto any =
+      std::find_if(posts().begin(), posts().end(), [](const auto& post) { return *post->maker() == '\0'; });
+  return any == posts().end() ? *posts().front() : **any;
+}
+
+Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
+                                    const CheckedPath& checked, const Post& post, const std::filesystem::path& output,
+                                    OutdatedPath outdated) {
+  if (const auto problem = problemOf(scene, path, checked)) return *problem;
+  if (!checked.partMoved.empty() && outdated == OutdatedPath::Refuse)
+    return Error{CellError::PathOutdated, {path.name, checked.partMoved}, {}, {}};
+  const RobotProgram program = programOf(scene, plans, path, checked);
+  if (const std::vector<Error> refusals = post.refusals(program); !refusals.empty()) return refusals.front();
+  const std::string text = post.write(program);
+  const Result<PostCheck> check = checkWritten(post, program, text);
+  if (!check) return check.error();
+  if (check->distance > kMostOff || check->angle > kMostOff)
+    return Error{DocumentError::CheckFailed, {std::string("the ") + post.title() + " program"}, {}, output.string()};
+  const Status written = writeFileAtomically(output, text, {});
+  if (!written) return written.error();
+  WrittenProgram result{*check, 0, otherRobot(scene, post)};
+  for (std::size_t i = 0; i < path.places.size(); ++i)
+    result.exactStops += path.places[i].blend > 0.0 && checked.blends[i] == 0.0 ? 1 : 0;
+  return result;
+}
+
+Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const Post& post,
+                                  std::string_view text, Progress progress) {
+  RobotProgram frame;
+  frame.arm = scene.armFromBase();
+  frame.tool = cell.plans->tool;
+  // Readers of controllers with six joints count on six.
+  if (const std::vector<Error> refusals = post.refusals(frame); !refusals.empty()) return refusals.front();
+  const Result<std::vector<ReadMotion>> motions = post.read(text, frame);
+  if (!motions) return motions.error();
+  RobotPath path{"program", {}, cell.plans->arm};
+  ArmValues before = scene.planned(cell.joints);
+  for (const ReadMotion& motion : *motions) {
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    progress.set(static_cast<double>(path.places.size()) / static_cast<double>(motions->size()));
+    const ArmValues from = before;
+    const auto located = [&](Error error) {
+      error.position = InputPosition::line(motion.line);
+      return error;
+    };
+    const bool isSound = motion.joints ? motion.joints->size() == scene.arm.size() && motion.joints->allFinite()
+                                       : motion.pose && motion.pose->matrix().allFinite();
+    if (!isSound)
+      return located({ErrorCode::ElementMalformed, {"motion", "a number for each joint was expected"}, {}, {}});
+    if (motion.joints) {
+      before = *motion.joints;
+    } else {
+      const Pose tip = *motion.pose * frame.tool.inverse(Eigen::Isometry);
+      const NumericalIkResult found = solvedNumerically(frame.arm, tip, before, {.tolerance = 1e-8, .seconds = 0.05});
+      if (!found.isSolved)
+        return located({CellError::PoseUnreachable, {std::to_string(path.places.size() + 1)}, {}, {}});
+      before = found.values;
+    }
+    Result<JointValues> within = valuesWithinLimits(cell.robot->model, scene.whole(before));
+    if (!within) return located(within.error());
+    PathPlace place{.joints = std::move(within).value()};
+    place.motion = path.places.empty() ? ProgramMotion::Kind::Joint : motion.kind;
+    const bool hasShare = motion.toolSpeed && !path.places.empty();
+    place.speed = speedOf(motion, place.motion,
+                          hasShare ? shareFor(frame.arm, frame.tool, from, before, *motion.toolSpeed) : std::nullopt);
+    place.blend = std::max(0.0, motion.blend);
+    path.places.push_back(std::move(place));
+  }
+  return path;
+}
+
+}  // namespace handwheel

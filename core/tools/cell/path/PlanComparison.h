@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/cell/path/PlanOperation.h"
+
+namespace handwheel {
+
+// A path through some of the critical configurations, with or without being made shorter.
+struct ComparedPath {
+  std::size_t critical = 0;  // how many of them: the first so many
+  bool isOptimised = false;
+  Result<PlannedPath> planned = Error{};
+  Result<CheckedPath> checked = Error{};  // when it was planned
+};
+
+// Plans from the first of these places to the last: without those between, with the first of them, with the first two
+// and so on, each without and with the shortcuts of the settings (He 2008, chapter 6: a planner alone, and with
+// critical configurations). What could not be planned is in the list, too. Incomplete once cancelled.
+std::vector<ComparedPath> comparedPaths(const CellScene& scene, const CellPlans& plans,
+                                        std::span<const PathPlace> places, const RouteSettings& settings,
+                                        Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/PlanOperation.h"
+
+#include "base/NumberText.h"
+#include "document/cell/CellErrors.h"
+#include "document/cell/CellReach.h"
+#include "planning/PlanningFidelity.h"
+#include "planning/ToolTrack.h"
+#include "planning/planners/Planners.h"
+#include "robot/program/PathFile.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <chrono>
+
+namespace handwheel {
+
+namespace {
+
+Parameter placeParameter(const char* id, const char* word, std::string meaning) {
+  return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
+          .meaning = std::move(meaning),
+          .word = word,
+          .hasDefault = false};
+}
+
+Parameter plannerParameter() {
+  Parameter parameter = {
+      .property = {.id = "planner", .group = {}, .label = QT_TRANSLATE_NOOP("Property", "Planner"), .value = 0.0},
+      .meaning = "Planner used where the straight path is blocked",
+      .word = "PLANNER"};
+  for (const PlannerName& planner : planners()) {
+    parameter.property.choices.emplace_back(planner.title);
+    parameter.words.emplace_back(planner.id);
+  }
+  return parameter;
+}
+
+// The words between these separators; empty ones are left out.
+std::vector<std::string> wordsOf(const std::string& text, std::string_view separators) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; (begin = text.find_first_not_of(separators, begin)) != text.npos;) {
+    const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end;
+  }
+  return words;
+}
+
+std::optional<ArmValues> numbersOf(const std::string& text, Eigen::Index count) {
+  const std::vector<std::string> words = wordsOf(text, " ,\t");
+  if (static_cast<Eigen::Index>(words.size()) != count) return std::nullopt;
+  ArmValues values(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    ErrorCode why{};
+    if (!parseDecimal(words[static_cast<std::size_t>(i)], values[i], why) || !std::isfinite(values[i]))
+      return std::nullopt;
+  }
+  return values;
+}
+
+std::string nameOf(const PathPlace& place, std::size_t number) {
+  return place.name.empty() ? "place " + std::to_string(number + 1) : place.name;
+}
+
+// Plans between two places of a path.
+class LegPlanning {
+ public:
+  LegPlanning(const CellScene& scene, const CellPlans& plans, const RouteSettings& settings)
+      : m_scene(scene), m_plans(plans), m_settings(settings) {
+    m_settings.plan.roadmap = scene.roadmap.get();
+  }
+
+  std::uint64_t steps() const { return m_steps; }
+
+  // Adds the places after `from`, up to `to`. names: of both, for errors.
+  Status plan(const PathPlace& from, const PathPlace& to, const std::array<std::string, 2>& names, RobotPath& path,
+              Progress progress) {
+    const ArmValues begin = m_scene.planned(from.joints), end = m_scene.planned(to.joints);
+    if (to.motion == ProgramMotion::Kind::Linear) return follow(begin, end, to, names[1], path, progress);
+    const std::array<ArmValues, 2> ends{begin, end};
+    const Route route = planRoute(m_scene.scene, ends, m_settings, progress);
+    m_steps += route.steps;
+    if (!route.isSolved()) return problemOf(route, begin, end, names);
+    const JointPath& leg = route.legs.front();
+    for (std::size_t i = 1; i + 1 < leg.size(); ++i) {
+      PathPlace between{.joints = m_scene.whole(leg[i]), .isCritical = false, .speed = to.speed, .blend = to.blend};
+      path.places.push_back(std::move(between));
+    }
+    path.places.push_back(to);
+    return Done{};
+  }
+
+ private:
+  Status follow(const ArmValues& begin, const ArmValues& end, const PathPlace& to, const std::string& name,
+                RobotPath& path, Progress progress) {
+    const CheckedLine line =
+        checkLine(m_scene.scene, m_scene.arm, m_plans.tool, begin, end, {}, m_settings.plan.check, progress);
+    m_steps += line.steps;
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    if (line.reached < 1.0)
+      return Error{CellError::LineUnreachable, {name, roundedText(100.0 * line.reached, 3)}, {}, {}};
+    if (!line.isFree()) {
+      const auto [link, other] = m_scene.namesOf(line.blocked);
+      return Error{CellError::LineCollides, {name, link, other}, {}, {}};
+    }
+    path.places.push_back(to);
+    return Done{};
+  }
+
+  Error problemOf(const Route& route, const ArmValues& begin, const ArmValues& end,
+                  const std::array<std::string, 2>& names) const {
+    const auto [link, other] = m_scene.namesOf(route.blocked);
+    switch (route.outcome) {
+      case PlanResult::Outcome::StartBlocked:
+        return {CellError::PlaceCollides, {names[0], link, other}, {}, {}};
+      case PlanResult::Outcome::GoalBlocked:
+        return {CellError::PlaceCollides, {names[1], link, other}, {}, {}};
+      case PlanResult::Outcome::OutOfLimits: {
+        const bool isBegin = !m_scene.scene.isWithinLimits(begin);
+        return {CellError::PlaceBeyondLimits, {names[isBegin ? 0 : 1], jointBeyond(isBegin ? begin : end)}, {}, {}};
+      }
+      case PlanResult::Outcome::Cancelled:
+        return {ErrorCode::Cancelled, {}, {}, {}};
+      case PlanResult::Outcome::Solved:
+      case PlanResult::Outcome::TimeOut:
+        break;
+    }
+    return {CellError::RouteNotFound, {names[0], names[1], shownText(m_settings.plan.seconds)}, {}, {}};
+  }
+
+  std::string jointBeyond(const ArmValues& values) const {
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      if (!m_scene.scene.joint(i).isWithin(values[i]))
+        return m_scene.robot->model.jointOfDof(m_scene.dofs[static_cast<std::size_t>(i)]).name;
+    }
+    return {};
+  }
+
+  const CellScene& m_scene;
+  const CellPlans& m_plans;
+  RouteSettings m_settings;
+  std::uint64_t m_steps = 0;
+};
+
+}  // namespace
+
+std::vector<Parameter> planningParameters() {
+  const FidelitySetting resolution = planResolutionSetting();
+  const auto length = [](const char* id, const char* label, double value, double least, double largest) {
+    return Property{.id = id,
+                    .group = {},
+                    .label = label,
+                    .value = value,
+                    .quantity = Quantity::Length,
+                    .least = least,
+                    .largest = largest};
+  };
+  const auto number = [](const char* id, const char* label, double value, double least, double largest) {
+    return Property{.id = id, .group = {}, .label = label, .value = value, .least = least, .largest = largest};
+  };
+  return {plannerParameter(),
+          {.property = length("clearance", QT_TRANSLATE_NOOP("Property", "Clearance"), 0.0, 0.0, 1e4),
+           .meaning = "Clearance from all obstacles; default: that of the cell",
+           .word = "MM",
+           .hasDefault = false},
+          {.property = length("resolution", QT_TRANSLATE_NOOP("Property", "Resolution of the proof"),
+                              resolution.standard, resolution.least, resolution.largest),
+           .meaning = "Resolution of the check: what exceeds the clearance by less counts as a collision",
+           .word = "MM"},
+          {.property = number("time", QT_TRANSLATE_NOOP("Property", "Time limit (s)"), 10.0, 0.001, 3600.0),
+           .meaning = "Time after which a leg is given up, in seconds",
+           .word = "S"},
+          {.property = number("shortcuts", QT_TRANSLATE_NOOP("Property", "Shortcuts"), planShortcutsSetting().standard,
+                              0.0, 1e5),
+           .meaning = "Attempts to make each leg shorter",
+           .word = "N",
+           .isWhole = true},
+          {.property = number("seed", "", 1.0, 0.0, 1e9),
+           .meaning = "Seed of the random numbers",
+           .word = "N",
+           .isWhole = true}};
+}
+
+void setFidelity(OperationValues& values, const FidelityValues& fidelity) {
+  values.setValid("resolution", fidelity.of(planResolutionSetting()));
+  values.setValid("shortcuts", fidelity.of(planShortcutsSetting()));
+}
+
+PathCheckSettings checkSettingsOf(const OperationValues& values, const CellPlans& plans) {
+  PathCheckSettings settings{.clearance = values.given("clearance").value_or(plans.clearance)};
+  if (values.operation().find("resolution"))
+    settings.resolution = std::min(settings.resolution, values.number("resolution"));
+  return settings;
+}
+
+const Operation& planOperation() {
+  static const Operation kOperation = [] {
+    Operation made = {
+        .id = "plan",
+        .title = QT_TRANSLATE_NOOP("Tool", "Plan path"),
+        .meaning = "Plans a path of the robot that is proven free of collisions",
+        .parameters = {
+            placeParameter("from", "PLACE", "Start: a configuration, a target, 'here', or joint values (rad, mm)"),
+            placeParameter("to", "PLACE", "Goal, given like the start"),
+            placeParameter("via", "PLACE,...",
+                           "Critical configurations or targets on the way; joint values: separated by ';'"),
+            placeParameter("name", "NAME", "The name of the path in the cell")}};
+    for (Parameter& parameter : planningParameters()) made.parameters.push_back(std::move(parameter));
+    return made;
+  }();
+  return kOperation;
+}
+
+Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
+                              const JointValues& near) {
+  if (const NamedConfiguration* configuration = cell.plans->configuration(text)) {
+    if (armNumber(*scene.robot, configuration->arm) != scene.armNumber)
+      return Error{CellError::OfOtherArm, {configuration->name, configuration->arm}, {}, {}};
+    return PathPlace{.joints = withJointsOf(*scene.robot, scene.armNumber, cell.joints, configuration->joints),
+                     .name = configuration->name};
+  }
+  if (const NamedTarget* target = cell.plans->target(text)) {
+    const Result<Pose> pose = poseOfTarget(*target, cell.bodies, scene.robot->model, cell.joints);
+    if (!pose) return pose.error();
+    const Result<ArmValues> values = nearestFree(scene, *cell.plans, *pose, scene.planned(near));
+    if (!values) return values.error();
+    return PathPlace{.joints = scene.whole(*values), .name = target->name};
+  }
+  const bool isHere = text == "here";
+  const auto numbers = isHere ? std::nullopt : numbersOf(text, scene.scene.size());
+  if (!isHere && !numbers) return Error{CellError::PlaceMissing, {text}, {}, {}};
+  Result<JointValues> within = valuesWithinLimits(scene.robot->model, isHere ? cell.joints : scene.whole(*numbers));
+  if (!within) return within.error();
+  return PathPlace{.joints = std::move(within).value()};
+}
+
+Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene,
+                                        const RobotCellSnapshot& cell) {
+  std::vector<std::string> texts{values.text("from")};
+  if (values.isSet("via")) {
+    const std::string via = values.text("via");
+    const bool isOne = cell.plans->configuration(via) || cell.plans->target(via) || numbersOf(via, scene.scene.size());
+    const bool isMany = !isOne && via.find(';') != via.npos;
+    for (std::string& word : isOne ? std::vector<std::string>{via} : wordsOf(via, isMany ? ";" : ","))
+      texts.push_back(std::move(word));
+  }
+  texts.push_back(values.text("to"));
+  std::vector<PathPlace> places;
+  for (const std::string& text : texts) {
+    const JointValues& near = places.empty() ? cell.joints : places.back().joints;
+    Result<PathPlace> place = placeCalled(scene, cell, text, near);
+    if (!place) return place.error();
+    places.push_back(std::move(place).value());
+  }
+  return places;
+}
+
+RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& plans) {
+  RouteSettings settings;
+  settings.planner = planners()[values.whole("planner")].id;
+  settings.plan.check.clearance = values.given("clearance").value_or(plans.clearance);
+  settings.plan.check.resolution = values.number("resolution");
+  settings.plan.seconds = values.number("time");
+  settings.plan.seed = values.whole("seed");
+  settings.shortcuts = static_cast<int>(values.whole("shortcuts"));
+  return settings;
+}
+
+Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const PathPlace> places,
+                                   const RouteSettings& settings, Progress progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<const PathPlace*> kept;
+  for (const PathPlace& place : places) {
+    const bool isEnd = &place == &places.front() || &place == &places.back();
+    if (place.isCritical || isEnd) kept.push_back(&place);
+  }
+  PlannedPath planned;
+  // Other robots are where they stand now.
+  const auto standing = [&](PathPlace place) {
+    place.joints = withJointsOf(*scene.robot, scene.armNumber, scene.others, place.joints);
+    return place;
+  };
+  if (kept.size() < 2) return Error{CellError::PathTooShort, {planned.path.name}, {}, {}};
+  LegPlanning legs(scene, plans, settings);
+  planned.path.arm = plans.arm;
+  planned.path.places.push_back(standing(*kept.front()));
+  const double share = 1.0 / static_cast<double>(kept.size() - 1);
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    const std::array<std::string, 2> names{nameOf(*kept[i - 1], i - 1), nameOf(*kept[i], i)};
+    if (!scene.ownStandAs(kept[i]->joints)) return Error{CellError::OthersMoved, {names[1]}, {}, {}};
+    const double done = share * static_cast<double>(i - 1);
+    const Status leg =
+        legs.plan(*kept[i - 1], standing(*kept[i]), names, planned.path, progress.part(done, done + share));
+    if (!leg) return leg.error();
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  }
+  planned.steps = legs.steps();
+  planned.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return planned;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Operation.h"
+#include "document/cell/CellScene.h"
+#include "planning/RoutePlanning.h"
+#include "tools/cell/path/PathCheck.h"
+
+namespace handwheel {
+
+// The parameters that say how a path is planned: "planner", "clearance", "resolution", "time", "shortcuts", "seed".
+std::vector<Parameter> planningParameters();
+// Begins with what the measured settings say.
+void setFidelity(OperationValues& values, const FidelityValues& fidelity);
+
+// The operation "plan": a path of the robot from one place through others to the last.
+const Operation& planOperation();
+
+// Joint values by the name of a configuration, "here" for where the robot stands, or a number for each joint between
+// base and tool (rad, mm), separated by spaces or commas; or by the name of a target: then the nearest way to it that
+// is free, from these joint values. Errors: PlaceMissing, ValueOutOfRange; those of poseOfTarget() and nearestFree().
+Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
+                              const JointValues& near);
+
+// The places that "from", "via" and "to" name; of targets, as near as may be to the place before, the first to where
+// the robot stands. Errors: those of placeCalled().
+Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene,
+                                        const RobotCellSnapshot& cell);
+// values: of an operation with the parameters above.
+RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& plans);
+// The same for the verification of what was planned; no coarser than others verify.
+PathCheckSettings checkSettingsOf(const OperationValues& values, const CellPlans& plans);
+
+// A path that was planned. It is free between its places (MotionCheck).
+struct PlannedPath {
+  RobotPath path;
+  double seconds = 0.0;
+  std::uint64_t steps = 0;  // points that were looked at
+};
+
+// Plans through these places, at least two. Those that are not critical are left out; straight lines to a place stay
+// lines. Errors: PlaceCollides, PlaceBeyondLimits, OthersMoved, RouteNotFound, LineUnreachable, LineCollides,
+// PathTooShort, Cancelled.
+Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const PathPlace> places,
+                                   const RouteSettings& settings, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/repair/BoundaryCaps.h"
+
+#include "mesh/structure/DisjointSets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <unordered_map>
+#include <vector>
+
+namespace handwheel {
+namespace {
+
+constexpr double kFlat = 0.25;  // from the plane of a flat hole, edges of the grid
+
+// An edge between the lower and the higher vertex, how much more often it is passed upwards than downwards, and how
+// often in all.
+struct Passed {
+  std::uint32_t low, high;
+  int times;
+  int faces;
+
+  bool operator<(const Passed& other) const { return std::pair(low, high) < std::pair(other.low, other.high); }
+  bool isSameEdge(const Passed& other) const { return low == other.low && high == other.high; }
+  // Passed upwards too often: the cone passes it downwards.
+  std::uint32_t from() const { return times > 0 ? high : low; }
+  std::uint32_t to() const { return times > 0 ? low : high; }
+};
+
+// The edges that are not passed equally often both ways.
+std::vector<Passed> openEdges(const std::vector<Triangle>& triangles) {
+  std::vector<Passed> all;
+  all.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      if (a != b) all.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1, 1});
+    }
+  std::sort(all.begin(), all.end());
+  std::vector<Passed> open;
+  for (std::size_t i = 0; i < all.size();) {
+    Passed sum{all[i].low, all[i].high, 0, 0};
+    for (; i < all.size() && all[i].isSameEdge(sum); ++i) {
+      sum.times += all[i].times;
+      ++sum.faces;
+    }
+    if (sum.times != 0) open.push_back(sum);
+  }
+  return open;
+}
+
+// What is known of a boundary.
+struct Boundary {
+  std::vector<Passed> edges;
+  Vec3 sum = Vec3::Zero();
+  double length = 0.0, ofHoles = 0.0;  // all of it; of edges with one face
+  Box box;
+
+  void add(const Passed& edge, const std::vector<Vec3>& points) {
+    const Vec3 &a = points[edge.low], &b = points[edge.high];
+    const double own = (b - a).norm();
+    edges.push_back(edge);
+    sum += own * 0.5 * (a + b);
+    length += own;
+    if (edge.faces == 1) ofHoles += own;
+    box.extend(a);
+    box.extend(b);
+  }
+  Vec3 middle(const std::vector<Vec3>& points) const {
+    return length > 0.0 ? Vec3(sum / length) : points[edges.front().low];
+  }
+  // Whether a cone from its middle is a flat lid.
+  bool isFlat(const std::vector<Vec3>& points) const {
+    const Vec3 tip = middle(points);
+    const auto area = [&](const Passed& edge) {
+      return Vec3((points[edge.from()] - tip).cross(points[edge.to()] - tip));
+    };
+    Vec3 normal = Vec3::Zero();
+    for (const Passed& edge : edges) normal += area(edge);
+    normal.normalize();
+    return std::all_of(edges.begin(), edges.end(), [&](const Passed& edge) {
+      return area(edge).dot(normal) >= 0.0 && std::abs(normal.dot(points[edge.low] - tip)) <= kFlat;
+    });
+  }
+};
+
+}  // namespace
+
+BoundaryCaps closeBoundaries(TriangleSoup& welded, double wideFrom, Progress progress) {
+  BoundaryCaps caps;
+  const std::vector<Passed> open = openEdges(welded.triangles);
+  if (open.empty() || progress.cancelled()) return caps;
+  DisjointSets joined(welded.points.size());
+  for (const Passed& edge : open) joined.join(edge.low, edge.high);
+  std::unordered_map<std::uint32_t, std::size_t> numbers;
+  std::vector<Boundary> boundaries;
+  for (const Passed& edge : open) {
+    const auto [at, isNew] = numbers.emplace(joined.root(edge.low), boundaries.size());
+    if (isNew) boundaries.emplace_back();
+    boundaries[at->second].add(edge, welded.points);
+  }
+  for (const Boundary& boundary : boundaries) {
+    const bool isWide = boundary.ofHoles > 0.5 * boundary.length && boundary.box.sizes().maxCoeff() > wideFrom &&
+                        !boundary.isFlat(welded.points);
+    const auto tip = static_cast<std::uint32_t>(welded.points.size());
+    welded.points.push_back(boundary.middle(welded.points) +
+                            (isWide ? Vec3(0.1371, 0.2197, 0.1733) : Vec3(Vec3::Zero())));
+    for (const Passed& edge : boundary.edges)
+      for (int i = 0; i < std::abs(edge.times); ++i) {
+        if (isWide) caps.wide.push_back(static_cast<std::uint32_t>(welded.triangles.size()));
+        welded.triangles.push_back({edge.from(), edge.to(), tip});
+      }
+  }
+  caps.boundaries = boundaries.size();
+  return caps;
+}
+
+}  // namespace handwheel

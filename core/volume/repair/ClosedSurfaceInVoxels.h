@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "mesh/structure/TriangleSoup.h"
+#include "volume/SparseVolume.h"
+#include "volume/repair/BoundaryCaps.h"
+
+#include <optional>
+#include <vector>
+
+namespace handwheel {
+
+// A surface that is to become a volume: welded, closed by cones, and counted in voxels of its grid.
+struct ClosedSurfaceInVoxels {
+  TriangleSoup closed;  // voxels
+  BoundaryCaps caps;
+  SparseVolume grid;  // empty, with room around the surface
+  Box bounds;         // mm
+
+  // How many blocks the grid has to hold along each axis, from its origin on.
+  VoxelIndex blocks() const;
+  // Signed volume inside, in mm³; of overlaps each counts.
+  double enclosed() const;
+  // The share of the area of some triangles whose middles have samples of both sides around them.
+  double nearShare(const SparseVolume& volume, const std::vector<bool>& isUsed) const;
+  // Why a volume without material is none. Errors: VolumeErrors::NoVoxelInside, NothingInside.
+  Error nothingInside() const;
+};
+
+// wideFrom: as of closeBoundaries(). alignedTo: as of volumeOfSurface(). O(n log n). Errors: MeshError::NoTriangles,
+// NumberNotFinite, ValueOutOfRange (of the voxel), VolumeErrors::TooFine, TooLarge (what the volume and its triangles
+// take, and such cones); Cancelled.
+Result<ClosedSurfaceInVoxels> closedInVoxels(const TriangleSoup& soup, double voxel, double wideFrom,
+                                             const std::optional<Vec3>& alignedTo, Progress progress);
+
+}  // namespace handwheel

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/repair/DepthWindow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace handwheel {
+namespace {
+
+constexpr std::array<int, 3> kSteps{1, DepthWindow::kSide, DepthWindow::kSide* DepthWindow::kSide};
+
+// The distance at a place whose neighbours along the axes have these distances: |gradient| = 1, by the axes whose
+// neighbours are nearer (Rouy, Tourin 1992).
+float eikonal(std::array<float, 3> d) {
+  std::sort(d.begin(), d.end());
+  float x = d[0] + 1.0f;
+  if (x > d[1]) {
+    const float sum = d[0] + d[1], difference = d[0] - d[1];
+    x = 0.5f * (sum + std::sqrt(std::max(0.0f, 2.0f - difference * difference)));
+    if (x > d[2]) {
+      const float all = d[0] + d[1] + d[2], squares = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+      x = (all + std::sqrt(std::max(0.0f, all * all - 3.0f * (squares - 1.0f)))) / 3.0f;
+    }
+  }
+  return x;
+}
+
+}  // namespace
+
+DepthWindow::DepthWindow(const SparseVolume& volume, const VoxelIndex& block) {
+  constexpr int n = VolumeBlock::kSize;
+  for (int k = 0; k < 27; ++k) {
+    const VoxelIndex step(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1), first = n * step;
+    const SparseVolume::View view = volume.view(block + step);
+    const auto uniform = static_cast<float>(view.isFull ? kLimit : -kLimit);
+    const VoxelIndex low = first.cwiseMax(-kMargin);
+    const VoxelIndex high = (first + VoxelIndex::Constant(n)).cwiseMin(n + kMargin);
+    for (int z = low.z(); z < high.z(); ++z)
+      for (int y = low.y(); y < high.y(); ++y)
+        for (int x = low.x(); x < high.x(); ++x)
+          m_depths[index(x, y, z)] =
+              view.block ? static_cast<float>(view.block->depths[VolumeBlock::at(x & 7, y & 7, z & 7)]) *
+                               static_cast<float>(1.0 / VolumeBlock::kUnit)
+                         : uniform;
+  }
+}
+
+// Along one axis after the other: the mean over a cube is that of means. Only what the block needs.
+void DepthWindow::average(int reach) {
+  const float share = 1.0f / static_cast<float>(2 * reach + 1);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Depths before = m_depths;
+    std::array<int, 3> low, high;  // of the places that are averaged
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = k <= axis ? 0 : -reach;
+      high[k] = VolumeBlock::kSize + (k <= axis ? 0 : reach);
+    }
+    for (int z = low[2]; z < high[2]; ++z)
+      for (int y = low[1]; y < high[1]; ++y)
+        for (int x = low[0]; x < high[0]; ++x) {
+          const auto place = static_cast<int>(index(x, y, z));
+          float sum = 0.0f;
+          for (int k = -reach; k <= reach; ++k) sum += before[static_cast<std::size_t>(place + k * kSteps[axis])];
+          m_depths[static_cast<std::size_t>(place)] = share * sum;
+        }
+  }
+}
+
+namespace {
+
+using Depths = std::array<float, DepthWindow::kSide * DepthWindow::kSide * DepthWindow::kSide>;
+
+// Fast marching from the places beside the surface outwards, layer by layer, within a window but for its outermost
+// places: what these would change lies beyond the depths that are stored.
+class Marching {
+ public:
+  Marching(const Depths& depths, DepthWindow::Beside beside) : m_depths(depths), m_beside(beside) {
+    m_state.fill(kOutside);
+    m_distances.fill(kUnknown);
+    constexpr int n = DepthWindow::kSide;
+    for (int z = 1; z < n - 1; ++z)
+      for (int y = 1; y < n - 1; ++y)
+        for (int x = 1; x < n - 1; ++x) {
+          const auto place = static_cast<std::size_t>((z * n + y) * n + x);
+          m_state[place] = kFree;
+          begin(place);
+        }
+  }
+
+  const Depths& run() {
+    while (!m_layer.empty()) {
+      m_next.clear();
+      for (const std::uint16_t place : m_layer)
+        for (const int step : kSteps)
+          for (const int to : {place - step, place + step})
+            if (m_state[static_cast<std::size_t>(to)] == kFree) {
+              m_state[static_cast<std::size_t>(to)] = kKnown;
+              m_next.push_back(static_cast<std::uint16_t>(to));
+            }
+      m_found.clear();
+      for (const std::uint16_t place : m_next) m_found.push_back(eikonal(nearest(place)));
+      m_layer.clear();
+      for (std::size_t i = 0; i < m_next.size(); ++i) {
+        m_distances[m_next[i]] = m_found[i];
+        if (m_found[i] < static_cast<float>(DepthWindow::kLimit)) m_layer.push_back(m_next[i]);
+      }
+    }
+    return m_distances;
+  }
+
+ private:
+  enum State : std::uint8_t { kOutside, kFree, kKnown };
+  static constexpr float kUnknown = 1e3f;
+  static constexpr float kLeastSlope = 0.7f;  // in thin walls differences say less than the slope is
+
+  // A place beside the surface: its depth by the slope there.
+  void begin(std::size_t place) {
+    const float depth = m_depths[place];
+    const bool isInside = depth > 0.0f;
+    bool isBeside = false;  // of most it is not: that is found out first, without a branch
+    for (const int step : kSteps) {
+      isBeside |= (m_depths[place - static_cast<std::size_t>(step)] > 0.0f) != isInside;
+      isBeside |= (m_depths[place + static_cast<std::size_t>(step)] > 0.0f) != isInside;
+    }
+    if (!isBeside) return;
+    const bool isKept = m_beside == DepthWindow::Beside::Kept;
+    m_distances[place] = std::abs(depth) / (isKept ? 1.0f : std::max(kLeastSlope, slopeAt(place)));
+    m_state[place] = kKnown;
+    m_layer.push_back(static_cast<std::uint16_t>(place));
+  }
+
+  // Along each axis the steepest step across the surface, else the mean of both steps.
+  float slopeAt(std::size_t place) const {
+    const float depth = m_depths[place];
+    float squares = 0.0f;
+    for (const int step : kSteps) {
+      const float a = m_depths[place - static_cast<std::size_t>(step)],
+                  b = m_depths[place + static_cast<std::size_t>(step)];
+      const bool crossesA = (a > 0.0f) != (depth > 0.0f), crossesB = (b > 0.0f) != (depth > 0.0f);
+      float steepest = crossesA ? std::abs(depth - a) : 0.0f;
+      if (crossesB) steepest = std::max(steepest, std::abs(depth - b));
+      if (!crossesA && !crossesB) steepest = 0.5f * std::abs(b - a);
+      squares += steepest * steepest;
+    }
+    return std::sqrt(squares);
+  }
+
+  std::array<float, 3> nearest(std::size_t place) const {
+    std::array<float, 3> least;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto step = static_cast<std::size_t>(kSteps[k]);
+      least[k] = std::min(m_distances[place - step], m_distances[place + step]);
+    }
+    return least;
+  }
+
+  const Depths& m_depths;
+  const DepthWindow::Beside m_beside;
+  Depths m_distances;
+  std::array<std::uint8_t, std::tuple_size_v<Depths>> m_state;
+  std::vector<std::uint16_t> m_layer, m_next;
+  std::vector<float> m_found;
+};
+
+}  // namespace
+
+bool DepthWindow::hasSurface() const {
+  const bool isInside = m_depths.front() > 0.0f;
+  return std::any_of(m_depths.begin(), m_depths.end(), [&](float depth) { return (depth > 0.0f) != isInside; });
+}
+
+void DepthWindow::redistance(Beside beside) {
+  constexpr auto kMost = static_cast<float>(kLimit);
+  if (!hasSurface()) {
+    m_depths.fill(m_depths.front() > 0.0f ? kMost : -kMost);
+    return;
+  }
+  Marching marching(m_depths, beside);
+  const Depths& distances = marching.run();
+  for (std::size_t i = 0; i < m_depths.size(); ++i)
+    m_depths[i] = std::copysign(std::min(distances[i], kMost), m_depths[i]);
+}
+
+SparseVolume::Content contentOf(std::shared_ptr<VolumeBlock> block) {
+  const auto& depths = block->depths;
+  const std::int16_t first = depths.front();
+  const bool isAtLimit = first == VolumeBlock::kFull || first == VolumeBlock::kEmpty;
+  if (isAtLimit && std::all_of(depths.begin(), depths.end(), [&](std::int16_t d) { return d == first; }))
+    return {nullptr, first == VolumeBlock::kFull};
+  return {std::move(block), false};
+}
+
+std::shared_ptr<VolumeBlock> samplesOf(const SparseVolume::Content& content) {
+  if (content.block) return std::make_shared<VolumeBlock>(*content.block);
+  auto block = std::make_shared<VolumeBlock>();
+  block->depths.fill(content.isFull ? VolumeBlock::kFull : VolumeBlock::kEmpty);
+  return block;
+}
+
+}  // namespace handwheel

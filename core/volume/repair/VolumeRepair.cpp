@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/repair/VolumeRepair.h"
+
+#include "mesh/measure/Deviation.h"
+#include "mesh/search/SurfaceDistance.h"
+#include "mesh/simplify/Decimation.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "proximity/SelfIntersection.h"
+#include "volume/SurfaceToVolume.h"
+#include "volume/VolumeErrors.h"
+#include "volume/VolumeOffset.h"
+#include "volume/VolumeReader.h"
+#include "volume/surface/VolumeToSurface.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace handwheel {
+namespace {
+
+// How far the places are from the mesh at most, mm.
+double distanceFrom(const HalfEdgeMesh& mesh, const std::vector<Vec3>& places, Progress progress) {
+  const SurfaceDistance surface(mesh, progress);
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, places.size(), 256), 0.0,
+      [&](const tbb::blocked_range<std::size_t>& range, double most) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+          if (const auto nearest = surface.from(places[i])) most = std::max(most, std::abs(nearest->distance));
+        return most;
+      },
+      [](double a, double b) { return std::max(a, b); });
+}
+
+void roundTo(HalfEdgeMesh& mesh, NumberType numbers) {
+  if (numbers == NumberType::Float64) return;
+  for (Vertex v = 0; v < mesh.vertexSlots(); ++v) mesh.setPosition(v, rounded(mesh.position(v), numbers));
+}
+
+// Takes triangles away from a mesh that was sampled.
+class Reduction {
+ public:
+  // kept: places of the original that are to stay within the distance.
+  Reduction(const HalfEdgeMesh& sampled, const std::vector<Vec3>& kept, const VolumeRepairOptions& options)
+      : m_sampled(sampled), m_kept(kept), m_within(options.within * options.voxel), m_numbers(options.numbers) {}
+
+  // The first of so many triangles, or twice, four times as many and so on, that is near enough; else all.
+  VolumeRepair reduced(VolumeRepair repair, std::size_t faces, Progress progress) const {
+    const std::size_t all = m_sampled.liveFaceCount();
+    double done = 0.0;
+    for (std::size_t wanted = std::max<std::size_t>(faces, 100); wanted < all && !progress.cancelled(); wanted *= 2) {
+      const double next = 0.5 * (1.0 + done);
+      if (attempt(wanted, repair, progress.part(done, next))) return repair;
+      done = next;
+    }
+    return repair;
+  }
+
+ private:
+  bool attempt(std::size_t faces, VolumeRepair& repair, Progress progress) const {
+    HalfEdgeMesh fewer = m_sampled;
+    const DecimationReport report =
+        decimate(fewer, {.faces = faces, .method = DecimationMethod::Quadric}, progress.part(0.0, 0.5));
+    if (report.refusal != OpenMeshRefusal::None || report.cancelled) return false;
+    roundTo(fewer, m_numbers);
+    const double kept = distanceFrom(fewer, m_kept, progress.part(0.5, 0.6));
+    // Where the sampled surface is farther itself, nothing can be nearer.
+    if (kept > std::max(m_within, repair.keptDistance)) return false;
+    const std::optional<double> distance = largestDistance(fewer, m_sampled, progress.part(0.6, 0.7));
+    if (!distance || *distance > m_within) return false;
+    const TriangleSoup soup = fewer.compact().soup;
+    const auto pairs = selfIntersections(soup.points, soup.triangles, progress.part(0.7, 1.0), 1);
+    if (!pairs || !pairs->empty()) return false;
+    repair.mesh = std::move(fewer);
+    repair.keptDistance = kept;
+    return true;
+  }
+
+  const HalfEdgeMesh& m_sampled;
+  const std::vector<Vec3>& m_kept;
+  double m_within;  // mm
+  NumberType m_numbers;
+};
+
+// The volume of a surface, or of its back where the front encloses nothing: which side of an open surface is its front
+// is by chance.
+Result<SurfaceVolume> volumeOfEitherSide(const TriangleSoup& surface, double voxel, Progress progress) {
+  Result<SurfaceVolume> made = volumeOfSurface(surface, voxel, progress);
+  if (made || made.error().code != VolumeErrors::NothingInside) return made;
+  TriangleSoup back = surface;
+  for (Triangle& t : back.triangles) std::swap(t[0], t[1]);
+  return volumeOfSurface(back, voxel, progress);
+}
+
+// Fills gaps, and forgets the places that are within what was filled. Returns its volume, mm³.
+Result<double> fillGaps(SurfaceVolume& made, double radius, Progress progress) {
+  if (radius == 0.0) return 0.0;
+  Result<SparseVolume> closed = withoutGaps(made.volume, radius, progress);
+  if (!closed) return closed.error();
+  const VolumeReader reader(*closed);
+  std::erase_if(made.kept, [&](const Vec3& p) { return reader.depthAt(p).depth > 0.5 * closed->voxel(); });
+  const double filled = closed->material() - made.volume.material();
+  made.volume = std::move(*closed);
+  return filled;
+}
+
+}  // namespace
+
+Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRepairOptions& options,
+                                    Progress progress) {
+  Result<SurfaceVolume> made = volumeOfEitherSide(surface, options.voxel, progress.part(0.0, 0.2));
+  if (!made) return made.error();
+  const Result<double> filled = fillGaps(*made, options.gaps, progress.part(0.2, 0.4));
+  if (!filled) return filled.error();
+  const TriangleSoup sampled = surfaceOf(made->volume, progress.part(0.4, 0.5));
+  HalfEdgeMesh mesh = buildMesh(sampled, progress.part(0.5, 0.55)).mesh;
+  roundTo(mesh, options.numbers);
+  VolumeRepair repair{mesh,
+                      made->closedBoundaries,
+                      sampled.triangles.size(),
+                      made->nearShare,
+                      *filled,
+                      distanceFrom(mesh, made->kept, progress.part(0.55, 0.6))};
+  if (options.isReduced && sampled.triangles.size() > surface.triangles.size() && !progress.cancelled())
+    repair = Reduction(mesh, made->kept, options)
+                 .reduced(std::move(repair), surface.triangles.size(), progress.part(0.6, 1.0));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  return repair;
+}
+
+}  // namespace handwheel

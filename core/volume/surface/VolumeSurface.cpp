@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/surface/VolumeSurface.h"
+
+#include "volume/surface/VolumeToSurface.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+namespace handwheel {
+namespace {
+
+constexpr int kSide = 64;   // cells of a piece
+constexpr int kStride = 4;  // of the samples of coarse triangles
+
+VolumeSurface::Key pieceOf(const VoxelIndex& block) {
+  return {block.z() >> 3, block.y() >> 3, block.x() >> 3};
+}
+
+VoxelIndex firstBlockOf(const VolumeSurface::Key& key) {
+  return 8 * VoxelIndex(key[2], key[1], key[0]);
+}
+
+// The number of a block in its piece.
+std::uint16_t numberOf(const VoxelIndex& block) {
+  return static_cast<std::uint16_t>((block.z() & 7) << 6 | (block.y() & 7) << 3 | (block.x() & 7));
+}
+
+VoxelIndex blockOfNumber(std::uint16_t number) {
+  return {number & 7, number >> 3 & 7, number >> 6};
+}
+
+// The blocks of a piece in whose cells there can be surface, by number.
+std::vector<std::uint16_t> blocksOf(const SparseVolume& volume, const VolumeSurface::Key& key) {
+  constexpr int kBlocks = 9;                                    // with those whose first samples end the last cells
+  std::array<std::uint8_t, kBlocks * kBlocks * kBlocks> state;  // 0 empty, 1 full, 2 samples
+  const auto at = [](int x, int y, int z) { return static_cast<std::size_t>((z * kBlocks + y) * kBlocks + x); };
+  const VoxelIndex first = firstBlockOf(key);
+  for (int z = 0; z < kBlocks; ++z)
+    for (int y = 0; y < kBlocks; ++y)
+      for (int x = 0; x < kBlocks; ++x) {
+        const SparseVolume::View view = volume.view(first + VoxelIndex(x, y, z));
+        state[at(x, y, z)] = view.block ? 2 : view.isFull ? 1 : 0;
+      }
+  std::vector<std::uint16_t> blocks;
+  for (std::uint16_t number = 0; number < 512; ++number) {
+    const VoxelIndex in = blockOfNumber(number);
+    const std::uint8_t own = state[at(in.x(), in.y(), in.z())];
+    bool hasCells = own == 2;
+    for (int k = 1; k < 8 && !hasCells; ++k)
+      hasCells = state[at(in.x() + (k & 1), in.y() + (k >> 1 & 1), in.z() + (k >> 2))] != own;
+    if (hasCells) blocks.push_back(number);
+  }
+  return blocks;
+}
+
+Vec3 originOf(const SparseVolume& volume, const VolumeSurface::Key& key) {
+  return volume.centre(VolumeBlock::kSize * firstBlockOf(key) + VoxelIndex::Constant(kSide / 2));
+}
+
+void extendBox(VolumePiece& piece) {
+  const std::vector<float>& points = piece.fine.points;
+  Eigen::AlignedBox3f box;
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3)
+    box.extend(Eigen::Vector3f(points[i], points[i + 1], points[i + 2]));
+  if (!box.isEmpty()) piece.box = Box(box.min().cast<double>() + piece.origin, box.max().cast<double>() + piece.origin);
+}
+
+// The triangles of blocks that are made anew, by number.
+using Renewed = std::unordered_map<std::uint16_t, VolumeTriangles>;
+
+// A piece of what is renewed and, for the other blocks, of what it was before; null: nothing.
+VolumeSurface::Piece assembled(const SparseVolume& volume, const VolumeSurface::Key& key,
+                               const std::vector<std::uint16_t>& blocks, const Renewed& renewed,
+                               const VolumePiece* before) {
+  auto piece = std::make_shared<VolumePiece>();
+  piece->origin = originOf(volume, key);
+  for (const std::uint16_t block : blocks) {
+    const auto points = static_cast<std::uint32_t>(piece->fine.points.size() / 3);
+    const auto corners = static_cast<std::uint32_t>(piece->fine.corners.size());
+    if (const auto made = renewed.find(block); made != renewed.end()) {
+      piece->fine.append(made->second, 0, made->second.points.size() / 3, 0, made->second.corners.size());
+    } else if (before) {
+      const auto& parts = before->parts;
+      const auto part = std::lower_bound(parts.begin(), parts.end(), block,
+                                         [](const VolumePiece::BlockPart& p, std::uint16_t b) { return p.block < b; });
+      if (part == parts.end() || part->block != block) continue;
+      const bool isLast = std::next(part) == parts.end();
+      const std::size_t pointEnd = isLast ? before->fine.points.size() / 3 : std::next(part)->firstPoint;
+      const std::size_t cornerEnd = isLast ? before->fine.corners.size() : std::next(part)->firstCorner;
+      piece->fine.append(before->fine, part->firstPoint, pointEnd - part->firstPoint, part->firstCorner,
+                         cornerEnd - part->firstCorner);
+    }
+    if (piece->fine.corners.size() > corners) piece->parts.push_back({block, points, corners});
+  }
+  if (piece->fine.corners.empty()) return nullptr;
+  piece->coarse =
+      coarseTriangles(volume, VolumeBlock::kSize * firstBlockOf(key), kSide / kStride, kStride, piece->origin);
+  extendBox(*piece);
+  return piece;
+}
+
+}  // namespace
+
+VolumeSurface::VolumeSurface(const SparseVolume& volume, Progress progress) {
+  std::set<Key> pieces;
+  for (const VoxelIndex& block : blocksWithCells(volume)) pieces.insert(pieceOf(block));
+  const std::vector<Key> keys(pieces.begin(), pieces.end());
+  std::vector<Piece> made(keys.size());
+  std::atomic<std::size_t> done{0};
+  tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    const std::vector<std::uint16_t> blocks = blocksOf(volume, keys[i]);
+    Renewed all;
+    for (const std::uint16_t block : blocks)
+      all[block] = blockTriangles(volume, firstBlockOf(keys[i]) + blockOfNumber(block), originOf(volume, keys[i]));
+    made[i] = assembled(volume, keys[i], blocks, all, nullptr);
+    progress.set(static_cast<double>(++done) / static_cast<double>(keys.size()));
+  });
+  for (std::size_t i = 0; i < keys.size(); ++i) set(keys[i], std::move(made[i]));
+}
+
+void VolumeSurface::update(const SparseVolume& volume, std::span<const VoxelIndex> changedBlocks) {
+  // A block's samples are corners of its own cells and of those of the blocks below, and give normals around it.
+  std::map<Key, std::set<std::uint16_t>> touched;
+  for (const VoxelIndex& block : changedBlocks)
+    for (int k = 0; k < 27; ++k) {
+      const VoxelIndex near = block + VoxelIndex(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+      touched[pieceOf(near)].insert(numberOf(near));
+    }
+  struct Work {
+    Key key;
+    std::vector<std::uint16_t> blocks;
+    Renewed renewed;
+    Piece made;
+  };
+  std::vector<Work> works;
+  std::vector<std::pair<std::size_t, VolumeTriangles*>> renewals;  // of a work; filled below
+  std::vector<std::uint16_t> numbers;
+  for (const auto& [key, dirty] : touched) {
+    Work& work = works.emplace_back(Work{key, blocksOf(volume, key), {}, nullptr});
+    for (const std::uint16_t block : work.blocks)
+      if (dirty.contains(block)) work.renewed[block];
+  }
+  for (std::size_t i = 0; i < works.size(); ++i)
+    for (auto& [block, triangles] : works[i].renewed) {
+      renewals.emplace_back(i, &triangles);
+      numbers.push_back(block);
+    }
+  tbb::parallel_for(std::size_t{0}, renewals.size(), [&](std::size_t i) {
+    const Key& key = works[renewals[i].first].key;
+    *renewals[i].second = blockTriangles(volume, firstBlockOf(key) + blockOfNumber(numbers[i]), originOf(volume, key));
+  });
+  tbb::parallel_for(std::size_t{0}, works.size(), [&](std::size_t i) {
+    const auto before = m_pieces.find(works[i].key);
+    works[i].made = assembled(volume, works[i].key, works[i].blocks, works[i].renewed,
+                              before != m_pieces.end() ? before->second.get() : nullptr);
+  });
+  for (Work& work : works) set(work.key, std::move(work.made));
+}
+
+void VolumeSurface::set(const Key& key, Piece piece) {
+  if (piece) {
+    m_pieces[key] = std::move(piece);
+  } else {
+    m_pieces.erase(key);
+  }
+}
+
+std::size_t VolumeSurface::triangleCount() const {
+  std::size_t count = 0;
+  for (const auto& [key, piece] : m_pieces) count += piece->fine.count();
+  return count;
+}
+
+std::size_t VolumeSurface::bytes() const {
+  std::size_t sum = 0;
+  for (const auto& [key, piece] : m_pieces)
+    for (const VolumeTriangles* t : {&piece->fine, &piece->coarse})
+      sum += 2 * sizeof(float) * t->points.size() + sizeof(std::int32_t) * t->corners.size();
+  return sum;
+}
+
+}  // namespace handwheel

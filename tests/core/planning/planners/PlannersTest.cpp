@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planning/planners/Planners.h"
+
+#include "Scenes.h"
+#include "TestClass.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// A wall of balls that an arm passes when it folds.
+RobotScene walled(double first) {
+  RobotScene scene = sceneOf(planarArm({250.0, 250.0, 200.0}, 10.0));
+  std::uint32_t owner = 0;
+  for (double x = first; x < 900.0; x += 15.0) addBall(scene, {x, 0.0, 0.0}, 10.0, owner++);
+  return scene;
+}
+
+ArmValues above() {
+  return Eigen::Vector3d(0.9, 0.4, 0.2);
+}
+
+PlanSettings longer() {
+  PlanSettings settings;
+  settings.seconds = 120.0;
+  return settings;
+}
+
+}  // namespace
+
+// Every planner keeps what all of them promise.
+class PlannersTest : public QObject {
+  Q_OBJECT
+
+  static void eachPlanner() {
+    QTest::addColumn<QByteArray>("id");
+    for (const PlannerName& planner : planners()) QTest::newRow(planner.id) << QByteArray(planner.id);
+  }
+
+ private slots:
+  void oursIsFirst() {
+    QCOMPARE(QByteArray(planners().front().id), QByteArray("sbl"));
+    std::set<std::string> ids;
+    for (const PlannerName& each : planners()) ids.insert(each.id);
+    QCOMPARE(ids.size(), planners().size());
+  }
+
+  // Free at very many points, with the clearance, and the ends are what was asked for, bit for bit.
+  void pathsAreFree_data() { eachPlanner(); }
+  void pathsAreFree() {
+    QFETCH(QByteArray, id);
+    const RobotScene scene = walled(480.0);
+    PlanSettings settings = longer();
+    settings.check.clearance = 10.0;
+    const PlanResult result = planPath(scene, above(), -above(), settings, id.constData());
+    QVERIFY(result.outcome == PlanResult::Outcome::Solved);
+    QVERIFY(result.path.front() == above() && result.path.back() == -above());
+    for (std::size_t i = 1; i < result.path.size(); ++i) {
+      QVERIFY(scene.isWithinLimits(result.path[i]));
+      const ArmValues way = result.path[i] - result.path[i - 1];
+      const int count = std::max(1, static_cast<int>(way.cwiseAbs().maxCoeff() / 2e-3));
+      for (int k = 0; k <= count; ++k) {
+        const ArmValues at = result.path[i - 1] + way * (static_cast<double>(k) / count);
+        QVERIFY(scene.nearestObstacle(at, 1e9).distance >= 10.0);
+        QVERIFY(scene.nearest(at, 1e9).distance > 0.0);
+      }
+    }
+    QVERIFY(result.steps > 0 && result.milestones > 1);
+  }
+
+  void theSeedRepeats_data() { eachPlanner(); }
+  void theSeedRepeats() {
+    QFETCH(QByteArray, id);
+    if (id == "ompl-prm") return;  // looks for paths in a second thread
+    const RobotScene scene = walled(420.0);
+    const PlanResult first = planPath(scene, above(), -above(), longer(), id.constData());
+    const PlanResult again = planPath(scene, above(), -above(), longer(), id.constData());
+    QVERIFY(!first.path.empty());
+    QVERIFY(first.path == again.path);
+    QCOMPARE(first.steps, again.steps);
+  }
+
+  void whyNot_data() { eachPlanner(); }
+  void whyNot() {
+    QFETCH(QByteArray, id);
+    const RobotScene scene = walled(420.0);
+    const ArmValues inTheWall = ArmValues::Zero(3);
+    const PlanResult start = planPath(scene, inTheWall, above(), longer(), id.constData());
+    QVERIFY(start.outcome == PlanResult::Outcome::StartBlocked && start.blocked.owner != kNone);
+    QVERIFY(planPath(scene, above(), inTheWall, longer(), id.constData()).outcome == PlanResult::Outcome::GoalBlocked);
+    QVERIFY(planPath(scene, above(), ArmValues::Constant(3, 3.5), longer(), id.constData()).outcome ==
+            PlanResult::Outcome::OutOfLimits);
+    QVERIFY(planPath(scene, above(), above(), longer(), id.constData()).outcome == PlanResult::Outcome::Solved);
+  }
+
+  // Where there is no way, each ends after its time, and at once when it is cancelled.
+  void eachEnds_data() { eachPlanner(); }
+  void eachEnds() {
+    QFETCH(QByteArray, id);
+    const RobotScene scene = walled(100.0);
+    const ArmValues start = Eigen::Vector3d(0.3, 0.2, 0.1);
+    PlanSettings settings;
+    settings.seconds = 0.05;
+    settings.mostMilestones = 50;
+    QVERIFY(planPath(scene, start, -start, settings, id.constData()).outcome == PlanResult::Outcome::TimeOut);
+    JobState state;
+    state.cancelled = true;
+    QVERIFY(planPath(scene, start, -start, longer(), id.constData(), Progress(state)).outcome ==
+            PlanResult::Outcome::Cancelled);
+  }
+};
+
+HANDWHEEL_TEST(PlannersTest)
+#include "PlannersTest.moc"

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/PathBlends.h"
+
+#include "TestClass.h"
+#include "document/cell/CellImport.h"
+#include "robot/arm/NumericalIk.h"
+#include "robot/dh/DhTable.h"
+#include "scene/PrimitiveGeometry.h"
+
+#include <rapidcheck.h>
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+JointValues valuesOf(std::initializer_list<double> numbers) {
+  JointValues values(static_cast<Eigen::Index>(numbers.size()));
+  std::copy(numbers.begin(), numbers.end(), values.begin());
+  return values;
+}
+
+// An IRB 120, alone or with a ball.
+class BlendBench {
+ public:
+  explicit BlendBench(const std::optional<std::pair<Vec3, double>>& ball = {}, bool hasPen = false) {
+    auto cell = std::make_shared<RobotCellSnapshot>(*cellOf(*libraryTable("irb120")));
+    if (ball) {
+      Body body{.id = 1, .name = "ball", .geometry = *PrimitiveGeometry::make(Primitive::Sphere, {ball->second})};
+      body.pose.translation() = ball->first;
+      cell->bodies = cell->bodies.with(std::make_shared<const Body>(std::move(body)));
+    }
+    if (hasPen) {
+      Body pen{.id = 2, .name = "pen", .geometry = *PrimitiveGeometry::make(Primitive::Cylinder, {6.0, 90.0})};
+      pen.carrier = "flange";
+      pen.pose.translation() = Vec3(0.0, 0.0, 45.0);
+      cell->bodies = cell->bodies.with(std::make_shared<const Body>(std::move(pen)));
+      plans.tool.translation() = Vec3(0.0, 0.0, 90.0);
+    }
+    CollisionMeshes meshes;
+    m_scene = std::make_shared<const CellScene>(std::move(sceneOf(*cell, meshes)).value());
+  }
+  const CellScene& scene() const { return *m_scene; }
+  std::vector<double> blends(const RobotPath& path, double clearance = 0.0) const {
+    return certifiedBlends(scene(), plans, path, resolved(scene(), plans, path), clearance);
+  }
+  // Joint values for the tool so far from where it is at others.
+  JointValues moved(const JointValues& from, const Vec3& by) const {
+    Pose tip = scene().arm.tipPose(scene().planned(from));
+    tip.translation() += by;
+    return scene().whole(solvedNumerically(scene().arm, tip, scene().planned(from), {.tolerance = 1e-10}).values);
+  }
+
+  CellPlans plans;
+
+ private:
+  std::shared_ptr<const CellScene> m_scene;
+};
+
+}  // namespace
+
+// Which zones of blends are free.
+class PathBlendsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // In the open: joint motions and lines, in every combination; also with a tool, which is next to a link that it can
+  // never meet.
+  void inTheOpen_data() {
+    QTest::addColumn<bool>("hasPen");
+    QTest::newRow("bare") << false;
+    QTest::newRow("with a pen") << true;
+  }
+  void inTheOpen() {
+    QFETCH(const bool, hasPen);
+    const BlendBench bench({}, hasPen);
+    const JointValues a = valuesOf({0.2, 0.3, 0.1, 0.1, 0.8, 0.0}), b = bench.moved(a, {0.0, -80.0, 0.0}),
+                      c = bench.moved(b, {0.0, 0.0, 60.0});
+    for (const bool isLine : {false, true}) {
+      for (const bool isNextLine : {false, true}) {
+        const auto kind = [](bool line) { return line ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint; };
+        const RobotPath path{"p",
+                             {{.joints = a},
+                              {.joints = b, .motion = kind(isLine), .blend = 5.0},
+                              {.joints = c, .motion = kind(isNextLine)}}};
+        const auto blends = bench.blends(path);
+        QCOMPARE(blends[0], 0.0);
+        QVERIFY2(blends[1] > 1.0 && blends[1] <= 5.0, qPrintable(QString::number(blends[1])));
+        QCOMPARE(blends[2], 0.0);
+      }
+    }
+  }
+
+  // A corner in the plane of the arm: the joints that stand still there do not make it an exact stop.
+  void inThePlaneOfTheArm() {
+    const BlendBench bench;
+    const JointValues a = valuesOf({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), b = bench.moved(a, {-40.0, 0.0, 0.0}),
+                      c = bench.moved(b, {0.0, 0.0, -40.0});
+    const auto line = ProgramMotion::Kind::Linear;
+    const RobotPath path{"p",
+                         {{.joints = a}, {.joints = b, .motion = line, .blend = 3.0}, {.joints = c, .motion = line}}};
+    QVERIFY(bench.blends(path)[1] > 0.5);
+  }
+
+  // A ball so near to the flange at the place that the way across the zone may meet it: the zone is as small as that.
+  void besideABall() {
+    const JointValues a = valuesOf({-1.5, 0.6, 0.0, 0.0, 0.5, 0.0}), b = valuesOf({0.0, 0.6, 0.0, 0.0, 0.5, 0.0}),
+                      c = valuesOf({0.0, -0.6, 0.0, 0.0, 0.5, 0.0});
+    const BlendBench open;
+    const Vec3 flange = open.scene().arm.tipPose(open.scene().planned(b)).translation();
+    const RobotPath path{"p", {{.joints = a}, {.joints = b, .blend = 5.0}, {.joints = c}}};
+    int near = 0;
+    for (const double away : {120.0, 90.0, 75.0, 66.0, 62.0}) {
+      const BlendBench bench(std::pair{Vec3(flange + Vec3(0.6 * away, 0.0, -0.8 * away)), 30.0});
+      const double distance = bench.scene().scene.nearestObstacle(bench.scene().planned(b), 1e3).distance;
+      if (distance <= 0.0) continue;
+      const double blend = bench.blends(path)[1];
+      // The flange moves by the blend at least on each side.
+      QVERIFY2(blend < distance, qPrintable(QString("%1 of %2").arg(blend).arg(distance)));
+      QCOMPARE(bench.blends(path, distance)[1], 0.0);
+      ++near;
+    }
+    QVERIFY(near >= 3);
+  }
+
+  // Whatever the corner: where the tool goes from a place of the one motion to one of the other within the zone,
+  // nothing is met.
+  void anyCorner() {
+    int zones = 0;
+    QVERIFY(rc::check("free", [&zones] {
+      const auto number = [](double low, double high) {
+        return low + (high - low) * *rc::gen::inRange(0, 10'001) / 1e4;
+      };
+      const JointValues b = valuesOf({number(-0.5, 0.5), number(0.0, 0.5), number(-0.3, 0.3), number(-1.0, 1.0),
+                                      number(0.4, 1.2), number(-1.0, 1.0)});
+      const BlendBench open;
+      const Pose tip = open.scene().arm.tipPose(open.scene().planned(b));
+      const Vec3 way(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0));
+      if (way.norm() < 0.1) return;
+      const BlendBench bench(std::pair{Vec3(tip.translation() + (50.0 + number(2.0, 100.0)) * way.normalized()), 20.0});
+      const JointValues a = bench.moved(b, {number(-40.0, 40.0), number(-40.0, 40.0), number(10.0, 40.0)});
+      const JointValues c = bench.moved(b, {number(-40.0, 40.0), number(10.0, 40.0), number(-40.0, 40.0)});
+      const bool isLine = *rc::gen::arbitrary<bool>();
+      const auto kind = isLine ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
+      const RobotPath path{"p",
+                           {{.joints = a}, {.joints = b, .motion = kind, .blend = 8.0}, {.joints = c, .motion = kind}}};
+      const double blend = bench.blends(path)[1];
+      if (blend == 0.0) return;
+      ++zones;
+      const CellScene& scene = bench.scene();
+      const ArmValues in = scene.planned(a), at = scene.planned(b), out = scene.planned(c);
+      const auto within = [&](const ArmValues& end) {
+        ArmValues last = at;
+        for (int i = 1; i <= 200; ++i) {
+          const ArmValues values = at + (0.5 * i / 200.0) * (end - at);
+          if ((scene.arm.tipPose(values).translation() - scene.arm.tipPose(at).translation()).norm() > blend) break;
+          last = values;
+        }
+        return last;
+      };
+      const ArmValues first = within(in), second = within(out);
+      for (int i = 0; i <= 10; ++i) {
+        const ArmValues across = first + 0.1 * i * (second - first);
+        for (const ArmValues& values : {across, ArmValues(0.5 * (across + at))})
+          RC_ASSERT(scene.scene.nearest(values, 1.0).distance > 0.0);
+      }
+    }));
+    QVERIFY(zones >= 10);
+  }
+};
+
+HANDWHEEL_TEST(PathBlendsTest)
+#include "PathBlendsTest.moc"

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/surface/VolumeSurface.h"
+
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "base/Result.h"
+#include "volume/ClayDab.h"
+#include "volume/SurfaceToVolume.h"
+#include "volume/VolumeShapes.h"
+#include "volume/surface/VolumeToSurface.h"
+
+#include <QtTest>
+#include <algorithm>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+using Corners = std::array<std::array<double, 3>, 3>;
+
+// The triangles by their corners, to a few decimals, from the lowest corner on, sorted.
+std::vector<Corners> sorted(std::vector<Corners> all) {
+  for (Corners& corners : all) {
+    for (auto& corner : corners)
+      for (double& x : corner) x = std::round(x * 1e3) / 1e3;
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::vector<Corners> trianglesOf(const TriangleSoup& soup) {
+  std::vector<Corners> all;
+  for (const Triangle& t : soup.triangles) {
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = {soup.points[t[k]].x(), soup.points[t[k]].y(), soup.points[t[k]].z()};
+    all.push_back(corners);
+  }
+  return all;
+}
+
+Vec3 pointOf(const VolumePiece& piece, const std::vector<float>& of, std::int32_t i) {
+  const auto at = 3 * static_cast<std::size_t>(i);
+  return piece.origin + Vec3(of[at], of[at + 1], of[at + 2]);
+}
+
+std::vector<Corners> trianglesOf(const VolumeSurface& surface) {
+  std::vector<Corners> all;
+  for (const auto& [key, piece] : surface.pieces())
+    for (std::size_t i = 0; i < piece->fine.corners.size(); i += 3) {
+      Corners corners;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 p = pointOf(*piece, piece->fine.points, piece->fine.corners[i + k]);
+        corners[k] = {p.x(), p.y(), p.z()};
+      }
+      all.push_back(corners);
+    }
+  return all;
+}
+
+bool isSame(const VolumeTriangles& a, const VolumeTriangles& b) {
+  return a.points == b.points && a.normals == b.normals && a.corners == b.corners;
+}
+
+}  // namespace
+
+class VolumeSurfaceTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The pieces together are the whole surface. Corners that rounding parts are a few.
+  void piecesAreTheWhole() {
+    const SparseVolume volume = volumeOfSurface(moved(icosphere(3), Vec3::Zero(), 10.0), 0.13)->volume;
+    const VolumeSurface surface(volume);
+    QVERIFY(surface.pieces().size() > 8);
+    const std::vector<Corners> pieces = sorted(trianglesOf(surface)), whole = sorted(trianglesOf(surfaceOf(volume)));
+    QCOMPARE(pieces.size(), whole.size());
+    QCOMPARE(surface.triangleCount(), whole.size());
+    std::vector<Corners> different;
+    std::set_difference(pieces.begin(), pieces.end(), whole.begin(), whole.end(), std::back_inserter(different));
+    QVERIFY2(different.size() < whole.size() / 50, qPrintable(QString::number(different.size())));
+    for (const auto& [key, piece] : surface.pieces()) QVERIFY(piece->fine.count() < 64'000);
+  }
+
+  // Points, fine and coarse, lie on the ball, within the box, and their normals are its normals.
+  void pointsAndNormalsOfABall() {
+    constexpr double kRadius = 10.0, kVoxel = 0.1;
+    const VolumeSurface surface(ballOfVoxels(kRadius, kVoxel));
+    for (const auto& [key, piece] : surface.pieces())
+      for (const bool isCoarse : {false, true}) {
+        const VolumeTriangles& triangles = isCoarse ? piece->coarse : piece->fine;
+        QVERIFY(triangles.count() > 0 || isCoarse);
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(triangles.points.size() / 3); ++i) {
+          const Vec3 p = pointOf(*piece, triangles.points, i);
+          const Vec3 normal = pointOf(*piece, triangles.normals, i) - piece->origin;
+          QVERIFY(std::abs(p.norm() - kRadius) < (isCoarse ? 2.0 * kVoxel : 0.02 * kVoxel));
+          QVERIFY((normal - p.normalized()).norm() < (isCoarse ? 0.1 : 0.02));
+          QVERIFY(isCoarse || piece->box.exteriorDistance(p) < 1e-5);
+        }
+      }
+  }
+
+  // What is renewed is what would be made from nothing; what has nothing to do with a change is not touched.
+  void updatesAreTheWhole() {
+    SparseVolume volume = ballOfVoxels(10.0, 0.13);
+    VolumeSurface surface(volume);
+    const VolumeSurface before = surface;
+    ClayDab dab;
+    dab.centre = Vec3(6.0, 5.0, 6.0);
+    dab.radius = 3.0;
+    surface.update(volume, applyDab(volume, dab));
+    const VolumeSurface fresh(volume);
+    QCOMPARE(surface.pieces().size(), fresh.pieces().size());
+    for (const auto& [key, piece] : fresh.pieces()) {
+      QVERIFY(isSame(surface.pieces().at(key)->fine, piece->fine));
+      QVERIFY(isSame(surface.pieces().at(key)->coarse, piece->coarse));
+    }
+    std::size_t kept = 0;
+    for (const auto& [key, piece] : before.pieces()) kept += surface.pieces().at(key) == piece;
+    QVERIFY(kept > before.pieces().size() / 2 && kept < before.pieces().size());
+  }
+
+  void ofNothing() { QVERIFY(VolumeSurface(SparseVolume(Vec3::Zero(), 1.0)).pieces().empty()); }
+};
+
+HANDWHEEL_TEST(VolumeSurfaceTest)
+#include "VolumeSurfaceTest.moc"

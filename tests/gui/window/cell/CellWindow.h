@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "WindowDriver.h"
+#include "controls/property/PropertyList.h"
+#include "panels/bodies/BodyList.h"
+#include "viewport/surface/PartsLayer.h"
+
+#include <QDockWidget>
+
+namespace handwheel::test {
+
+// A window with the sample robot and its means to look at bodies.
+class CellWindow : public WindowDriver {
+ public:
+  CellWindow() {
+    choose("openRobotSample");
+    if (!settle()) qFatal("the sample does not open");
+  }
+  Viewport* view() { return find<Viewport>("viewport"); }
+  // At once, where the camera would take its time.
+  void showAll() {
+    view()->fit();
+    view()->setCamera(view()->camera());
+  }
+  QString figures() { return text("figures"); }
+
+  // The text of a field of the selected body in the panel of the cell; none where it is not listed.
+  QString field(const char* property) {
+    const QString name = QStringLiteral("property/") + QString::fromLatin1(property);
+    for (const auto* row : find<QDockWidget>("kindDock")->findChildren<QWidget*>(name)) {
+      // One that was hidden is about to be deleted; a new one is shown with the next event.
+      const bool isLeaving = row->isHidden() && row->testAttribute(Qt::WA_WState_ExplicitShowHide);
+      if (!isLeaving) return row->findChild<QLineEdit*>()->text();
+    }
+    return {};
+  }
+
+  // A place in the view where this part is seen; null where it is not.
+  QPoint placeOf(const std::string& part) {
+    if (!QTest::qWaitFor([this] { return view()->isPickingReady(); }, kPatienceMs)) return {};
+    for (int y = 10; y < view()->height(); y += 6) {
+      for (int x = 10; x < view()->width(); x += 6) {
+        const ViewRay ray = view()->rayAt(QPointF(x, y));
+        if (partOf(view()->pickAlong(ray.origin, ray.direction)) == part) return {x, y};
+      }
+    }
+    return {};
+  }
+
+  BodyList* list() { return find<BodyList>("bodyList"); }
+  void clickRow(int row, BodyModel::Column column = BodyModel::Name) {
+    const QModelIndex index = list()->model()->index(row, column);
+    list()->scrollTo(index);
+    QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(index).center());
+  }
+
+  void move(const QPoint& to) {
+    QMouseEvent moved(QEvent::MouseMove, to, view()->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(view(), &moved);
+  }
+};
+
+}  // namespace handwheel::test

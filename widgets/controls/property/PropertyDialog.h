@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "base/Result.h"
+#include "controls/property/PropertyList.h"
+
+#include <QDialog>
+#include <functional>
+
+namespace handwheel {
+
+// Shows properties of what is about to be done, which can be changed before it is: each change at once.
+class PropertyDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  struct Text {
+    QString title, intro, button;
+  };
+  // What the dialog shows, and how it changes that. An error is said at the field. Both are called from it alone.
+  using Shown = std::function<std::vector<Property>()>;
+  using Change = std::function<Status(const std::string& id, const PropertyValue& value)>;
+  PropertyDialog(const Text& text, Shown shown, Change change, QWidget* parent);
+  ~PropertyDialog() override;
+
+  // To be called when what is shown has changed by itself.
+  void refresh() { m_list->setProperties(m_shown()); }
+  void setLengthUnit(LengthUnit unit) { m_list->setLengthUnit(unit); }
+
+ private:
+  void edit(const std::string& id, const PropertyValue& value);
+
+  Shown m_shown;
+  Change m_change;
+  PropertyList* m_list;
+};
+
+}  // namespace handwheel
