@@ -29,23 +29,6 @@ namespace {
 constexpr std::array<std::string_view, 7> kVolumeRepairOptions{"by",     "voxel",   "close-gaps", "fidelity",
                                                                "output", "partial", "json"};
 
-struct VolumeRepairRequest {
-  std::filesystem::path input, output;
-  ReadOptions read;
-  std::optional<double> voxel;
-  double gaps = 0.0;  // mm
-  FidelityValues values;
-};
-
-struct RepairedByVolume {
-  DocumentFile file;
-  std::string refusal;
-  MeshReport after;
-  VolumeRepair repair;
-  double voxel = 0.0;
-  double scanTo99 = 0.0, scanToMost = 0.0;  // mm from the scan to the repaired surface: of 99 % of its area, and most
-};
-
 // The triangles of a mesh, or of the surface of a volume.
 Result<TriangleSoup> surfaceIn(const Input& input, const VolumeRepairRequest& request) {
   if (const MeshSnapshot* document = input.meshDocument()) return document->mesh.mesh.compact().soup;
@@ -56,48 +39,32 @@ Result<TriangleSoup> surfaceIn(const Input& input, const VolumeRepairRequest& re
   return placedSoup(input.opened.kind->display(*input.opened.content));
 }
 
-Result<RepairedByVolume> repairFileByVolume(const VolumeRepairRequest& request, const DocumentKinds& kinds,
-                                            Progress progress) {
+// What was read, and what became of it; why nothing was written, where something is to be kept.
+struct VolumeRepairRun {
+  DocumentFile file;
+  std::string refusal;
+  RepairedByVolume repaired;
+};
+
+Result<VolumeRepairRun> repairFileByVolume(const VolumeRepairRequest& request, const DocumentKinds& kinds,
+                                           Progress progress) {
   const Result<Input> input = readInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
   if (!input) return input.error();
-  RepairedByVolume done;
-  done.file = input->opened.file;
-  done.refusal = refusalToReplace(request.output, input->opened.file);
-  if (!done.refusal.empty()) return done;
-  const Result<TriangleSoup> read = surfaceIn(*input, request);
-  if (!read) return read.error();
-  const TriangleSoup& soup = *read;
-  done.voxel = request.voxel.value_or(usualVoxel(soup, request.values.of(volumeVoxelsSetting())));
-  Result<VolumeRepair> repair = repairByVolume(
-      soup, {.voxel = done.voxel, .gaps = request.gaps, .within = request.values.of(volumeReductionSetting())},
-      progress.part(0.1, 0.7));
-  if (!repair) {
-    Error error = repair.error();
-    error.subject = request.input.string();
-    return error;
-  }
-  done.repair = std::move(*repair);
-  const Result<Deviation> measured = deviation(done.repair.mesh, buildMesh(soup).mesh, {}, progress.part(0.7, 0.8));
-  if (!measured) return measured.error();
-  done.scanTo99 = measured->ofScan.percentiles.back();
-  done.scanToMost = std::abs(measured->ofScan.farthest().distance);
-  const Progress writing = progress.part(0.8, 0.9);
-  if (input->mesh) {
-    const Status written = writeMesh(*input, done.repair.mesh, request.output, writing);
-    if (!written) return written.error();
-  } else {
-    const Result<ExportReport> written = exportMesh(done.repair.mesh, NumberType::Float64, request.output, writing);
-    if (!written) return written.error();
-  }
-  done.after = reportOn(done.repair.mesh.compact().soup, SelfIntersections::Count, progress.part(0.9, 1.0));
-  return done;
+  VolumeRepairRun run{input->opened.file, refusalToReplace(request.output, input->opened.file), {}};
+  if (!run.refusal.empty()) return run;
+  Result<RepairedByVolume> repaired = repairInputByVolume(*input, request, progress.part(0.1, 0.9));
+  if (!repaired) return repaired.error();
+  run.repaired = std::move(*repaired);
+  const Status written = writeRepairedByVolume(*input, run.repaired, request, progress.part(0.9, 1.0));
+  if (!written) return written.error();
+  return run;
 }
 
 std::string volumeRepairText(const RepairedByVolume& done, const VolumeRepairRequest& request) {
   return request.output.string() + ": " + stateText(done.after).toStdString() + ". Voxels of " +
          roundedText(done.voxel) + " mm; " + std::to_string(done.after.triangles) +
-         " triangles; 99 % of the scan's area is within " + roundedText(done.scanTo99, 3) +
-         " mm of it, the farthest point at " + roundedText(done.scanToMost, 3) +
+         " triangles; 99 % of the scan's area is within " + roundedText(done.deviation.ofScan.percentiles.back(), 3) +
+         " mm of it, the farthest point at " + roundedText(std::abs(done.deviation.ofScan.farthest().distance), 3) +
          " mm, for surfaces that bound material at " + roundedText(done.repair.keptDistance, 3) + " mm." +
          (done.repair.keptDistance > done.voxel ? " Walls thinner than a voxel were lost: choose smaller voxels.\n"
                                                 : "\n") +
@@ -111,8 +78,8 @@ nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done) {
           {"near_share", done.repair.nearShare},
           {"triangles_sampled", done.repair.sampledTriangles},
           {"triangles", done.after.triangles},
-          {"scan_distance_99_mm", done.scanTo99},
-          {"scan_distance_mm", done.scanToMost},
+          {"scan_distance_99_mm", done.deviation.ofScan.percentiles.back()},
+          {"scan_distance_mm", std::abs(done.deviation.ofScan.farthest().distance)},
           {"filled_mm3", done.repair.filled},
           {"kept_distance_mm", done.repair.keptDistance},
           {"sound", done.after.isSound()}};
@@ -121,49 +88,81 @@ nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done) {
 }  // namespace
 
 std::vector<OptionSpec> volumeRepairOptions() {
-  return {{"by", 0, "WAY", "triangles (default), or volume: the surface of the volume that is enclosed replaces all"},
+  return {{"by", 0, "WAY",
+           "triangles (default); volume: the surface of the enclosed volume replaces all; both: the better is written"},
           {"voxel", 0, "MM", "By volume: edge of a voxel; default: a 256th of the largest extent"},
           {"close-gaps", 0, "MM", "By volume: fill gaps that a ball of this radius does not get into"}};
 }
 
-bool isByVolume(const Arguments& arguments) {
-  return arguments.valueOf("by") == "volume";
-}
-
-int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
-  if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "repair");
-  for (const auto& [name, value] : arguments.options) {
-    if (std::find(kVolumeRepairOptions.begin(), kVolumeRepairOptions.end(), name) == kVolumeRepairOptions.end())
-      return failUsage("--" + name + " has no meaning for a repair by volume.", "repair");
-  }
-  VolumeRepairRequest request;
+std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& request) {
+  if (!arguments.has("output")) return "The option -o OUT is missing.";
   request.input = arguments.operands[0];
   request.output = arguments.valueOf("output");
   request.read.partial = arguments.has("partial");
   if (arguments.has("fidelity")) {
     const FidelitySetting read[] = {volumeVoxelsSetting(), volumeReductionSetting()};
-    if (const std::string problem = readFidelity(arguments, "repair", read, request.values); !problem.empty())
-      return failUsage(problem, "repair");
+    if (std::string problem = readFidelity(arguments, "repair", read, request.values); !problem.empty()) return problem;
   }
   for (const char* const option : {"voxel", "close-gaps"}) {
     if (!arguments.has(option)) continue;
     double length = 0.0;
     if (!readNumber(arguments.valueOf(option), length) || !(length > 0.0) || !std::isfinite(length))
-      return failUsage("--" + std::string(option) + " needs a length in mm, above 0.", "repair");
+      return "--" + std::string(option) + " needs a length in mm, above 0.";
     if (option == std::string_view("voxel"))
       request.voxel = length;
     else
       request.gaps = length;
   }
+  return {};
+}
+
+Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRepairRequest& request,
+                                             Progress progress) {
+  const Result<TriangleSoup> soup = surfaceIn(input, request);
+  if (!soup) return soup.error();
+  RepairedByVolume done;
+  done.voxel = request.voxel.value_or(usualVoxel(*soup, request.values.of(volumeVoxelsSetting())));
+  Result<VolumeRepair> repair = repairByVolume(
+      *soup, {.voxel = done.voxel, .gaps = request.gaps, .within = request.values.of(volumeReductionSetting())},
+      progress.part(0.0, 0.75));
+  if (!repair) {
+    Error error = repair.error();
+    error.subject = request.input.string();
+    return error;
+  }
+  done.repair = std::move(*repair);
+  Result<Deviation> measured = deviation(done.repair.mesh, buildMesh(*soup).mesh, {}, progress.part(0.75, 0.9));
+  if (!measured) return measured.error();
+  done.deviation = std::move(*measured);
+  done.after = reportOn(done.repair.mesh.compact().soup, SelfIntersections::Count, progress.part(0.9, 1.0));
+  return done;
+}
+
+Status writeRepairedByVolume(const Input& input, const RepairedByVolume& repaired, const VolumeRepairRequest& request,
+                             Progress progress) {
+  if (input.mesh) return writeMesh(input, repaired.repair.mesh, request.output, progress);
+  const Result<ExportReport> written = exportMesh(repaired.repair.mesh, NumberType::Float64, request.output, progress);
+  return written ? Status(Done{}) : Status(written.error());
+}
+
+int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
+  for (const auto& [name, value] : arguments.options) {
+    if (std::find(kVolumeRepairOptions.begin(), kVolumeRepairOptions.end(), name) == kVolumeRepairOptions.end())
+      return failUsage("--" + name + " has no meaning for a repair by volume.", "repair");
+  }
+  VolumeRepairRequest request;
+  if (const std::string problem = readVolumeRequest(arguments, request); !problem.empty())
+    return failUsage(problem, "repair");
   if (!isContainerName(request.output)) {
     if (const auto format = formatForOutput(request.output); !format) return fail(format.error());
   }
-  std::optional<Result<RepairedByVolume>> result;
+  std::optional<Result<VolumeRepairRun>> result;
   runInterruptible("Repairing", [&](CommandJob& job) { result = repairFileByVolume(request, kinds, job.progress()); });
   if (!*result) return fail(result->error());
-  const RepairedByVolume& done = result->value();
-  reportLosses(done.file);
-  if (!done.refusal.empty()) return refuse(done.refusal);
+  const VolumeRepairRun& run = result->value();
+  reportLosses(run.file);
+  if (!run.refusal.empty()) return refuse(run.refusal);
+  const RepairedByVolume& done = run.repaired;
   const int code =
       print(arguments.has("json") ? volumeRepairJson(done).dump() + "\n" : volumeRepairText(done, request));
   if (code != kExitDone) return code;

@@ -2,15 +2,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Fidelity.h"
 #include "cli/Arguments.h"
-#include "document/DocumentKind.h"
+#include "cli/Input.h"
+#include "mesh/defects/MeshReport.h"
+#include "mesh/measure/Deviation.h"
+#include "volume/repair/VolumeRepair.h"
+
+#include <filesystem>
+#include <optional>
 
 namespace handwheel {
 
+// The parameters of the repair of one file by the volume that it encloses.
+struct VolumeRepairRequest {
+  std::filesystem::path input, output;
+  ReadOptions read;
+  std::optional<double> voxel;  // mm
+  double gaps = 0.0;            // mm
+  FidelityValues values;
+};
+
+// The result of such a repair.
+struct RepairedByVolume {
+  VolumeRepair repair;
+  double voxel = 0.0;   // mm
+  Deviation deviation;  // of the result and the input
+  MeshReport after;
+};
+
 // The options of 'repair' by volume.
 std::vector<OptionSpec> volumeRepairOptions();
-// Whether the arguments ask for it.
-bool isByVolume(const Arguments& arguments);
+
+// Parses the arguments for a repair by volume but for options of other repairs. Returns the error as a sentence, or
+// nothing.
+std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& request);
+
+// Repairs what was read and writes nothing. Errors: those of repairByVolume() and deviation(), Unsupported where a
+// document is to hold the surface of what is no mesh.
+Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRepairRequest& request, Progress progress);
+
+// Writes the result in the format of the output. Errors: those of writeMesh() and exportMesh().
+Status writeRepairedByVolume(const Input& input, const RepairedByVolume& repaired, const VolumeRepairRequest& request,
+                             Progress progress);
 
 // Repairs one file by the volume that it encloses. Returns the exit code.
 int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds);

@@ -10,11 +10,12 @@
 #include "cli/Picture.h"
 #include "cli/ReportJson.h"
 #include "cli/Wording.h"
-#include "cli/mesh/BatchRepair.h"
 #include "cli/mesh/MeshOutput.h"
 #include "cli/mesh/RepairArguments.h"
+#include "cli/mesh/RepairBothWays.h"
 #include "cli/mesh/RepairByVolume.h"
 #include "cli/mesh/RepairJson.h"
+#include "cli/mesh/batch/BatchRepair.h"
 #include "document/AtomicFile.h"
 #include "text/RepairText.h"
 #include "tools/mesh/operations/RepairOperation.h"
@@ -84,20 +85,6 @@ Result<Repaired> repairAndWrite(const RepairRequest& request, const Arguments& a
   return done;
 }
 
-// Why nothing was written.
-int reportReason(const RepairRun& run, const RepairRequest& request) {
-  if (!run.refusal.empty()) {
-    reportLosses(run.file);
-    return refuse(run.refusal);
-  }
-  if (!run.unknownLoops.empty()) {
-    return failUsage("There is no loop " + std::to_string(run.unknownLoops.front()) +
-                         " to keep open; 'handwheel inspect' lists them.",
-                     "repair");
-  }
-  return refuse(request.input.string() + ": no triangle has an area, so there is nothing to repair.");
-}
-
 // Tells what came of it, on stdout and stderr, and draws it. No picture is no failure: the repair is done.
 int deliver(const Repaired& done, const RepairRequest& request, const Arguments& arguments) {
   for (const std::string& sentence : done.delivery.complaints) complain(sentence);
@@ -156,11 +143,25 @@ CommandSpec repairSpec() {
   return {"repair", "IN [IN...]", purpose, std::move(options)};
 }
 
+int reportNothingWritten(const RepairRun& run, const RepairRequest& request) {
+  if (!run.refusal.empty()) {
+    reportLosses(run.file);
+    return refuse(run.refusal);
+  }
+  if (!run.unknownLoops.empty()) {
+    return failUsage("There is no loop " + std::to_string(run.unknownLoops.front()) +
+                         " to keep open; 'handwheel inspect' lists them.",
+                     "repair");
+  }
+  return refuse(request.input.string() + ": no triangle has an area, so there is nothing to repair.");
+}
+
 int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
-  if (isByVolume(arguments)) return runRepairByVolume(arguments, kinds);
+  if (arguments.valueOf("by") == "volume") return runRepairByVolume(arguments, kinds);
+  if (arguments.valueOf("by") == "both") return runRepairBothWays(arguments, kinds);
   if (arguments.has("voxel") || arguments.has("close-gaps") ||
       (arguments.has("by") && arguments.valueOf("by") != "triangles"))
-    return failUsage("--by is triangles or volume; --voxel and --close-gaps belong to volume.", "repair");
+    return failUsage("--by is triangles, volume or both; --voxel and --close-gaps belong to volume.", "repair");
   if (isBatch(arguments)) return runBatchRepair(arguments, kinds);
   RepairRequest request;
   const std::string problem = readRequest(arguments, kinds, request);
@@ -171,7 +172,7 @@ int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
                    [&](CommandJob& job) { done = repairAndWrite(request, arguments, kinds, job.progress()); });
   if (!*done) return fail(done->error());
   const Repaired& repaired = done->value();
-  if (repaired.delivery.text.empty()) return reportReason(repaired.run, request);
+  if (repaired.delivery.text.empty()) return reportNothingWritten(repaired.run, request);
   return deliver(repaired, request, arguments);
 }
 

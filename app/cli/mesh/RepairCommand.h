@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/Arguments.h"
+#include "cli/mesh/RepairJob.h"
 #include "document/DocumentKind.h"
 
 namespace handwheel {
@@ -10,5 +11,8 @@ namespace handwheel {
 // Syntax of "handwheel repair", which fills holes and removes other defects of meshes.
 CommandSpec repairSpec();
 int runRepair(const Arguments& arguments, const DocumentKinds& kinds);
+
+// Reports why a repair has no output. Returns the exit code.
+int reportNothingWritten(const RepairRun& run, const RepairRequest& request);
 
 }  // namespace handwheel

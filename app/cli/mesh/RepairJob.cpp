@@ -199,6 +199,11 @@ Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& 
   run.touched = touchedInputs(run.repair.touchedVertices, encoded->report.parted, work.before.mesh.vertexSlots());
   const Status measured = measure(request, kinds, work, run, progress.part(0.85, 1.0));
   if (!measured) return measured.error();
+  if (request.compare) {
+    Result<Deviation> deviating = deviation(work.after, work.before.mesh, {}, progress.part(0.99, 1.0));
+    if (!deviating) return deviating.error();
+    run.deviation = std::move(*deviating);
+  }
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run;
 }

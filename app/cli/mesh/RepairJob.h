@@ -6,6 +6,7 @@
 #include "base/Units.h"
 #include "document/DocumentFile.h"
 #include "mesh/defects/MeshReport.h"
+#include "mesh/measure/Deviation.h"
 #include "mesh/repair/Repair.h"
 
 #include <filesystem>
@@ -22,6 +23,7 @@ struct RepairRequest {
   ReadOptions read;
   RepairOptions options;
   bool inspectInput = false;  // required for the report
+  bool compare = false;       // measures the deviation
   // In which the numbers of the input are. Written into formats that have units; nothing is scaled.
   LengthUnit unit = LengthUnit::Millimetre;
 };
@@ -31,10 +33,11 @@ struct RepairRun {
   MeshReport before;    // of the input as it was read, when it is inspected
   MeshReport after;     // of the bytes of the output, read again
   RepairReport repair;  // including the faces flipped while building the mesh, and the vertices split by the export
-  std::vector<Vertex> touched;      // vertices of the input that were moved, merged or split
-  bool untouchedIdentical = false;  // measured on the output bytes
-  DocumentFile file;                // with what was lost on reading the input
-  double roundingMove = 0.0;        // mm; the largest move of an input point by rounding to the output's number type
+  std::vector<Vertex> touched;         // vertices of the input that were moved, merged or split
+  bool untouchedIdentical = false;     // measured on the output bytes
+  std::optional<Deviation> deviation;  // of the result and the input, when they are compared
+  DocumentFile file;                   // with what was lost on reading the input
+  double roundingMove = 0.0;           // mm; the largest move of an input point by rounding to the output's number type
   double seconds = 0.0;
   std::string output;             // the bytes to write
   std::vector<int> unknownLoops;  // to be kept open, but not found: then nothing was repaired

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/mesh/BatchRun.h"
+#include "cli/mesh/batch/BatchRun.h"
 
 #include "base/NumberText.h"
 #include "cli/Interrupt.h"

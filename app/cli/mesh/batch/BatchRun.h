@@ -3,8 +3,8 @@
 #pragma once
 
 #include "cli/ProgressBar.h"
-#include "cli/mesh/BatchFiles.h"
-#include "cli/mesh/BatchReport.h"
+#include "cli/mesh/batch/BatchFiles.h"
+#include "cli/mesh/batch/BatchReport.h"
 #include "process/ChildProcess.h"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/mesh/BatchFiles.h"
+#include "cli/mesh/batch/BatchFiles.h"
 
 #include "cli/Input.h"
 #include "cli/Interrupt.h"

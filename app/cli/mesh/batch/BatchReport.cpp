@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/mesh/BatchReport.h"
+#include "cli/mesh/batch/BatchReport.h"
 
 #include "base/JsonText.h"
 #include "cli/ReportJson.h"

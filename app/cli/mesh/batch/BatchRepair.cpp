@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/mesh/BatchRepair.h"
+#include "cli/mesh/batch/BatchRepair.h"
 
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
-#include "cli/mesh/BatchRun.h"
 #include "cli/mesh/MeshOutput.h"
 #include "cli/mesh/RepairArguments.h"
+#include "cli/mesh/batch/BatchRun.h"
 #include "document/AtomicSaveFile.h"
 #include "document/formats/MeshExport.h"
 

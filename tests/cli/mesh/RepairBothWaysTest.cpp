@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../Program.h"
+#include "../Shapes.h"
+#include "TestClass.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+nlohmann::json inspected(const Bench& bench, const QString& file) {
+  return nlohmann::json::parse(bench.run({"inspect", file, "--json"}).out.toStdString());
+}
+
+}  // namespace
+
+// A repair by triangles and by volume, compared, of which one is written.
+class RepairBothWaysTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // A hole in a cube is closed by either way. That by triangles moves nothing, and is written.
+  void trianglesKeepWhatIsSound() {
+    const Bench bench;
+    Shape open = cube(10.0);
+    open.faces.pop_back();
+    bench.put("a.off", open.off());
+    const Ran ran = bench.run({"repair", "a.off", "-o", "b.off", "--by", "both", "--voxel", "0.5", "--json"});
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto result = nlohmann::json::parse(ran.out.toStdString());
+    QCOMPARE(result["written"].get<std::string>(), std::string("triangles"));
+    QCOMPARE(result["ways"].size(), std::size_t{2});
+    QCOMPARE(result["ways"][0]["scan_distance_mm"].get<double>(), 0.0);
+    QCOMPARE(result["ways"][0]["triangles"].get<int>(), 12);
+    QVERIFY(result["ways"][1]["sound"].get<bool>());
+    QVERIFY(result["ways"][1]["scan_distance_mm"].get<double>() < 0.5);
+    QCOMPARE(inspected(bench, "b.off").at("volume_mm3").get<double>(), 1000.0);
+  }
+
+  // Cubes through one another intersect after a repair by triangles, which cuts only when asked. By volume they are
+  // one.
+  void volumeWhereTrianglesLeaveDefects() {
+    const Bench bench;
+    Shape two = cube(10.0);
+    two.add(cube(10.0), {5.0, 5.0, 5.0});
+    bench.put("a.off", two.off());
+    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--by", "both", "--voxel", "0.25"}, "de_DE.UTF-8");
+    QCOMPARE(ran.code, 0);
+    QVERIFY2(ran.out.contains("b.stl: the repair by volume"), ran.out.constData());
+    const auto mesh = inspected(bench, "b.stl");
+    QCOMPARE(mesh.at("components").get<int>(), 1);
+    QVERIFY(std::abs(mesh.at("volume_mm3").get<double>() / 1875.0 - 1.0) < 0.02);
+    // The other way can do it, too, and then it is the one that is written.
+    const Ran cut = bench.run({"repair", "a.off", "-o", "c.off", "--by", "both", "--voxel", "0.25", "--cut-crossings"});
+    QCOMPARE(cut.code, 0);
+    QVERIFY2(cut.out.contains("c.off: the repair by triangles"), cut.out.constData());
+    QCOMPARE(inspected(bench, "c.off").at("volume_mm3").get<double>(), 1875.0);
+  }
+
+  // What encloses nothing has no volume: the row says so, and the result is that of the triangles.
+  void withoutVolume() {
+    const Bench bench;
+    bench.put("flat.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
+    const Ran ran = bench.run({"repair", "flat.off", "-o", "b.off", "--by", "both", "--json"});
+    QCOMPARE(ran.code, 2);
+    const auto result = nlohmann::json::parse(ran.out.toStdString());
+    QCOMPARE(result["written"].get<std::string>(), std::string("triangles"));
+    QVERIFY(result["ways"][1]["error"].get<std::string>().find("encloses no volume") != std::string::npos);
+    QVERIFY(bench.names().contains("b.off"));
+  }
+
+  void refusals() {
+    const Bench bench;
+    bench.put("a.off", cube(10.0).off());
+    for (const QStringList& more : {QStringList{"--report", "r.json"}, QStringList{"a.off"}, QStringList{"-j", "2"},
+                                    QStringList{"--keep-open", "3"}}) {
+      const Ran ran = bench.run(QStringList{"repair", "a.off", "-o", "b.off", "--by", "both"} + more);
+      QCOMPARE(ran.code, 1);
+      QVERIFY(!ran.err.isEmpty() && !bench.names().contains("b.off"));
+    }
+  }
+};
+
+HANDWHEEL_TEST(RepairBothWaysTest)
+#include "RepairBothWaysTest.moc"
