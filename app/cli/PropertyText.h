@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Formats a property value for the command line: "50 mm", "-30 deg", "196350 mm³", "yes", "cm".
+// Formats a property value for the command line. Such as "50 mm", "-30 deg", "196350 mm³", "yes", "cm".
 std::string propertyText(const Property& property);
 
 // Formats the limits of a number: "-170 deg to 170 deg".

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// A robot of the library among boxes that stand around it: a cell to measure planning in.
+// A cell to measure planning in: a built-in robot among boxes that stand around it.
 class ArmAmongBoxes {
  public:
   // thickness: mm, of the boxes, which are 250 mm high and wide.

@@ -10,7 +10,8 @@
 
 namespace handwheel {
 
-// A label that is visible while a service cannot keep up with the clock and runs slower than real time instead.
+// A label that is visible while a service runs slower than real time. That is as long as it cannot keep up with the
+// clock.
 class SlowdownLabel : public QLabel {
   Q_OBJECT
 

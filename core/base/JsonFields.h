@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Reader and writer of the members of a JSON object, so that both go by one list of keys:
+// Reader and writer of the members of a JSON object. Both go by one list of keys:
 //
 //   template <class Chuck, class Visitor>
 //   void visitFields(Chuck& chuck, const Visitor& visit) { visit("diameter", chuck.diameter); … }

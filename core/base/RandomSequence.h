@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Pseudo-random numbers, the same on every platform for the same seed (SplitMix64: Steele, Lea and Flood 2014, Fast
-// splittable pseudorandom number generators). A value; not for secrets.
+// A generator of pseudo-random numbers, reproducible on every platform from its seed. SplitMix64 (Steele, Lea and Flood
+// 2014, Fast splittable pseudorandom number generators). A value; not for secrets.
 class RandomSequence {
  public:
   explicit RandomSequence(std::uint64_t seed) : m_state(seed) {}

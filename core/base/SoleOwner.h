@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Whether nobody else holds the object any more, so that it may be written: for copy-on-write by one thread, while
+// Whether a shared object has only one owner left, so that it may be written. For copy-on-write by one thread, while
 // snapshots are dropped on others. All that they read of it happened before.
 template <class T>
 bool isSoleOwner(const std::shared_ptr<T>& p) {

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// A convex shape: a triangle, or the core of a solid piece; what is rounded off is left to the caller, so that a sphere
-// is a point. All in one frame, mm.
+// A convex shape: a triangle, or the core of a rounded solid. The rounding radius is left to the caller, so that a
+// sphere is a point. All in one frame, mm.
 struct ConvexShape {
   CollisionPiece::Kind kind = CollisionPiece::Kind::Mesh;  // Mesh: a triangle
   std::array<Vec3, 3> corners{};                           // of the triangle

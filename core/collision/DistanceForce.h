@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// How a held body is pushed away from what it comes near to.
+// Parameters of the repulsive force on a held body near obstacles.
 struct DistanceForceSettings {
   double reach = 10.0;         // mm: from this distance on; the threshold of the query
   double tolerance = 1e-3;     // mm that a distance may be too large by: the setting proximity.tolerance

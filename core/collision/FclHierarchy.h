@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Boxes that fit tightly, for distances and collisions alike: FCL's spheres swept by rectangles need thousands of times
-// as long for collisions.
+// A hierarchy of tight bounding boxes (OBBRSS), for distances and collisions alike. FCL's spheres swept by rectangles
+// need thousands of times as long for collisions.
 struct CollisionMesh::Hierarchy {
   std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> model;
   std::vector<double> radii;  // mm: of spheres around the boxes, node by node

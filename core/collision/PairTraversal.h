@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// A walk through the bounds of two pieces, the nearer ones first. All in the frame of the first. Its distances are
+// A best-first traversal of the bounding volume trees of two pieces. All in the frame of the first. Its distances are
 // those to the surfaces of meshes.
 class PairTraversal {
  public:

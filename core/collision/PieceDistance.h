@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The distance of two pieces (mm) where it is below `enough`, else a lower bound that is not. Poses: of their frames in
-// the world.
+// The distance of two pieces (mm), or a lower bound once it reaches `enough`. The bound is not below `enough`. Poses:
+// of their frames in the world.
 double pieceDistance(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB,
                      double enough);
 

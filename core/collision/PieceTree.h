@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// A piece as a tree of bounds, with a convex shape in each leaf: the triangles of a mesh, or one leaf for a solid. The
-// bounds of a sphere are those of its centre. In the frame of the piece, which must outlive it.
+// A piece as a tree of bounds, with a convex shape in each leaf. Leaves are the triangles of a mesh; a solid is one
+// leaf. The bounds of a sphere are those of its centre. In the frame of the piece, which must outlive it.
 class PieceTree {
  public:
   explicit PieceTree(const CollisionPiece& piece);

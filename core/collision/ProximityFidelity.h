@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The setting proximity.tolerance: mm that what is found near may be further away than what is nearest
-// (ProximityQuery::setTolerance()).
+// The setting proximity.tolerance, the error allowed to nearest points (ProximityQuery::setTolerance()). In mm: that
+// much further away than the nearest may be what is found.
 FidelitySetting proximityToleranceSetting();
 
 }  // namespace handwheel

@@ -18,10 +18,10 @@ struct NearPair {
   ClosestPoints points;
 };
 
-// How near bodies are to each other, again and again while they move: two bodies, or the links of a robot and what
-// stands around it. It keeps what it found for the next time: the distance that a pair of pieces had, less the way that
-// both may have moved since, is a lower bound that mostly needs no look at all; and where a look is needed, the last
-// closest triangles are looked at first.
+// Repeated distance queries between moving bodies. Between two bodies, or the links of a robot and what stands around
+// it. It keeps what it found for the next time: the distance that a pair of pieces had, less the way that both may have
+// moved since, is a lower bound that mostly needs no look at all; and where a look is needed, the last closest
+// triangles are looked at first.
 //
 // A body at a pose that is no number is nowhere: nothing is near to it. One thread at a time.
 class ProximityQuery {

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// The exercise that a document is work on, and the attempt at it, as containers have them. What they mean is known to
-// document/exercise/StartedWork.h. Both null: the document is no work on an exercise.
+// The exercise that a document is work on, and the attempt at it. Both are as containers have them; their
+// meaning is known to document/exercise/StartedWork.h. Both null: the document is no work on an exercise.
 struct AssignedExercise {
   std::shared_ptr<const nlohmann::json> description;
   std::shared_ptr<const nlohmann::json> attempt;

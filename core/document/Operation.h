@@ -41,8 +41,8 @@ struct Parameter {
 // The parameter for a measured setting, under a short name of its own.
 Parameter measuredParameter(const char* id, const FidelitySetting& setting, const char* word, std::string meaning);
 
-// The description of a change that users can make to a document: its name and its parameters. The command line, the
-// steps of 'edit', the settings of tools, reports and the log are made from it (docs/adr/0022-operations.md).
+// Description of a user command that changes a document: its name and its parameters. The command line, the steps of
+// 'edit', the settings of tools, reports and the log are made from it (docs/adr/0022-operations.md).
 struct Operation {
   std::string id;             // its verb: "decimate"
   const char* title;          // of the undo step; English, context "Tool"

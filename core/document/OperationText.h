@@ -6,9 +6,9 @@
 
 #include <utility>
 
-// The values of operations as words, the same on the command line and in steps, and the syntax of operations for help
-// pages. English, independent of the locale. Lengths are in mm, angles in degrees; numbers have the fewest digits that
-// read back as the same.
+// The values of operations as words, and the syntax of operations for help pages. Words are the same on the command
+// line and in steps. English, independent of the locale. Lengths are in mm, angles in degrees; numbers have the fewest
+// digits that read back as the same.
 namespace handwheel {
 
 // Writes an angle in degrees if that is read back exactly, else as "0.5rad".

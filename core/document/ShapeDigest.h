@@ -8,8 +8,7 @@
 
 namespace handwheel {
 
-// A hash (SHA-256, hexadecimal) of points and triangles, bit for bit, by which a shape is found again. O(points +
-// triangles).
+// A hash (SHA-256, hexadecimal) of points and triangles, bit for bit, which identifies a shape. O(points + triangles).
 std::string shapeDigest(const TriangleSoup& shape);
 
 }  // namespace handwheel

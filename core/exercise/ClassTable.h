@@ -16,7 +16,7 @@ struct ClassRow {
   std::vector<std::string> remarks = {};  // what the teacher is to know of the file
 };
 
-// The submissions of a class as one table: a row for each, a column for each criterion.
+// The submissions of a class as one table. It has a row for each, and a column for each criterion.
 class ClassTable {
  public:
   // The columns before those of the criteria.

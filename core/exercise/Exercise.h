@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// One figure of the student's work and how it is judged: a row of the marking scheme. What can be measured, and in
-// which unit, is defined by the kind of work (document/exercise/ExerciseSubject.h).
+// A row of the marking scheme: a measured figure of the work and its limits. What can be measured, and in which unit,
+// is defined by the kind of work (document/exercise/ExerciseSubject.h).
 struct MarkingCriterion {
   std::string id;                                // unique in the exercise, of letters, digits, _ and -: "d1"
   std::string name;                              // in the teacher's words: "⌀20 h10, front"

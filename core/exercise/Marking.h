@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// An English text with %1, %2… for its arguments, translated where it is shown (context "Note").
+// A translatable English text with %1, %2… for its arguments. It is translated where it is shown (context "Note").
 struct ExerciseText {
   std::string text;
   std::vector<std::string> arguments = {};

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// The work on a turned part once more: what it was like at any time of its passes, pauses between passes left out. It
-// repeats the passes, so that the end is the part bit for bit. Immutable; any thread.
+// A replay of the passes of a turned part. It shows what the part was like at any time of its passes, pauses between
+// passes left out. It repeats the passes, so that the end is the part bit for bit. Immutable; any thread.
 class PassesReplay {
  public:
   static constexpr std::size_t kVersions =

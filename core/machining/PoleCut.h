@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Cuts a turned profile by moving control points, which lie at a fixed distance from each other.
+// Cuts a turned profile by moving control points, which have a fixed spacing.
 //
 // The profile counts as a curve of degree 2 over clamped knots at this distance. Where the nose is deepest below it, by
 // d at the parameter u, the control point k with the largest basis function moves by d V / R_k(u), so that the curve is

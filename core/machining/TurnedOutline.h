@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// The outline of one piece of a turned part, as samples in the half plane (r, z); mm. The sides in order, in the sense
-// of a ProfileCurve: the bore that is open at the lower end, from its bottom downwards; the outside, upwards; the bore
-// that is open at the upper end, downwards to its bottom. Where a bore goes through there is the outside and then the
-// bore, and the outline is closed: flat ends join each side to the next.
+// The sampled outline of one piece of a turned part. In the half plane (r, z); mm. The sides in order, in the
+// sense of a ProfileCurve: the bore that is open at the lower end, from its bottom downwards; the outside, upwards; the
+// bore that is open at the upper end, downwards to its bottom. Where a bore goes through there is the outside and then
+// the bore, and the outline is closed: flat ends join each side to the next.
 struct TurnedOutline {
   std::vector<std::vector<ProfilePoint>> sides;
   bool isClosed = false;

@@ -9,12 +9,13 @@
 
 namespace handwheel {
 
-// Where the shank of a tool comes from: with the nose it removes all that lies on that side.
+// The side from which the shank of a tool comes. With the nose it removes all that lies on that side.
 enum class TurningSide { Outside, Bore };
 
-// The profile of a part on a lathe: outer and inner radii at equal steps of z. Material lies between the inner radius
-// of a sample, 0 where it is not bored, and the outer one, which is never smaller; where both are equal there is none.
-// A copy shares its pages with the original, so a version costs only what was cut since. The lower end is at z = 0.
+// The sampled profile of a turned part. It has outer and inner radii at equal steps of z. Material lies between the
+// inner radius of a sample, 0 where it is not bored, and the outer one, which is never smaller; where both are equal
+// there is none. A copy shares its pages with the original, so a version costs only what was cut since. The lower end
+// is at z = 0.
 //
 // Between two samples the radii are linear. What a round nose of radius R leaves between its passes is therefore off
 // by at most spacing²/(8R) where the nose is tangent to the axis; steep flanks are off by a spacing in z.

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// The triangles of a turned part, outside and bore, in blocks along the axis, for display while it is cut. A version
+// The triangles of a turned part, in blocks along the axis. Outside and bore, for display while it is cut. A version
 // shares the blocks that did not change with the one before. Neighbouring blocks end in the same ring of points, so
 // that there is no gap.
 class TurnedSurface {

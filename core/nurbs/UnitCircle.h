@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The unit circle as a rational quadratic B-spline of nine poles, four quarters with the weights 1, √½, 1 (Piegl and
+// The unit circle as a rational quadratic B-spline of nine poles. Four quarters with the weights 1, √½, 1 (Piegl and
 // Tiller, "The NURBS Book", 7.3). Exact: every point is on the circle to the last digit.
 namespace unit_circle {
 

@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// The force on a hand that leads the tool of a robot, from what the robot comes near to: each link is pushed away from
-// the obstacles near to it (distanceForce()), and the arm, which weighs nothing, hands this on to its tool. Near
-// singular places the arm's levers are bounded. It keeps what it found for the next place of the robot.
+// The haptic force that keeps a hand-guided robot away from obstacles. Each link is pushed away from the obstacles near
+// to it (distanceForce()), and the arm, which weighs nothing, hands this on to its tool and the hand that leads it.
+// Near singular places the arm's levers are bounded. It keeps what it found for the next place of the robot.
 class ApproachForce {
  public:
   // scene and arm must outlive it; the arm has the joints of the scene. tool: of the centre point in the arm's tip.

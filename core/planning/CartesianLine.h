@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// How a straight line of the tool is followed.
+// Settings of following a straight line of the tool.
 struct LineSettings {
   double deviation = 0.05;   // mm that the tool's centre point may be off between two places
   double angle = 1e-3;       // rad that the tool may be turned off there

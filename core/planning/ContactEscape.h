@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// The way of a robot out of what it meets, where no motion can be proven free: small steps on which nothing that it
-// meets gets deeper, and nothing else is reached.
+// A path of a robot out of contact, where no motion can be proven free. Small steps on which nothing that it meets gets
+// deeper, and nothing else is reached.
 class ContactEscape {
  public:
   static constexpr double kLongestStep = 0.5;  // mm that a point of the robot may move

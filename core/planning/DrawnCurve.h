@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// A curve drawn on a part: it goes on from place to place, each time along the section with the plane through both
-// places and the surface's normal there, the shorter way.
+// A curve drawn on a part, as a chain of plane sections. From place to place it goes along the section with the plane
+// through both places and the surface's normal there, the shorter way.
 class DrawnCurve {
  public:
   // The curve begins at the place of the surface nearest to this one.

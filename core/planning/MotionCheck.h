@@ -34,7 +34,7 @@ RobotScene::Nearest blockerAt(const RobotScene& scene, const ArmValues& values, 
 bool isFreeAt(const RobotScene& scene, const ArmValues& values, const MotionCheckSettings& settings,
               QueryCounts* counts = nullptr);
 
-// Proves that a straight motion in joint space is free of collisions, or finds where it is not: nothing between two
+// Proves that a straight motion in joint space is free of collisions. Or finds where it is not: nothing between two
 // points of the motion is left to chance. At a point of the motion everything is so far from everything else; around it
 // the motion is free as long as no point of a link can have moved further than that (Schwarzer, Saha and Latombe 2005,
 // Adaptive dynamic collision checking for single and multiple articulated robots in complex environments; the bounds

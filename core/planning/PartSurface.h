@@ -17,7 +17,7 @@ struct EdgeSettings {
   double corner = 0.7853981633974483;     // rad: a curve ends where its edges turn by more
 };
 
-// The surface of a part, prepared for curves on it: its edges, and sections with planes. Immutable; any thread.
+// The surface of a part, prepared for curves on it. It has its edges, and sections with planes. Immutable; any thread.
 class PartSurface {
  public:
   // Triangles that have no area or are not finite are left out. O(n log n).

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// A motion from rest to rest with limited velocity, acceleration and jerk, as fast as these let it be (double-S
-// profile: Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4).
+// A time-optimal motion from rest to rest with limited velocity, acceleration and jerk. Double-S profile: Biagiotti and
+// Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4.
 class RestToRest {
  public:
   // All above 0, but the distance, which may be 0.

@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// A robot among obstacles, prepared for planning: the joints that are planned, and what they move. The other joints
-// stand. Immutable once filled; any thread.
+// A robot among obstacles, prepared for planning. It has the joints that are planned, and what they move. The other
+// joints stand. Immutable once filled; any thread.
 class RobotScene {
  public:
   // base: of the root in the world. bodies: of each link, may be empty. dofs: of the robot, that are planned; all

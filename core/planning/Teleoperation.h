@@ -18,10 +18,10 @@ struct TeleoperationSettings {
   double largestForce = 5.0;  // N
 };
 
-// A robot under teleoperation: its tool's centre point goes where the hand wants it, as fast as the joints let it,
-// never beyond a limit and never through anything: each step is proven free (MotionCheck). Where the straight step is
-// blocked, joints move on alone as far as they can, so that the tool slides along. Near singular places the step is
-// damped and does not stop. The hand is pulled to where the tool is.
+// A robot under teleoperation, whose tool follows the hand without collisions. Its tool's centre point goes as fast as
+// the joints let it, never beyond a limit and never through anything: each step is proven free (MotionCheck). Where the
+// straight step is blocked, joints move on alone as far as they can, so that the tool slides along. Near singular
+// places the step is damped and does not stop. The hand is pulled to where the tool is.
 class Teleoperation {
  public:
   // Where the robot is after a step.

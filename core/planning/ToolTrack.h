@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// How a tool is held along a curve on a part. The tool's z axis points out of it, to the part; its x axis goes along
-// the curve. Angles in rad.
+// The attitude of a tool along a curve on a part. The tool's z axis points out of it, to the part; its x axis goes
+// along the curve. Angles in rad.
 struct ToolAttitude {
   double lead = 0.0;      // the tool leans back and points ahead; below 0 it leans ahead and drags its tip (lag)
   double tilt = 0.0;      // it leans to the right, as one goes along the curve on the surface

@@ -12,7 +12,7 @@
 
 namespace handwheel {
 
-// A stop, and one of the ways to be there.
+// A stop of a tour, with one of the alternative ways to be there.
 struct Visit {
   std::size_t stop = 0, way = 0;
   bool operator==(const Visit&) const = default;

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The words of a command as exec wants them, which changes none. They must outlive it.
+// The argument vector of a command for exec, which changes none. They must outlive it.
 inline std::vector<char*> argumentVector(const std::vector<std::string>& words) {
   std::vector<char*> argv;
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));

@@ -14,7 +14,7 @@
 
 namespace handwheel {
 
-// What a child process may consume.
+// Resource limits of a child process.
 struct ProcessLimits {
   std::uint64_t memory = 0;      // bytes of addresses; 0: as many as there are
   std::uint64_t cpuSeconds = 0;  // and then SIGXCPU ends it

@@ -25,7 +25,7 @@ struct ReaderLimits {
   static std::uint64_t memoryForReader();
 };
 
-// A program that reads files in a process of its own, for a library whose parser is not proof against hostile files.
+// A program that reads files in a process of its own. For a library whose parser is not proof against hostile files.
 struct IsolatedReader {
   std::string program;  // its path: readerProgram()
   std::string library;  // whose parser it is, for errors: "Open CASCADE"

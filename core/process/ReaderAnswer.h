@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// What a reader program answers on its output: the text, and then one byte for its kind.
+// The output of a reader process: its text, and then one byte for its kind.
 struct ReaderAnswer {
   enum class Kind : char {
     Content = 'c',      // of the file, in whatever form the two have agreed on

@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// Bytes that the system has left before it must end a program, swap included; the largest number when it does not say.
+// The memory that the system has available, in bytes, swap included. When it is used up the system must end a program;
+// the largest number when the system does not say.
 std::size_t systemMemory();
 
 }  // namespace handwheel

@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// A bound on the rounding of a query's coordinates, relative to them: a handful of roundings of 2^-53. That of the
+// A bound on the relative rounding error of a query's coordinates. A handful of roundings of 2^-53. That of the
 // triangles' own coordinates lies within the margins of their boxes.
 inline constexpr double kQueryRounding = 0x1p-48;
 // The same for a quotient or a sum of squares computed from them.

@@ -14,7 +14,8 @@ namespace handwheel {
 
 using TrianglePair = std::pair<std::uint32_t, std::uint32_t>;
 
-// The largest number of pairs listed: more are of no use, and a hostile file must not fill the memory.
+// The largest number of intersecting triangle pairs that is listed. More are of no use, and a hostile file must not
+// fill the memory.
 inline constexpr std::size_t kMaxTrianglePairs = std::size_t{1} << 23;
 
 // Finds all pairs (i < j) of intersecting triangles, as defined by trianglesMeet(). Triangles without area, and those

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// Several robots in one model: each is the links below a base of its own, and all hang on the root of the model, so
+// Several robots in one model. Each is the links below a base of its own, and all hang on the root of the model, so
 // that whatever reads, writes, moves and shows one model does so with several robots.
 
 // A robot in a model.

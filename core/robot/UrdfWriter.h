@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// A robot as a URDF that readUrdf() reads as the same: links, joints with their limits, shapes and colours. For robots
-// that come from elsewhere, as tables after Denavit and Hartenberg.
+// Writes a robot as a URDF that readUrdf() reads as the same. It has links, joints with their limits, shapes and
+// colours. For robots that come from elsewhere, as tables after Denavit and Hartenberg.
 std::string urdfOf(const RobotModel& robot);
 
 }  // namespace handwheel

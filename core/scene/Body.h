@@ -10,7 +10,8 @@
 
 namespace handwheel {
 
-// The number of a body: from 1, not used again in its document, unless what used it was undone.
+// The identifier of a body within its document, counted from 1. It is not used again in its document, unless what used
+// it was undone.
 using BodyId = std::uint32_t;
 
 // How a body looks.

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// Base class of the shapes of bodies: immutable, in the body's own frame, shared between bodies and versions. Any
+// Base class of the shapes of bodies. Immutable, in the body's own frame, shared between bodies and versions. Any
 // thread. A new kind derives from it; a GeometryFormat (document/scene/GeometryBlobs.h) says how it is stored.
 class BodyGeometry {
  public:

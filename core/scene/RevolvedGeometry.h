@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The shape of a turned part: its profile revolved about z, with the flat ends where the profile begins and ends.
+// The shape of a turned part: its profile revolved about z. With the flat ends where the profile begins and ends.
 class RevolvedGeometry : public BodyGeometry {
  public:
   static constexpr std::string_view kKind = "revolution";

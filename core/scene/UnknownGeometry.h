@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// A shape that this program cannot show: of a kind that it does not know, or damaged. Kept as it was read, so that
-// saving loses nothing.
+// A shape that this program cannot show. It is of a kind that it does not know, or damaged. Kept as it was read, so
+// that saving loses nothing.
 class UnknownGeometry : public BodyGeometry {
  public:
   // description: its JSON. parts: its blobs by their names within the folder of the body. isDamaged: of a kind that

@@ -15,8 +15,8 @@ struct SimulationServices {
   Service& service;
 };
 
-// The gestures of a tool whose work a simulation does: one from press to release at a time, of the mouse or of a
-// device. The simulation runs between them, too, as the hand feels through it. Window thread.
+// The gestures of a tool whose work a simulation does. There is one from press to release at a time, of the mouse or of
+// a device. The simulation runs between them, too, as the hand feels through it. Window thread.
 class SimulatedGesture {
  public:
   // Makes a simulation from the present state of the document on.

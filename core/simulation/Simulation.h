@@ -71,8 +71,8 @@ struct SimulationState {
   virtual ~SimulationState() = default;
 };
 
-// Base class of what moves or loses material while the hand works: a part on a lathe, clay, rigid bodies. It advances
-// in steps of fixed length. Any one thread at a time.
+// Base class of simulations that run while the hand works. Of a part on a lathe, clay, rigid bodies: they move or lose
+// material. It advances in steps of fixed length. Any one thread at a time.
 class Simulation {
  public:
   virtual ~Simulation() = default;

@@ -16,7 +16,7 @@
 
 namespace handwheel {
 
-// Runs simulations in steps of fixed length on its own thread, between the servo loop and the window. Inputs come
+// Runs simulations with a fixed time step on its own thread. It is between the servo loop and the window. Inputs come
 // through rings and states go out through a triple buffer, so that nobody waits; only who exchanges the simulation
 // waits for a step that is under way.
 //

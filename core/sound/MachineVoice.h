@@ -24,11 +24,11 @@ struct MachineSoundState {
   bool operator==(const MachineSoundState&) const = default;
 };
 
-// The sound of a machine tool: gears, cut, squeal of a worn edge, chatter, and the blow of a crash. The gears sound at
-// kTeeth times the turns of the spindle; the cut is noise around the rate at which chips form, which falls with their
-// thickness, and swells once in a turn; the force makes it louder. Samples are within ±1, phases continuous; changes
-// take some 20 ms, so that nothing clicks. Deterministic: the same states at the same samples give the same sound, in
-// whatever pieces it is asked for. One thread; no lock, no allocation; some 100 ns for a sample.
+// The synthesised sound of a machine tool. It has gears, cut, squeal of a worn edge, chatter, and the blow of a crash.
+// The gears sound at kTeeth times the turns of the spindle; the cut is noise around the rate at which chips form, which
+// falls with their thickness, and swells once in a turn; the force makes it louder. Samples are within ±1, phases
+// continuous; changes take some 20 ms, so that nothing clicks. Deterministic: the same states at the same samples give
+// the same sound, in whatever pieces it is asked for. One thread; no lock, no allocation; some 100 ns for a sample.
 class MachineVoice {
  public:
   static constexpr double kTeeth = 24.0;

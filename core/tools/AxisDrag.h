@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Directions of rays are of unit length here.
+// Dragging along and about an axis. Directions of rays are of unit length here.
 
 // A point being dragged, and the axis that it moves about or along.
 struct HeldPoint {

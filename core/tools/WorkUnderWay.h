@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// A tool whose gestures take minutes, as a pass with the automatic feed does, so that an autosave must not wait for
-// their end. Window thread.
+// Optional interface of a tool whose gestures take minutes, for autosave. A pass with the automatic feed takes so long;
+// an autosave must not wait for its end. Window thread.
 class WorkUnderWay {
  public:
   virtual ~WorkUnderWay() = default;

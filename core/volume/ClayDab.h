@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// What a touch of a clay tool does to the material within its radius.
+// The actions of a clay tool on the material within its radius.
 enum class ClayAction {
   Add,      // a ball of material
   Carve,    // takes a ball of material away

@@ -9,9 +9,10 @@
 
 namespace handwheel {
 
-// A skull for exercises of drilling, made of formulas and of no patient: a vault between two ellipsoids, the outer and
-// the inner table, with a face, orbits, a nasal opening and the great foramen. Without lower jaw and teeth; the bone
-// between the tables is massive. The origin is the middle of the vault, x to its side, y to the face, z up; mm.
+// A synthetic skull for exercises of drilling, defined by formulas. It is of no patient: a vault between two
+// ellipsoids, the outer and the inner table, with a face, orbits, a nasal opening and the great foramen. Without lower
+// jaw and teeth; the bone between the tables is massive. The origin is the middle of the vault, x to its side, y to the
+// face, z up; mm.
 //
 // The vault is 180 long and 144 wide, and its tables are 6.5 apart on the axes, as those of adults are to a few
 // millimetres.

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// How the material of a voxel is found.
+// The methods that decide how much of a voxel is material.
 enum class VoxelMethod {
   Sign,     // the distance from the surface, signed by winding numbers (volumeOfSurface())
   Density,  // the share of the voxel that is material

@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// A volume that was made of a surface, and what shows whether it is what the surface encloses.
+// A volume made of a surface, with checks that it is the enclosed solid.
 struct SurfaceVolume {
   SparseVolume volume;
   std::size_t closedBoundaries = 0;  // holes, gaps and turned faces

@@ -14,10 +14,10 @@ enum class VolumeBoolean {
   Intersect,  // what is in both
 };
 
-// One volume of two, in the grid of the first; the second is resampled where its grid is another (resampled()). Sides
-// of voxels are exact, and depths are those to the nearest surface of the two. Blocks where one alone decides are
-// shared with it. May be empty. On all threads of the arena; O(blocks that the second has, or the first of an
-// intersection). Errors: those of resampled(); Cancelled.
+// A boolean operation on two volumes, in the grid of the first. The second is resampled where its grid is another
+// (resampled()). Sides of voxels are exact, and depths are those to the nearest surface of the two. Blocks where one
+// alone decides are shared with it. May be empty. On all threads of the arena; O(blocks that the second has, or the
+// first of an intersection). Errors: those of resampled(); Cancelled.
 Result<SparseVolume> combined(const SparseVolume& first, const SparseVolume& second, VolumeBoolean how,
                               Progress progress = {});
 

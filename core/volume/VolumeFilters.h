@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// Makes the depths of these blocks, and of those around them, distances from the surface (DepthWindow::redistance()).
-// On all threads of the arena; the volume is as it was once cancelled.
+// Makes the depths of blocks distances from the surface (DepthWindow::redistance()). Those of these blocks and of the
+// ones around them. On all threads of the arena; the volume is as it was once cancelled.
 void makeDistances(SparseVolume& volume, std::span<const VoxelIndex> blocks, DepthWindow::Beside beside,
                    Progress progress = {});
 

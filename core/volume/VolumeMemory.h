@@ -8,7 +8,8 @@
 
 namespace handwheel {
 
-// VolumeErrors::TooLarge where the system has less memory left than voxels of this edge, mm, are going to take.
+// The error where a volume needs more memory than the system has left. VolumeErrors::TooLarge for voxels of this edge,
+// mm.
 std::optional<Error> memoryRefusal(double voxel, double bytes);
 
 }  // namespace handwheel

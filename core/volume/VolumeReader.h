@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Reads single samples of a volume that lie near one another: it remembers the blocks that it read last. The volume
+// Reads single samples of a volume that lie near one another. It remembers the blocks that it read last. The volume
 // must outlive it and stay as it is. One thread; no lock, no memory of its own.
 class VolumeReader {
  public:

@@ -10,10 +10,10 @@
 
 namespace handwheel {
 
-// A volume as rows of 16-bit numbers, region by region of 64³ voxels: in the container, and between us and the process
-// that reads and writes VDB. Of a region: its number along x, y and z; for each of its 512 blocks whether it is full,
-// and whether it has samples; then the samples of those. All of 16 bits, the numbers as two of them, the lower half
-// first.
+// The serial form of a volume: 16-bit numbers, in regions of 64³ voxels. It is used in the container, and between the
+// program and the process that reads and writes VDB. Of a region: its number along x, y and z; for each of its 512
+// blocks whether it is full, and whether it has samples; then the samples of those. All of 16 bits, the numbers as two
+// of them, the lower half first.
 
 // The regions that are not empty.
 std::vector<VoxelIndex> regionsOf(const SparseVolume& volume);

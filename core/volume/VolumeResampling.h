@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// A volume in another grid: with the centre of a voxel at origin (mm), and this edge of a voxel (mm, above 0). Depths
+// Resamples a volume on another grid. The centre of a voxel is at origin (mm); voxel: its edge (mm, above 0). Depths
 // are interpolated linearly between eight samples; in coarser voxels they are made distances again, step by step, each
 // at most twice as coarse. What is thinner than a voxel may vanish. Where the grids differ by whole blocks, the blocks
 // are shared and nothing is interpolated. On all threads of the arena; O(blocks of the result near the surface).

@@ -17,7 +17,7 @@
 
 namespace handwheel::bench {
 
-// An arm as KDL, the library of the Orocos project, has it, with its inverse kinematics. In metres. One thread.
+// An arm in KDL, the library of the Orocos project, with its inverse kinematics. In metres. One thread.
 class KdlArm {
  public:
   enum class Method {

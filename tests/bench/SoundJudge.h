@@ -16,8 +16,8 @@
 #include <random>
 #include <vector>
 
-// Judges a repaired file beside what it was made of, with nothing of this program's own: topology by counting edges
-// after equal places became one vertex, crossings and distances by CGAL with exact predicates.
+// Judges a repaired file against its input, independently of this program's code. Topology by counting edges after
+// equal places became one vertex, crossings and distances by CGAL with exact predicates.
 namespace handwheel::bench {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

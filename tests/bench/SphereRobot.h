@@ -14,8 +14,8 @@
 
 namespace handwheel::bench {
 
-// The UR5 of spheres and the problems of MotionBenchMaker, from the folder HANDWHEEL_DATA; and a look at paths that
-// shares with the planners only the reading of the files, the forward kinematics and the pairs that may touch.
+// The UR5 as spheres, and the problems of MotionBenchMaker. They are from the folder HANDWHEEL_DATA. Paths are judged
+// with nothing of the planners but the reading of the files, the forward kinematics and the pairs that may touch.
 class SphereRobot {
  public:
   static std::optional<SphereRobot> read() {

@@ -14,7 +14,7 @@
 #include <list>
 #include <vector>
 
-// The half section of a turned part by exact boolean operations on polygons, to judge TurnedProfile by.
+// The half section of a turned part by exact boolean operations on polygons. It judges TurnedProfile.
 namespace handwheel::bench {
 
 struct SectionDistance {

@@ -12,7 +12,7 @@ inline nlohmann::json jsonOf(const QByteArray& text) {
   return nlohmann::json::parse(text.toStdString());
 }
 
-// A cell of a built-in robot between two configurations, with a box in the straight way.
+// A cell of a built-in robot between two configurations, with a box between them. The box is in the straight way.
 class PlannedCell {
  public:
   PlannedCell() {

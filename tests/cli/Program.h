@@ -12,7 +12,7 @@ namespace handwheel {
 
 inline constexpr int kLongestRun = 600'000;  // ms; with sanitizers some runs take minutes
 
-// What the program said and how it ended; -1 when it crashed or did not end.
+// The output and exit code of the program. -1 when it crashed or did not end.
 struct Ran {
   int code = -1;
   QByteArray out;

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A mesh as an OFF file holds it; what is written next to each shape below follows from its geometry.
+// A mesh as an OFF file holds it. What is written next to each shape below follows from its geometry.
 struct Shape {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> faces;

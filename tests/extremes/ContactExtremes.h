@@ -4,7 +4,8 @@
 
 #include "Extremes.h"
 
-// Surfaces at the edge of what a tip can touch, and ways of the tip: one generator for the tests of contact.
+// Extreme surfaces and paths of the tip for the tests of contact. Surfaces are at the edge of what a tip can touch; one
+// generator serves all tests.
 namespace handwheel::test {
 
 // The plane z = 0 from -1 to 1 along x and y, as triangles that are as odd as can be.

@@ -8,7 +8,7 @@
 #include <QMetaType>
 #include <QTest>
 
-// The extreme meshes as rows of a data-driven test, and what every test of them asks.
+// The extreme meshes as rows of a data-driven test, and checks common to all tests.
 namespace handwheel::test {
 
 // The column "extreme".

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-// Input at the edge of what can be: one generator for the tests of every room. docs/extremes.md says what must hold.
+// A generator of extreme input for the tests of all modules. docs/extremes.md says what must hold.
 namespace handwheel::test {
 
 // Sizes of a part and places of its middle (mm).

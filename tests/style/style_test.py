@@ -46,6 +46,16 @@ class StyleTest(unittest.TestCase):
     def test_pragma_once(self):
         self.assert_finds("Wheel.h", HEAD + "\nint spokes();\n", 3, "#pragma once")
 
+    def test_first_sentence(self):
+        words = " ".join(["spoke"] * 15)
+        clean = f"// {words}. Then units, and\n// {words}.\n\nint spokes();\n"
+        self.assertEqual(self.run_on("Wheel.h", HEAD + "#pragma once\n\n" + clean)[0], 0)
+        long = f"// {words}\n// and rim. Then units.\nint spokes();\n"
+        self.assert_finds("Wheel.h", HEAD + "#pragma once\n\n" + long, 5, "17 words")
+        named = f"// A rim.\nstruct Rim;\n\n// {words} rim.\nclass Wheel {{}};\n"
+        self.assert_finds("Wheel.h", HEAD + "#pragma once\n\n" + named, 8, "16 words")
+        self.assertEqual(self.run_on("Hub.h", HEAD + "#pragma once\n\n" + named)[0], 0)
+
     def test_format(self):
         self.assert_finds("Wheel.cpp", HEAD + "int spokes=5;\n", 3, "clang-format")
 

@@ -11,8 +11,8 @@
 #include <new>
 #include <vector>
 
-// Cancels work at places within it that are the same in every run, without a clock: at its n-th allocation. Replaces
-// the program's operator new, so only one source file of a program may include this.
+// Cancels work at its n-th allocation. Such places are the same in every run, without a clock. Replaces the program's
+// operator new, so only one source file of a program may include this.
 namespace handwheel::test {
 
 // Counts what this thread allocates while it lives.

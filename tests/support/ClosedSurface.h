@@ -9,7 +9,8 @@
 
 namespace handwheel::test {
 
-// Closed, oriented and manifold: each edge is passed once each way, and the triangles round a point are one ring.
+// Whether a surface is closed, oriented and manifold. Each edge is passed once each way, and the triangles round a
+// point are one ring.
 inline bool isClosedManifold(const TriangleSoup& soup) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> passed;
   std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> rings;

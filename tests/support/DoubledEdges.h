@@ -6,8 +6,9 @@
 
 namespace handwheel::test {
 
-// A ring of two cells, each cut into two triangles: two edges run between the two inner vertices, 0 and 1, and two
-// between the outer ones, 2 and 3. A valid half-edge mesh, though no simplicial complex.
+// A mesh with two pairs of doubled edges: a ring of two cells. Each cell is cut into two triangles: two edges run
+// between the two inner vertices, 0 and 1, and two between the outer ones, 2 and 3. A valid half-edge mesh, though no
+// simplicial complex.
 inline HalfEdgeMesh doubledEdges() {
   HalfEdgeMesh mesh;
   for (const Vec3& p : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(2, 0, 0), Vec3(-2, 0, 0)}) mesh.addVertex(p);

@@ -9,10 +9,10 @@
 
 namespace handwheel::test {
 
-// Where a god-object without friction is on a mesh whose triangles share their corners, as a control: no hierarchy, no
-// steps, nothing kept off the surface. From where it is it goes straight on, over a triangle that it stands on, to the
-// place there that is nearest to the tip, as long as that is nearer: downhill all the way, never over a ridge. It does
-// not leave the surface, so it says nothing of a tip outside.
+// A reference god-object without friction on a triangle mesh, for comparison. Its triangles share their corners: no
+// hierarchy, no steps, nothing kept off the surface. From where it is it goes straight on, over a triangle that it
+// stands on, to the place there that is nearest to the tip, as long as that is nearer: downhill all the way, never over
+// a ridge. It does not leave the surface, so it says nothing of a tip outside.
 class ExactGodObject {
  public:
   explicit ExactGodObject(const TriangleSoup& mesh) : m_mesh(mesh), m_first(mesh.points.size() + 1, 0) {

@@ -12,7 +12,8 @@
 
 namespace handwheel::test {
 
-// A force device of 8 N with a friction of 5 N·s/m, as a Falcon has; where it is, the test says.
+// The capabilities of a force device of 8 N with friction, as a Falcon has. The friction is 5 N·s/m; where the device
+// is, the test says.
 inline DeviceCapabilities forceDevice() {
   DeviceCapabilities device;
   device.buttons = 2;

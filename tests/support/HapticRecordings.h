@@ -10,7 +10,7 @@
 
 namespace handwheel::test {
 
-// A source with a memory: a proxy that drags behind, and a force that depends on everything it receives.
+// A force source with a memory. Its proxy drags behind, and its force depends on everything it receives.
 class StickyWall : public ForceRenderer {
  public:
   void tick(const TipState& tip, ForceOut& out) noexcept override {

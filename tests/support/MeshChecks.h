@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-// Figures of triangle lists by the plainest means there are, to judge the mesh room by.
+// Figures of triangle lists by brute force, to judge the mesh module.
 namespace handwheel::test {
 
 using Coordinates = std::array<double, 3>;

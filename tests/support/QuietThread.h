@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Counts what a tick must not do: functions that stand before those of the C library count memory and locks, and the
-// kernel's filter system calls. For one source of a test program, as it defines malloc().
+// Counts calls that a servo tick must not make. Functions that stand before those of the C library count memory and
+// locks, and the kernel's filter system calls. For one source of a test program, as it defines malloc().
 #include <dlfcn.h>
 #include <linux/audit.h>
 #include <linux/filter.h>

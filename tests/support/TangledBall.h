@@ -11,8 +11,8 @@
 
 namespace handwheel::test {
 
-// The border around the hole on top of a ball is pulled to and fro along itself, so that the faces there fold over each
-// other and cross.
+// A ball whose faces around a hole fold over each other. The border around the hole on its top is pulled to and fro
+// along itself, so that the faces there cross.
 inline TriangleSoup withFoldedBorder(TriangleSoup ball) {
   const HalfEdgeMesh clean = buildMesh(ball).mesh;
   std::map<std::array<double, 3>, Vec3> moved;

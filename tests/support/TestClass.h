@@ -5,8 +5,9 @@
 #include <QCoreApplication>
 #include <QtTest>
 
-// The test classes of a folder are one program, which runs the class that is named: it is linked once instead of once
-// for each class. A source ends with HANDWHEEL_TEST(Class) or one of the macros that are built on HANDWHEEL_TEST_RUN.
+// Macros that make the test classes of a folder one program. It runs the class that is named: it is linked once instead
+// of once for each class. A source ends with HANDWHEEL_TEST(Class) or one of the macros that are built on
+// HANDWHEEL_TEST_RUN.
 namespace handwheel::test {
 
 // Registers a class; run as main() of a program that has no other.

@@ -15,7 +15,8 @@ inline std::vector<std::unique_ptr<ExerciseSubject>> turningOnly() {
   return subjects;
 }
 
-// A bar of ⌀40 × 100 mm with a shoulder: ⌀30 h10 over the upper 40 mm. At 600 r/min, the chuck holds 25 mm.
+// The description of an exercise: a bar of ⌀40 × 100 mm with a shoulder. It is ⌀30 h10 over the upper 40 mm. At 600
+// r/min, the chuck holds 25 mm.
 inline nlohmann::json shoulderDescription() {
   return nlohmann::json::parse(R"({
     "subject": "turning", "title": "Shoulder", "author": "Ada", "text": "Turn the shoulder.", "allowed_seconds": 600,

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The heading of fields that can be folded away, with an arrow that says whether they are. By mouse and keyboard.
+// The heading of a collapsible section, with an arrow that shows its state. By mouse and keyboard.
 class FoldButton : public QToolButton {
   Q_OBJECT
 

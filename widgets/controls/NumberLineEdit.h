@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// By what the keys that are held change a step: Shift makes it ten, Ctrl a tenth.
+// The factor by which held modifier keys change a step. Shift makes it ten, Ctrl a tenth.
 double stepFactor(Qt::KeyboardModifiers modifiers);
 // How far the wheel was turned, upwards or to the right, in notches; smooth wheels turn by parts of one.
 double wheelNotches(const QWheelEvent& event);

@@ -31,11 +31,12 @@ struct Message {
   std::function<bool()> isOver = {};  // asked after its changes and before new messages; true: removed
 };
 
-// Shows messages over the upper edge of the viewport, which stays as it is; the latest first. They are not modal. Each
-// stays until it is closed. A message about a document is visible while that document is current, and also over the one
-// that was current when it arrived, so that errors in the background are noticed; it is removed with its document. A
-// message about no document is removed when another document becomes current and there was time to read it. A later
-// message with the same title about the same document replaces the earlier one: what that warned of may be mended.
+// Shows messages over the upper edge of the viewport. The view stays as it is; the latest message is first. They are
+// not modal. Each stays until it is closed. A message about a document is visible while that document is current, and
+// also over the one that was current when it arrived, so that errors in the background are noticed; it is removed with
+// its document. A message about no document is removed when another document becomes current and there was time to read
+// it. A later message with the same title about the same document replaces the earlier one: what that warned of may be
+// mended.
 class MessageBar : public QFrame {
   Q_OBJECT
 

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A cell of a table of results: its text, and its number if it has one.
+// A cell of a table of results: its text, and its number if any.
 struct ResultCell {
   enum class State { Plain, Good, Bad };
   QString text;

@@ -8,7 +8,8 @@
 
 namespace handwheel {
 
-// The names of what a file holds and its document does not: "colours", "texture coordinates", "quality"…
+// The names of the content of a file that its document does not keep. Such as "colours", "texture coordinates",
+// "quality"…
 QStringList lostNames(const DocumentFile& file);
 // The same as a part of a sentence: "colours, texture coordinates, “quality”"
 QString lostText(const DocumentFile& file);

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// What was measured of a path, as reports have it. Keys: certified, length_rad, waypoints, min_clearance_mm,
-// manipulability, security_mm, limit_margin, cycle_s, collisions.
+// The measurements of a path for reports. Keys: certified, length_rad, waypoints, min_clearance_mm, manipulability,
+// security_mm, limit_margin, cycle_s, collisions.
 nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 // Says on stderr what a proof rests on: links without meshes, simplified shapes.

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// handwheel plan
+// The command "plan": plans a collision-free path of a robot in a cell.
 Command planCommand();
 
 }  // namespace handwheel

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// What the commands that plan paths do with them.
+// The output of the commands that plan paths.
 
 // A path under its name, verified and measured.
 struct PlannedAndChecked {

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command that plans all paths of a set of problems, to compare planners: handwheel benchmark-planning.
+// The command "handwheel benchmark-planning": plans all paths of a set of problems, to compare planners.
 Command planningBenchmarkCommand();
 
 }  // namespace handwheel

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Runs 'handwheel feel MESH --path RECORDING.csv': feels a recording of the device again, scene by scene, and compares
-// it with what was felt then. text: of the table. Returns the exit code.
+// Runs 'handwheel feel MESH --path RECORDING.csv': replays a haptic recording on a mesh. Each scene of the recording is
+// felt again and compared with what was felt then. text: of the table. Returns the exit code.
 int feelAgain(const Arguments& arguments, std::string_view text, const DocumentKinds& kinds);
 
 }  // namespace handwheel

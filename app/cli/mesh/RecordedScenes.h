@@ -18,8 +18,8 @@
 
 namespace handwheel {
 
-// Makes the scenes of a recording again, from what it notes of them: the surface of a mesh with its edits, or the parts
-// of what is no mesh where they were. What else acted, such as snapping, is not made again, and counted.
+// Restores the haptic scenes of a recording. From what it notes of them: the surface of a mesh with its edits, or the
+// parts of other documents where they were. What else acted, such as snapping, is not made again, and counted.
 class RecordedScenes {
  public:
   // document: of the mesh in the state of its file; it is edited. All outlive it.

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Whether the extension of a path is one of these (".vdb"), in small or large letters.
+// Whether the extension of a path is in a list (".vdb"), ignoring case.
 bool hasOneOf(const std::filesystem::path& path, const std::vector<std::string>& endings);
 
 }  // namespace handwheel

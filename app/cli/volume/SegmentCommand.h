@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command segment: a volume, or its surface, of what has certain values in an image.
+// The command "segment": makes a volume or surface of a range of image values.
 Command segmentCommand();
 
 }  // namespace handwheel

@@ -9,7 +9,8 @@
 
 namespace handwheel {
 
-// A word such as "cylinder:40x100": a bar of 40 mm diameter and 100 mm length, whose upper end is at z = 0.
+// A bar as an argument of the command line, such as "cylinder:40x100". That is a bar of 40 mm diameter and 100 mm
+// length, whose upper end is at z = 0.
 struct BarWord {
   std::optional<StockCylinder> bar;
   std::string problem;  // a sentence, where the word is to be a bar but is none

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command force: the forces of a cut by each law, and the rules that it breaks.
+// The command "force": the forces of a cut by each law, and broken rules.
 Command forceCommand();
 
 }  // namespace handwheel

@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// 'handwheel program': writes the passes of a workpiece, or cycles for a target, as a program for a lathe.
+// The command "handwheel program": writes a program for a lathe. It has the passes of a workpiece, or cycles for a
+// target.
 Command programCommand();
 
 }  // namespace handwheel

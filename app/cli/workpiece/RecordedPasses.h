@@ -10,10 +10,10 @@
 
 namespace handwheel {
 
-// The passes that a recording of the window holds, one for each press of the first button while the turning tool was in
-// use, on the side on which it was. The nose was where the tip was displayed, at its proxy. A pass ends with the
-// button, or where the tip leaps, as in the window; what was dropped there with Esc is here, too. base: mm, z of the
-// lower end of the part. None where the tool of the manual lathe was in use: its levers and handwheels are not
+// The passes of the turning tool in a recording of the window. There is one for each press of the first button while
+// the tool was in use, on the side on which it was. The nose was where the tip was displayed, at its proxy. A pass ends
+// with the button, or where the tip leaps, as in the window; what was dropped there with Esc is here, too. base: mm, z
+// of the lower end of the part. None where the tool of the manual lathe was in use: its levers and handwheels are not
 // recorded.
 std::optional<std::vector<TurningPass>> passesOf(const Recording& recording, double noseRadius, double base);
 

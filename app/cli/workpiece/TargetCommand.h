@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The command "target": reads a turned part from STEP, DXF, SVG or a workpiece, lists its dimensions, measures a
-// workpiece against it, draws it, or sets it as the target of a workpiece.
+// The command "target": the target of a workpiece, which is the part to be turned. Reads one from STEP, DXF, SVG or a
+// workpiece, lists its dimensions, measures a workpiece against it, draws it, or sets it as the target of a workpiece.
 Command targetCommand();
 int runTarget(const Arguments& arguments, const DocumentKinds& kinds);
 

@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// The workpiece after the recording of the request, whose forces are those at one speed of the spindle. unreadable: a
-// sentence about the file, which is not cut as the arguments of an Error are; empty where it was read. Errors: those of
-// the file, Cancelled.
+// The workpiece after the recording of the request is replayed on it. Its forces are those at one speed of the spindle.
+// unreadable: a sentence about the file, which is not cut as the arguments of an Error are; empty where it was read.
+// Errors: those of the file, Cancelled.
 Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, const TurnRequest& request,
                                           TurnedFigures& figures, std::string& unreadable, Progress progress);
 

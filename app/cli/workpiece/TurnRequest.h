@@ -14,7 +14,7 @@
 
 namespace handwheel {
 
-// The words of 'handwheel turn'. Lengths in mm.
+// The arguments of 'handwheel turn'. Lengths in mm.
 struct TurnRequest {
   std::string input;                 // a file, or the word for a bar
   std::optional<StockCylinder> bar;  // the bar that it is

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// What the forms of a report have in common.
+// Texts that all forms of a marking report share.
 std::string unitOf(const ClassReport& report, const MarkingCriterion& criterion);
 // These are in the language of the program, which that of the command line is not.
 std::string pointsText(const Marking& marking);  // "12 of 20 points"

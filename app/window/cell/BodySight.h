@@ -8,7 +8,7 @@ namespace handwheel {
 
 class Viewport;
 
-// Whether a body can be seen from where the view looks, or flies to.
+// Whether a body is visible from the camera, or from its goal during a flight.
 enum class BodySight {
   Seen,
   Covered,  // by other parts

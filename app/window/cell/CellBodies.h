@@ -16,7 +16,7 @@ class RobotCellDocument;
 struct CellRobot;
 struct PrimitiveDescription;
 
-// The list of the bodies of a robot cell and their actions, and which bodies are selected.
+// The list of the bodies of a robot cell, their actions, and their selection.
 class CellBodies : public QObject {
   Q_OBJECT
 

@@ -23,9 +23,9 @@ class PathLayer;
 struct RobotSemantics;
 class RobotCellDocument;
 
-// The list of what is planned in a robot cell and its actions: stores configurations and targets, plans paths through
-// them, edits their places, verifies and shows them. The path of the selected row, or the only one, is the present one,
-// if it is of the robot that is planned for.
+// The list of the plans of a robot cell and its actions. Stores configurations and targets, plans paths through them,
+// edits their places, verifies and shows them. The path of the selected row, or the only one, is the present one, if it
+// is of the robot that is planned for.
 class CellPaths : public QObject {
   Q_OBJECT
 

@@ -10,8 +10,8 @@ namespace handwheel {
 
 class PathLayer;
 
-// The outline of what the arm of the cell in view reaches, in the upright plane through its base and its tool. Shown on
-// demand; computed by a worker. Window thread.
+// The outline of the workspace of the current arm. It lies in the upright plane through the base of the arm and its
+// tool. Shown on demand; computed by a worker. Window thread.
 class CellReachOutline : public QObject {
   Q_OBJECT
 

@@ -16,7 +16,7 @@ namespace handwheel {
 
 class RobotCellDocument;
 
-// The robots of the cell in view: adds one beside what is there, removes one, and lets a person choose the one that is
+// The robots of the current cell. Adds one beside what is there, removes one, and lets the user choose the one that is
 // planned for. Window thread.
 class CellRobots : public QObject {
   Q_OBJECT

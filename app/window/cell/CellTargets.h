@@ -17,8 +17,7 @@ struct TargetReach {
   QString remark;  // "out of reach"
 };
 
-// The targets of the cell in view, drawn as frames, and which of them the robot reaches. Looks for that on a worker.
-// Window thread.
+// The targets of the current cell, drawn as frames, and their reachability. Looks for that on a worker. Window thread.
 class CellTargets : public QObject {
   Q_OBJECT
 

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The surfaces of bodies, prepared for curves on them by a worker when they are first asked for. Window thread.
+// The surfaces of bodies, prepared for curves on them. A worker does so when they are first asked for. Window thread.
 class PartSurfaces : public QObject {
   Q_OBJECT
 

@@ -19,8 +19,8 @@ class TimeLinePanel;
 struct CheckedPath;
 struct TimeLineRecording;
 
-// The dock “Path”: plays a path of the robot on a time line, with its clearance, manipulability and margin to the
-// limits as curves and its collisions as marks. As long as it is open the view shows the robot there. Window thread.
+// The dock “Path”, which plays a path of the robot on a time line. Clearance, manipulability and margin to the limits
+// are curves along it, collisions are marks. As long as it is open the view shows the robot there. Window thread.
 class PathDock : public QObject {
   Q_OBJECT
 

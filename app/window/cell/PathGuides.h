@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The way of the tool's centre point along the path that was last asked for, found by a worker. Window thread.
+// The trajectory of the tool's centre point along the path last asked for. It is computed by a worker. Window thread.
 class PathGuides : public QObject {
   Q_OBJECT
 

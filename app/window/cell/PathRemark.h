@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// What is said of a path: in the list, in a sentence, and in full. Never empty. Any thread.
+// The verification state of a path as text: short, as a sentence, and in full. Never empty. Any thread.
 struct PathRemark {
   QString text;     // short enough for a column: "free, 12.3 mm, 14:05"
   QString summary;  // "free of collisions (14:05, clearance 12.3 mm)"

@@ -15,7 +15,8 @@ class QPushButton;
 
 namespace handwheel {
 
-// Asks for a path: where it begins and ends, the configurations on its way, and how it is planned.
+// A dialog that asks for a path. It asks where it begins and ends, for the configurations on its way, and how it is
+// planned.
 class PlanDialog : public QDialog {
   Q_OBJECT
 

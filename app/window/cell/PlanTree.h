@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// A list of what is planned in a cell: its configurations, its paths with their places, its targets, and its robots
-// where it has several. It only asks for changes.
+// A tree of the planned content of a cell. It lists its configurations, its paths with their places, its targets, and
+// its robots where it has several. It only asks for changes.
 class PlanTree : public QTreeWidget {
   Q_OBJECT
 

@@ -24,7 +24,8 @@ namespace handwheel {
 class RobotCellKind;
 struct Pick;
 
-// The user interface of robot cells: the list of bodies, joint sliders, dragging the robot and the bodies beside it.
+// The user interface of robot cells. It has the list of bodies and joint sliders, and drags the robot and the bodies
+// beside it.
 class RobotCellUi : public RigidPartsUi {
   Q_OBJECT
 

@@ -12,7 +12,7 @@ namespace handwheel {
 
 class RobotCellDocument;
 
-// A camera at the tool's centre point, looking where the tool works, which moves with the robot. Window thread.
+// A camera at the tool's centre point, which moves with the robot. It looks where the tool works. Window thread.
 class ToolCamera : public QObject {
   Q_OBJECT
 

@@ -26,10 +26,10 @@ class WindowServices;
 class WorkUnderWay;
 struct DocumentTab;
 
-// Saves modified documents to the recovery folder: soon after each edit, so that a kill takes nothing that was
-// finished, and what a tool has under way at intervals. Documents that take long to save are saved less often, but at
-// least once in the interval. The file is removed when its document is saved or closed. The files of a session that was
-// killed are offered at the next start, until they are recovered or discarded.
+// Saves modified documents to the recovery folder. This is done soon after each edit, so that a kill takes nothing that
+// was finished; what a tool has under way is saved at intervals. Documents that take long to save are saved less often,
+// but at least once in the interval. The file is removed when its document is saved or closed. The files of a session
+// that was killed are offered at the next start, until they are recovered or discarded.
 class Autosave : public QObject {
   Q_OBJECT
 

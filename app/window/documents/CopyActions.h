@@ -18,7 +18,7 @@ class JobRunner;
 struct DocumentTab;
 struct Message;
 
-// The actions that open the surface of the current document as one of another kind: a mesh as a volume, and back.
+// The actions that open the surface of the current document as another kind. A mesh as a volume, and back.
 class CopyActions : public QObject {
   Q_OBJECT
 

@@ -11,7 +11,7 @@ namespace handwheel {
 
 class Document;
 
-// Where dialogs for files begin. Window thread.
+// The initial folder of file dialogs. Window thread.
 
 // The folder that was used last in any of them; at first the home folder.
 QString lastFolder();

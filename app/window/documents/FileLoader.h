@@ -23,7 +23,8 @@ struct DocumentTab;
 
 using KindUis = std::map<std::string, std::unique_ptr<KindUi>>;  // by the id of the kind
 
-// The topic of messages about the file that a document was opened from: over once it has been saved as another.
+// The topic of messages about the file that a document was opened from. It ends once the document has been saved as
+// another file.
 inline const QString kOpeningTopic = QStringLiteral("opening");
 
 // Opens files on a worker thread and reports losses and damage.

@@ -13,7 +13,7 @@ namespace handwheel {
 class ResultTable;
 class TimeLinePanel;
 
-// The submissions of a class as a table that sorts by each column, with the recordings of up to two of them on a time
+// The submissions of a class as a table that sorts by each column. The recordings of up to two of them are on a time
 // line.
 class ClassView : public QWidget {
   Q_OBJECT

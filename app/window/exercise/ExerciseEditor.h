@@ -16,7 +16,8 @@ class ClassView;
 class PropertyList;
 class StepEditor;
 
-// The panel in which a teacher prepares an exercise: task, marking scheme, steps, and the class.
+// The panel in which a teacher prepares an exercise. It has pages for the task, the marking scheme, the steps, and the
+// class.
 class ExerciseEditor : public QTabWidget {
   Q_OBJECT
 

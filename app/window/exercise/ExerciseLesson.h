@@ -14,8 +14,8 @@ namespace handwheel {
 
 class LessonPanel;
 
-// The panel with which a student works: task, sizes of the drawing, steps with their hints, time,
-// sizes as measured, handing in.
+// The panel with which a student works on an exercise. It has the task, sizes of the drawing, steps with their hints,
+// time, sizes as measured, handing in.
 class ExerciseLesson : public QWidget {
   Q_OBJECT
 

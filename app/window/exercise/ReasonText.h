@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// In the language of the program.
+// An exercise text in the language of the program.
 QString exerciseText(const ExerciseText& text);
 // Why a mark is what it is, and where or why not that was measured: "it could not be measured (the first face is
 // missing)".

@@ -15,7 +15,7 @@ class QPushButton;
 
 namespace handwheel {
 
-// Asks to which sizes the target of an exercise is rounded, and shows how much that changes it. Rounding is a job.
+// A dialog for the rounding of an exercise's target, with a preview of the change. Rounding is a job.
 class RoundTargetDialog : public QDialog {
   Q_OBJECT
 

@@ -16,9 +16,9 @@ namespace handwheel {
 
 class ExerciseLesson;
 
-// The documents that are work on an exercise, and the panel with the steps beside the current one. Exercise and attempt
-// are kept in the document of the work, and so in its file and its autosave: who opens it goes on. The time runs while
-// the document is the current one.
+// The documents that are work on an exercise, and the panel with its steps. The panel is beside the current document.
+// Exercise and attempt are kept in the document of the work, and so in its file and its autosave: who opens it goes on.
+// The time runs while the document is the current one.
 class RunningAttempt : public QObject {
   Q_OBJECT
 

@@ -12,7 +12,8 @@ class QVBoxLayout;
 
 namespace handwheel {
 
-// What a step has several of: the marks that tick it, as a list to be checked, and its hints, a row each.
+// Edits the lists of an exercise step: its criteria and its hints. The marks that tick the step are a list to be
+// checked; hints have a row each.
 class StepEditor : public QWidget {
   Q_OBJECT
 

@@ -7,8 +7,7 @@
 
 namespace handwheel {
 
-// A name for a file from what people have written, which any system takes: "Your first shoulder, Ada.handwheel".
-// ending: without the dot.
+// A file name made from user text, valid on any system: "Your first shoulder, Ada.handwheel". ending: without the dot.
 QString fileNameOf(const QStringList& words, const QString& ending);
 
 }  // namespace handwheel

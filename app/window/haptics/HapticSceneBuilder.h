@@ -16,7 +16,7 @@ namespace handwheel {
 
 class HapticSession;
 
-// What a force source depends on besides what it stands for, when the scene is published.
+// The context in which force sources are made when the scene is published.
 struct TouchContext {
   const WorkspaceMapping& mapping;  // for stiffnesses, which are those at the device
   const TouchSettings& touch;

@@ -17,9 +17,9 @@ namespace handwheel {
 class HapticSession;
 class Viewport;
 
-// Moves the view with each space mouse that is plugged in; none needs to be chosen. It is opened beside the haptic
-// device, if there is one, and read sixty times a second; it has a thread that reads its line, and no servo loop, for
-// there is no force. One that is chosen as the haptic device leads the tip instead. Window thread.
+// Moves the view with all connected space mice; none needs to be chosen. It is opened beside the haptic device, if
+// there is one, and read sixty times a second; it has a thread that reads its line, and no servo loop, for there is no
+// force. One that is chosen as the haptic device leads the tip instead. Window thread.
 class SpaceMouseNavigation : public QObject {
   Q_OBJECT
 

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// What the user interface of a kind is, too, that opens files beside its documents with KindUi::take(): such as
-// programs that are to run on them.
+// Optional interface of a KindUi that opens files beside its documents. KindUi::take() opens them; an example are
+// programs that are to run on a document.
 class BesideFiles {
  public:
   virtual ~BesideFiles() = default;

@@ -10,8 +10,7 @@
 
 namespace handwheel {
 
-// A label in the view with the values that a drag changes and their limits, or with the label of a tool. Takes no
-// input.
+// A label in the view with the values and limits of a drag. Or with the label of a tool. Takes no input.
 class ToolReadout : public QLabel {
  public:
   explicit ToolReadout(QWidget* view);

@@ -16,8 +16,8 @@ namespace handwheel {
 
 class PlotWidget;
 
-// What the window shows and plays of the Drill tool: the dock with thrust and torque over time, the warnings of an
-// exercise, and the sound. Window thread.
+// The presentation of the Drill tool in the window. It has the dock with thrust and torque over time, the warnings of
+// an exercise, and the sound. Window thread.
 class DrillView : public QObject {
   Q_OBJECT
 

@@ -13,8 +13,8 @@ namespace handwheel {
 class PropertyDialog;
 struct VolumeSnapshot;
 
-// The command “Make mesh…” of volumes: asks how many triangles are wanted, says how many there will be, and opens the
-// mesh as a document of its own. Window thread.
+// The command “Make mesh…” of volumes. It asks how many triangles are wanted, says how many there will be, and opens
+// the mesh as a document of its own. Window thread.
 class RemeshAction : public QObject {
   Q_OBJECT
 

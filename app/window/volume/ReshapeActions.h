@@ -12,8 +12,8 @@ namespace handwheel {
 
 class VolumeDocument;
 
-// The entries of the Volume menu that change a volume as a whole, and what their tool needs of the window: jobs with
-// progress, the other documents, a file. Window thread.
+// The entries of the Volume menu that change a volume as a whole. Gives their tool what it needs of the window: jobs
+// with progress, the other documents, a file. Window thread.
 class ReshapeActions : public QObject {
   Q_OBJECT
 

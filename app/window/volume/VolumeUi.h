@@ -16,7 +16,7 @@ class Segmentation;
 class VolumeLayer;
 struct VolumeSnapshot;
 
-// The user interface of volumes: their layer, the clay tool and what is felt of both.
+// The user interface of volumes: their layer, the clay tool and their haptics.
 class VolumeUi : public RigidPartsUi {
   Q_OBJECT
 

@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// Shows the dimensions of a turned part in the view, as its drawing has them, in the plane that faces who stands at the
-// lathe. Window thread.
+// Shows the dimensions of a turned part in the view. They are those of its drawing, in the plane that faces the
+// operator of the lathe. Window thread.
 class DimensionsView : public QObject {
   Q_OBJECT
 

@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// A rule that a cut breaks as a translated sentence, with the value and the limit.
+// A broken rule of cutting as a translated sentence, with the value and the limit.
 QString textOfRule(const CutWarning& warning);
 
-// The crashes of a manual lathe and the warnings of its cuts, in the order in which they came. Window thread.
+// The log of a manual lathe's crashes and cut warnings. In the order in which they came. Window thread.
 class LatheEvents : public QListWidget {
   Q_OBJECT
 

@@ -11,8 +11,8 @@ class QLabel;
 
 namespace handwheel {
 
-// The figures of a cut on a manual lathe in one line: force, power and torque with the limits of the machine, speeds,
-// depth, feed, and the law that the force is from. Window thread.
+// The figures of a cut on a manual lathe in one line. They are force, power and torque with the limits of the machine,
+// speeds, depth, feed, and the law that the force is from. Window thread.
 class LatheFigures : public QWidget {
   Q_OBJECT
 

@@ -19,8 +19,9 @@ class LatheWheels;
 class NumberField;
 class ToolPostRow;
 
-// The levers and handwheels of a manual lathe, in sections that fold, its read-out, the figures of the cut, its crashes
-// and warnings. What is done comes out as commands; what the lathe does is shown by show(). Window thread.
+// The controls and displays of a manual lathe. Levers and handwheels in sections that fold, its read-out, the figures
+// of the cut, its crashes and warnings. What is done comes out as commands; what the lathe does is shown by show().
+// Window thread.
 class LathePanel : public QWidget {
   Q_OBJECT
 

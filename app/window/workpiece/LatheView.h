@@ -19,8 +19,9 @@ class ManualLatheTool;
 class WorkpieceDocument;
 struct LatheChannel;
 
-// The manual lathe in the window: its tool, its panel in a dock that is there as long as the tool runs, what the device
-// feels of it, and what it sounds like, as does the Turn tool. A space mouse moves its slides. Window thread.
+// The manual lathe in the window. It has its tool, its panel in a dock that is there as long as the tool runs, what the
+// device feels of it, and its sound, which is that of the Turn tool, too. A space mouse moves its slides. Window
+// thread.
 class LatheView : public QObject {
   Q_OBJECT
 

@@ -20,9 +20,9 @@ class TimeLinePanel;
 class WorkpieceDocument;
 struct TurnedPart;
 
-// The dock “Replay”: plays and scrubs the passes that cut a part on a time line, with forces, deviation and crashes;
-// those of another workpiece, too, which the view shows below the first. As long as it is open the view shows the part
-// as it was; closed, or when a tool begins to work, it shows the present again. Window thread.
+// The dock “Replay”, which plays and scrubs the passes that cut a part. On a time line with forces, deviation and
+// crashes; those of another workpiece, too, which the view shows below the first. As long as it is open the view shows
+// the part as it was; closed, or when a tool begins to work, it shows the present again. Window thread.
 class ReplayDock : public QObject {
   Q_OBJECT
 

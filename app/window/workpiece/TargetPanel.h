@@ -28,7 +28,8 @@ struct PartMeasurement {
   double zero = 0.0;                         // mm, Z that places are shown from: that of drawing, programs and read-out
 };
 
-// The panel with the measured dimensions of a part, its deviation from the target and the legend of its colours.
+// The panel with a part's dimensions, its deviation from the target and the colour legend. The dimensions are measured;
+// the legend is that of the deviation's colours.
 class TargetPanel : public QWidget {
   Q_OBJECT
 

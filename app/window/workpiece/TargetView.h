@@ -18,7 +18,7 @@ namespace handwheel {
 
 class WorkpieceDocument;
 
-// The commands and measurements of a workpiece's target: importing it, removing it, showing the deviation in colours.
+// The commands and measurements of a workpiece's target. Imports it, removes it, shows the deviation in colours.
 class TargetView : public QObject {
   Q_OBJECT
 

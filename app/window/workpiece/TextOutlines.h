@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// A text as the outlines of its letters, to be drawn as lines in the view: x to the right, y up, from (0, 0) on its
-// base line.
+// A text as the outlines of its letters, drawn as lines in the view. x to the right, y up, from (0, 0) on its base
+// line.
 struct TextOutlines {
   std::vector<std::vector<Vec2>> lines;
   double width = 0.0;

@@ -11,7 +11,7 @@ namespace handwheel {
 class ManualLatheTool;
 class TurnTool;
 
-// What a manual lathe sounds like at this moment.
+// The present sound of a manual lathe.
 MachineSoundState soundOf(const ManualLatheTool& lathe);
 
 // What the Turn tool sounds like. It knows neither spindle nor force: the part turns at kSpindle, and the force is that

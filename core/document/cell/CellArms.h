@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Which of the robots of a cell something is about.
+// Selection of one of the robots of a cell, and what belongs to it.
 
 // The number of the robot that a name of CellPlans::arm means; none: the cell has no such robot.
 std::optional<std::size_t> armNumber(const CellRobot& robot, std::string_view name);

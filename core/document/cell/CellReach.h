@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Poses of the tool's centre point that the robot of a cell reaches which is planned for, in the frame of the root.
+// Reachable poses of the tool's centre point of the current robot of a cell. In the frame of the root.
 
 // The pose of the tool's centre point (CellPlans::tool) where the joints stand.
 Pose toolPose(const CellRobot& robot, const CellPlans& plans, const JointValues& joints);

@@ -28,7 +28,7 @@ class CollisionMeshes {
 // The shape of a body for collisions; empty where it has no triangles.
 CollisionBody collisionBodyOf(const BodyGeometry& geometry, CollisionMeshes& meshes);
 
-// A robot cell prepared for planning: the joints between the base of one robot and its tool are planned, the others
+// A robot cell prepared for planning. The joints between the base of one robot and its tool are planned, the others
 // stand. All bodies are obstacles, those that are not shown, too; those that a link carries are links of their own,
 // fixed to it. Other robots, with what they carry, are obstacles where they stand. Immutable; any thread.
 struct CellScene {

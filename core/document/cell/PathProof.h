@@ -13,7 +13,7 @@ namespace handwheel {
 
 struct Container;
 
-// What the verification of a path depends on, in the order in which a change is named; Nothing: none of it has changed.
+// The inputs of a path's verification, in the order in which a change is named. Nothing: none of it has changed.
 enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Clearance };
 
 // A digest of each of these (SHA-256, hexadecimal digits), in order, without Nothing.

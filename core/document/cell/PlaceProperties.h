@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// The properties of a place of a path, by its number from 0: how the robot gets there, how fast, and how far it may
-// round the place off. Ids are "path.NAME.NUMBER.motion" and so on, with numbers from 1. None of the first place, where
-// the path begins.
+// The properties of a place of a path, by its number from 0. They are how the robot gets there, how fast, and how far
+// it may round the place off. Ids are "path.NAME.NUMBER.motion" and so on, with numbers from 1. None of the first
+// place, where the path begins.
 std::vector<Property> placeProperties(const RobotPath& path, std::size_t place);
 
 // A property of a place, by its id; none: it is no such property, or there is no such place.

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Document kind of robot cells: a URDF description, its meshes and joint values, and bodies beside it.
+// Document kind of robot cells. A cell is a URDF description, its meshes and joint values, and bodies beside it.
 class RobotCellKind : public DocumentKind {
  public:
   // The setting cell.shape_sides for the robots that are opened from now on. Any thread.

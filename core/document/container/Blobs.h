@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Elements per chunk of a long array in a container: one damaged byte loses no more.
+// Elements per chunk of a long array in a container. One damaged byte loses no more.
 inline constexpr std::size_t kChunkElements = 65'536;
 
 // A half-open range of indices.

@@ -9,8 +9,9 @@
 
 namespace handwheel {
 
-// Recordings in a container: their metadata is in the manifest's object "recordings", by key, and their ticks are in
-// the blobs "recordings/KEY/0000", …, each a recording of its own (haptics/RecordingBytes.h): a damaged byte costs one.
+// Storage of recordings in a container. Their metadata is in the manifest's object "recordings", by key, and their
+// ticks are in the blobs "recordings/KEY/0000", …, each a recording of its own (haptics/RecordingBytes.h): a damaged
+// byte costs one.
 inline constexpr const char* kRecordingFolder = "recordings/";
 
 // Writes the metadata of recordings to the manifest.

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The exercise with one more criterion or step at the end, with an id that is free. A new criterion has the usual limit
-// of its figure, if there is one.
+// The exercise with one more criterion or step at the end. The new one has an id that is free. A new criterion has the
+// usual limit of its figure, if there is one.
 ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const FigureType& figure);
 ExerciseSnapshot withNewStep(ExerciseSnapshot exercise);
 // Without one; steps do not name the criterion any more.

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The value of an exercise document: of a teacher's, with its answers; of a student's, without them; or of one that was
+// The value of an exercise document. Of a teacher's, with its answers; of a student's, without them; or of one that was
 // handed in, with the work.
 struct ExerciseSnapshot : Snapshot {
   std::string key;  // the same in the teacher's file, the students' and what they hand in

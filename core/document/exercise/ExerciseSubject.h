@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// What a kind of work can measure of what a student made.
+// A figure that a kind of work can measure of a student's result.
 struct FigureType {
   std::string id;                           // "diameter"; in files
   std::string label;                        // English, context "Figure": "Diameter"

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Round sizes for the target of an exercise: the parameters "round-target", the step, and "sharp-corners", the largest
-// fillet that becomes a sharp corner; both mm.
+// The operation that rounds the sizes of the target of an exercise. Its parameters are "round-target", the step, and
+// "sharp-corners", the largest fillet that becomes a sharp corner; both mm.
 const Operation& roundTargetOperation();
 
 // ExerciseSubject::withRoundedTarget() with these values.

@@ -8,7 +8,8 @@
 
 namespace handwheel {
 
-// All texts with words in the exercises that ship, in English: titles, tasks, steps, hints and names of criteria.
+// All translatable texts of the built-in exercises, in English. They are titles, tasks, steps, hints and names of
+// criteria.
 std::span<const char* const> shippedExerciseTexts();
 
 // The exercise as it is shown: what ships is in the language of the window, where it was not changed. What people have

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// What a document keeps of the exercise that it is work on: the student's copy, whatever it was begun from, so that
-// nobody finds the answers there.
+// The copy of an exercise that is stored in a document of work on it. It is the student's, whatever the work was begun
+// from, so that nobody finds the answers there.
 AssignedExercise assignmentOf(const ExerciseSnapshot& exercise, const Attempt& attempt);
 
 // The same exercise with another attempt. What the file had besides the attempt's own keys stays.

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// A student's exercise with the work, to be handed in as a file: without answers, whatever it was made from. Errors:
+// A student's exercise with the work, to be handed in as a file. It has no answers, whatever it was made from. Errors:
 // OtherWork {reason}.
 Result<ExerciseSnapshot> handedIn(ExerciseSnapshot exercise, SnapshotPointer work, Attempt attempt);
 

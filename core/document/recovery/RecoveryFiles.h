@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-// Layout of a recovery folder: <root>/<session>/ holds the file "lock", and for each autosave <number>.handwheel, a
+// Layout of a recovery folder. <root>/<session>/ holds the file "lock", and for each autosave <number>.handwheel, a
 // container like any other, and <number>.json, which describes its document; where little has changed since,
 // <number>.changes has what did (AutosaveChanges.h), or <number>.damaged if that cannot be read.
 namespace handwheel {

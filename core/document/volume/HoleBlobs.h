@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Writes how the holes of a volume were drilled: a list in the object manifest["document"], and the poses of all in
-// arrays ("volume/holes/…").
+// Writes into a container how the holes of a volume were drilled. A list is in the object manifest["document"], and the
+// poses of all are in arrays ("volume/holes/…").
 void writeHoles(const DrilledHoles& holes, Container& container);
 
 // Reads it from any input. Where one is lost or makes no sense there is none, and the damage has it: a hole alone would

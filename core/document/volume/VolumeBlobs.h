@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Writes a volume into a container: voxel and origin into the object manifest["document"], and the regions of 64³
-// voxels in chunks of about a megabyte ("volume/chunks/0000").
+// Writes a volume into a container. Voxel and origin go into the object manifest["document"], and the regions of 64³
+// voxels into chunks of about a megabyte ("volume/chunks/0000").
 void writeVolume(const SparseVolume& volume, Container& container);
 
 // Reads it from any input. What is missing or makes no sense is empty, and is added to the damage; where

@@ -14,8 +14,8 @@
 
 namespace handwheel {
 
-// The content of a document of a volume; scan: the image that is saved with it. Errors: VolumeErrors::TooLargeToSave,
-// ImageTooLarge, Cancelled.
+// The content of a document made of a volume. scan: the image that is saved with it. Errors:
+// VolumeErrors::TooLargeToSave, ImageTooLarge, Cancelled.
 Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& volume, const std::string& source,
                                                          Progress progress, std::shared_ptr<const Scan> scan = {},
                                                          const Segment& segment = {});

@@ -14,7 +14,7 @@
 
 namespace handwheel {
 
-// How the holes in a volume were drilled, the first one first.
+// The records of the holes drilled into a volume, the first one first.
 using DrilledHoles = std::vector<std::shared_ptr<const DrillRecord>>;
 
 // The value of a volume document.

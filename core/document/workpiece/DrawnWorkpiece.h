@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Whether a file is a drawing, which opens as a bar with a target: by its first bytes.
+// Whether a file is a drawing, by its first bytes. It opens as a bar with a target.
 bool looksLikeDrawing(std::string_view head);
 
 // Reads a drawing as a new bar with what is drawn as its target. The bar is 2 mm or a little more thicker than the

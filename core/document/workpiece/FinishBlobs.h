@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Writes the finish of a profile as the blobs "workpiece/finish/NNNN": roughness, feed and pass of each sample of the
-// outside, then of those of a bore.
+// Writes the surface finish of a profile into a container. The blobs "workpiece/finish/NNNN" hold roughness, feed and
+// pass of each sample of the outside, then of those of a bore.
 void writeFinish(const SurfaceFinish& finish, const TurnedProfile& profile, Container& container);
 
 // Reads it; accepts any input. It is no part of the shape: what is lost or impossible of it is not known, and no

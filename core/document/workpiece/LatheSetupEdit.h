@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Exchanges how the lathe of a workpiece is set up: chuck, tailstock, tools with their offsets.
+// Exchanges the setup of a workpiece's lathe: chuck, tailstock, tools with their offsets.
 class LatheSetupEdit : public Edit {
  public:
   explicit LatheSetupEdit(std::shared_ptr<const LatheSetup> setup) : m_setup(std::move(setup)) {}

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The passes of a workpiece as a program, and the tools with which it makes the same part again.
+// The passes of a workpiece as a program, with its tools. Run with them it makes the same part again.
 struct PassesProgram {
   std::string text;
   ProgramTools tools;  // T1 is that of the first pass

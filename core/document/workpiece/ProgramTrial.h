@@ -10,13 +10,13 @@
 
 namespace handwheel {
 
-// The machine for a workpiece, in its lathe as it was set up, with the tools of its table and the standard one
-// (usualSetup()). Program zero is as programZero() has it. tools: those of the lathe.
+// The machine on which programs of a workpiece run. It is the lathe of the workpiece as it was set up, with the tools
+// of its table and the standard one (usualSetup()). Program zero is as programZero() has it. tools: those of the lathe.
 ProgramSetup programSetupFor(const WorkpieceSnapshot& workpiece, const LatheTools& tools, ProgramDialect dialect,
                              double nose);
 
-// A program that was tried on a workpiece: its tool path, what it makes of the part, and the part after any of its
-// moves. Nothing of the document changes by it. Immutable; any thread.
+// The simulated run of a program on a workpiece. It has the tool path, what it makes of the part, and the part after
+// any of its moves. Nothing of the document changes by it. Immutable; any thread.
 class ProgramTrial {
  public:
   using Pointer = std::shared_ptr<const ProgramTrial>;

@@ -12,7 +12,7 @@
 
 namespace handwheel {
 
-// Force and power of a cut by Kienzle's law, with a sharp edge; the sources of that law differ by a quarter.
+// Force and power of a cut by Kienzle's law, with a sharp edge. The sources of that law differ by a quarter.
 struct CutLoad {
   double time = 0.0;   // s, as in TurningReview
   double force = 0.0;  // N

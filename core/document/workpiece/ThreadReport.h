@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The threads of a part, by pitch and place: "pitch 2.5 mm, Z 10 to 40; …".
+// The threads of a part as text, by pitch and place. Such as "pitch 2.5 mm, Z 10 to 40; …".
 std::string threadsText(const PartThreads& threads);
 
 // An array of objects with "from", "to" (mm above the lower end), "pitch", "starts", "hand", "inner", and what gauges

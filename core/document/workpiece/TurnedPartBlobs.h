@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Writes the turned part of a workpiece: "turned" in the object "document" of the manifest, and the blobs
-// "workpiece/radii/NNNN" (a double for each sample), "workpiece/inner/NNNN" (the same, of a bored part) and
+// Writes the turned part of a workpiece into a container. It is "turned" in the object "document" of the manifest, and
+// the blobs "workpiece/radii/NNNN" (a double for each sample), "workpiece/inner/NNNN" (the same, of a bored part) and
 // "workpiece/path/NNNN" (time, r and z of each point, of one pass after the other); and the finish where it is kept.
 // For an uncut bar, null and no blobs.
 void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container);

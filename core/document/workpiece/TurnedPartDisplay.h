@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The group of the parts that show a stock, cut or not: a change of the whole is never shown half done.
+// The group of the parts that show a stock, cut or not. A change of the whole is never shown half done.
 inline constexpr const char* kStockGroup = "stock";
 
 // A turned part as displayed parts, one for each block of triangles: what did not change is not built anew. base: mm, z

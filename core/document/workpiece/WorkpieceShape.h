@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The curves of a workpiece where it stands, for each piece; of a bar that was not cut its exact profile. Those of a
-// part are within half of the chord tolerance: triangles of them have the other half. O(samples). Errors:
+// The profile curves of a workpiece in its place, for each piece. Of a bar that was not cut its exact profile. Those of
+// a part are within half of the chord tolerance: triangles of them have the other half. O(samples). Errors:
 // ElementMalformed {profile} also where nothing is left, others of ProfileCurve.
 Result<std::vector<TurnedCurves>> curvesOf(const WorkpieceSnapshot& workpiece);
 

@@ -17,7 +17,7 @@
 
 namespace handwheel {
 
-// What was made of a bar: its profile, the triangles that show it, and the passes that cut it, in order.
+// The part turned from a bar: its profile, its triangles, and its passes in order.
 struct TurnedPart {
   TurnedProfile profile;
   TurnedSurface surface;
@@ -37,7 +37,7 @@ struct WorkpieceTarget {
   std::string source;  // UTF-8
 };
 
-// The value of a workpiece document: a bar, the part that was cut from it, and what it is to become.
+// The value of a workpiece document: a bar, the turned part, and its target.
 struct WorkpieceSnapshot : Snapshot {
   // Within these limits (mm) a bar of any size has triangles that the program can show and write.
   static constexpr double kLeastChord = 1e-4, kLargestChord = 1e3;

@@ -17,9 +17,9 @@ struct ForceBounds {
   double damping = 0.0;    // N·s/mm
 };
 
-// Base class of what exerts a force on the tip: a surface, snap features, a spring, a cutting tool. A scene is a list
-// of them (SceneForces). Created on the window thread; then it belongs to the servo thread, where nothing may lock,
-// allocate, free or call the system.
+// Base class of objects that exert a force on the tip. Such as a surface, snap features, a spring, a cutting tool. A
+// scene is a list of them (SceneForces). Created on the window thread; then it belongs to the servo thread, where
+// nothing may lock, allocate, free or call the system.
 //
 // A tick has two phases, because only the sum of all sources tells whether the scene is too stiff for the loop: first
 // all advance() in the order of the list, then all force() with common shares.

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// What is felt of a mesh: its surface, snap features, and the springs of a tool.
+// The haptic representation of a mesh: surface, snap features, and springs of a tool.
 struct MeshHaptics {
   std::optional<TouchedSurface> surface;
   std::optional<SnapAttraction> snap;

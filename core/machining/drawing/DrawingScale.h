@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Where a part is on its sheet: paper millimetres of places (r, z) of the part.
+// The position of a part on its sheet, which maps (r, z) to paper millimetres.
 struct DrawingPlace {
   ProfilePoint origin{0, 0};  // of r = 0, z = 0
   double scale = 1.0;

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A sheet of a technical drawing as lines, filled areas and texts in millimetres of the paper. The origin is the lower
+// A sheet of a technical drawing as lines, filled areas and texts. In millimetres of the paper. The origin is the lower
 // left corner; y is up.
 struct Sheet {
   enum class Line { Wide, Narrow, Centre };  // ISO 128-2: visible edges; dimensions; axes (long dash, dot)

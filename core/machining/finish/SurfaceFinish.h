@@ -24,8 +24,8 @@ struct FinishMark {
   bool operator==(const FinishMark&) const = default;
 };
 
-// The finish along a turned part, outside and in the bore: a mark for each sample of its profile. A copy shares its
-// pages with the original, as that of the profile does.
+// The surface finish along a turned part, outside and in the bore. It has a mark for each sample of its profile. A copy
+// shares its pages with the original, as that of the profile does.
 class SurfaceFinish {
  public:
   // Of a bar that was not cut. samples: of the profile.

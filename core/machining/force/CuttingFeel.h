@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// What a hand feels beside the mean force of a cut: wear, vibration, and the resistance of the slides.
+// The haptic effects of a cut besides its mean force: wear, vibration, slide resistance.
 //
 // All of it is bounded, so that the loop stays stable: vibration is a share of the force, never reverses it, and does
 // not depend on the hand; friction rises linearly at first, so that the force has no step where the hand turns back.

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Reads a table of measured cuts, of untrusted origin: comma-separated values with a header line (RFC 4180). Columns
-// are found by name, in any order; as it is written, else in any case:
+// Reads a table of measured cuts as comma-separated values with a header line (RFC 4180). Its origin is untrusted.
+// Columns are found by name, in any order; as it is written, else in any case:
 //   depth of cut, mm: ap, depth, a, A_cal or A0 (these two are areas in mm², divided by the feed)
 //   feed, mm per revolution: f_cal (measured) before f or feed
 //   cutting speed, m/min: vc, v or speed; else rpm with the diameter

@@ -11,8 +11,9 @@
 
 namespace handwheel {
 
-// A neural network for the cutting force: depth, feed and speed, one hidden layer of sigmoid neurons, a linear output
-// (He 2008, 3.1). Its inputs are scaled from the range of the training set to -1…1, its output from 0…1.
+// A neural network for the cutting force (He 2008, 3.1). It has depth, feed and speed as inputs, one hidden layer of
+// sigmoid neurons, a linear output. Its inputs are scaled from the range of the training set to -1…1, its output from
+// 0…1.
 //
 // weights: for each hidden neuron three of the inputs, its bias and its weight in the output; then the output's bias.
 struct ForceNetwork {

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The two constants of Kienzle's law: kc = kc11 h^-mc, with the thickness h of the chip in mm.
+// The two constants of Kienzle's law, kc = kc11 h^-mc. With the thickness h of the chip in mm.
 struct KienzleConstants {
   double kc11 = 0.0;  // N/mm², of a chip 1 mm wide and 1 mm thick
   double mc = 0.0;
@@ -21,8 +21,8 @@ struct KienzleConstants {
 // table must have two different thicknesses, and nothing that is not above zero.
 KienzleConstants fittedConstants(std::span<const std::pair<double, double>> table);
 
-// Kienzle's law for a material and an edge: Fc = kc11 b h^(1-mc), b = ap / sin κ, h = f sin κ, and 1 % less for each
-// degree of rake (Kienzle 1952; rake after Sandvik's handbook). It knows no speed.
+// Kienzle's cutting force law for a material and an edge. Fc = kc11 b h^(1-mc), b = ap / sin κ, h = f sin κ, and 1 %
+// less for each degree of rake (Kienzle 1952; rake after Sandvik's handbook). It knows no speed.
 class KienzleModel : public CuttingForceModel {
  public:
   KienzleModel(const KienzleConstants& constants, const CuttingEdge& edge, const ThrustSettings& thrust = {});

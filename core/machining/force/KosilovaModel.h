@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// The law of Kosilova and Meshcheryakov for a material and an edge: F[N] = 10 C t^x s^y v^n K (He 2008, 3-5), with
-// K = Kmp Kφ Kγ Kλ Kr.
+// The cutting force law of Kosilova and Meshcheryakov for a material and an edge. F[N] = 10 C t^x s^y v^n K (He 2008,
+// 3-5), with K = Kmp Kφ Kγ Kλ Kr.
 class KosilovaModel : public CuttingForceModel {
  public:
   // property: the tensile strength (MPa) or the hardness (HB) of the work, as the row asks; 0: as the row has it.

@@ -12,7 +12,7 @@
 
 namespace handwheel {
 
-// The law of one component of force: F[N] = 10 C t^x s^y v^n K, with the factor (strength / reference)^exponent in K.
+// The law of one component of force, F[N] = 10 C t^x s^y v^n K. With the factor (strength / reference)^exponent in K.
 struct KosilovaLaw {
   double c = 0.0, x = 0.0, y = 0.0, n = 0.0;  // c in kgf; 0: the table has no such law
   double materialExponent = 0.0;
@@ -47,7 +47,7 @@ struct EdgeFactors {
   bool isVerified = true;
 };
 
-// The tables of Kosilova and Meshcheryakov for turning forces (handbook, volume 2, tables 22 and 23).
+// The tables of Kosilova and Meshcheryakov for turning forces. Handbook, volume 2, tables 22 and 23.
 class KosilovaTables {
  public:
   // Errors: ElementMalformed.

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The names of the materials that ship (WorkMaterials::standard()), in its order: from here they are gathered for
+// The names of the built-in materials, in the order of WorkMaterials::standard(). From here they are gathered for
 // translation. They are shown by the context "Property".
 inline constexpr const char* kMaterialNames[] = {
     translatable("Property", "Unalloyed steel below 0.25 % C, annealed"),

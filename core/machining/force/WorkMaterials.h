@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// A material that is turned, with the constants of its forces and where they are from.
+// A material to be turned, with the constants of its cutting forces and their sources.
 struct WorkMaterial {
   std::string id;         // stable, for files and the command line: "medium-carbon-steel"
   std::string name;       // English

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// How deep what grinds is in a part, over all of the surface that it meets (He 2008, 5.1.1.1).
+// The depth of an abrasive tool in a part, averaged over its contact surface. He 2008, 5.1.1.1.
 struct GrindingContact {
   double depth = 0.0;         // mm, the mean along the normals (5-1, 5-2); 0: no contact
   ProfilePoint normal{0, 0};  // the mean of the normals out of the material (5-4), (r, z), of length 1

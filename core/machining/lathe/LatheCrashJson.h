@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The crashes of a lathe, as documents keep them with the part: docs/format.md lists the keys.
+// The crashes of a lathe as JSON, which documents keep with the part. docs/format.md lists the keys.
 nlohmann::json crashesToJson(const std::vector<LatheCollision>& crashes);
 // Any input; what is no crash is left out, and so is what comes after LatheRun::kMostCollisions.
 std::vector<LatheCollision> crashesFrom(const nlohmann::json& json);

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Something that a hand does at a manual lathe. Values that are not finite do nothing.
+// A command of the operator of a manual lathe. Values that are not finite do nothing.
 struct LatheCommand {
   enum class Kind : std::uint8_t {
     Turn,          // the wheel of an axis on by `value` mm of its slide

@@ -7,7 +7,8 @@
 
 namespace handwheel {
 
-// What a part is made of, as the tools of a lathe meet it: the laws of their cutting forces, and how stiff it is.
+// The mechanical properties of a part's material on the lathe. They are the laws of the cutting forces of its tools,
+// and its stiffness.
 struct LatheMaterial {
   std::string id;                                              // of the work material
   ForceLaw law = ForceLaw::Kienzle;                            // as it was chosen

@@ -33,11 +33,11 @@ struct LatheStep {
   double feed() const;
 };
 
-// A manual lathe with a part in it: commands move it step by step, material leaves, crashes stop it. A step that would
-// be a crash is not made: the slides stay where they were, the spindle stops, and the crash is recorded. A cut loads
-// the spindle, which slows down where its drive has less, and stalls, which is a crash; it bends the work, which gives
-// way and is left thicker; and the rules that it breaks are recorded as warnings. Deterministic: all of it is a
-// function of the calls.
+// A simulated manual lathe with a part in it, which commands move step by step. Material leaves, crashes stop it. A
+// step that would be a crash is not made: the slides stay where they were, the spindle stops, and the crash is
+// recorded. A cut loads the spindle, which slows down where its drive has less, and stalls, which is a crash; it bends
+// the work, which gives way and is left thicker; and the rules that it breaks are recorded as warnings. Deterministic:
+// all of it is a function of the calls.
 class LatheRun {
  public:
   static constexpr double kTouch = TurningPass::kTouch;

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// A step as the levers and hands would have it, before it is known whether it can be made.
+// A step as requested by levers and handwheels, before it is checked. It is not known yet whether it can be made.
 struct LatheRun::Try {
   LatheMotion motion;
   std::shared_ptr<const LatheTool> tool;  // that moved; of the post, or the drill in the quill

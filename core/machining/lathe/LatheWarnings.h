@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// A rule of the workshop that was broken on a lathe: since when, with which tool, and by how much at worst.
+// A workshop rule that was broken on a lathe. With the time since when, the tool, and by how much at worst.
 struct LatheWarning {
   CutWarning warning;
   double time = 0.0;  // s, of the machine, when it began

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// A convex polygon in (r, z), widened by a radius: the section of a cutting tool. mm. With a radius of 0 its corners
-// are sharp; one corner alone is a disc, or a point.
+// The section of a cutting tool: a convex polygon offset by a radius. In (r, z). mm. With a radius of 0 its corners are
+// sharp; one corner alone is a disc, or a point.
 class RoundedSection {
  public:
   static constexpr std::size_t kMostCorners = 12;

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// What a cut removes.
+// The material that a cut removes.
 struct SectionCut {
   TurnedProfile::Range changed;
   double area = 0.0;    // mm², in the half plane through the axis

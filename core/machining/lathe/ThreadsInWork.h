@@ -18,8 +18,8 @@ struct ThreadChip {
   double depth = 0.0;    // mm, the largest change of a radius
 };
 
-// The grooves of a part on the lathe while one more is being cut: those that it had, and what has been cut since. The
-// profile, which is the envelope, does not know them. One thread.
+// The thread grooves of a part while one more is being cut. They are those that it had, and what has been cut since.
+// The profile, which is the envelope, does not know them. One thread.
 class ThreadsInWork {
  public:
   static constexpr std::size_t kMostHelices = 64;  // that are known since the work began; the oldest is forgotten

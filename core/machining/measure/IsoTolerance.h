@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The limits of a size: how far it may be below and above its nominal value, mm.
+// The limits of a size as deviations from its nominal value, mm. How far it may be below and above.
 struct SizeDeviations {
   double lower = 0.0, upper = 0.0;
   double width() const { return upper - lower; }

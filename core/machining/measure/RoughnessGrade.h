@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The roughness Ra (µm) of a grade number of ISO 1302:1992, "N1" to "N12"; none for other texts.
+// The roughness Ra (µm) of a grade number of ISO 1302:1992, "N1" to "N12". None for other texts.
 std::optional<double> roughnessOf(std::string_view grade);
 
 // The finest grade that a surface of this roughness Ra (µm) meets: "N7" for 1.3. Empty when it meets none.

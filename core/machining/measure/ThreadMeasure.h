@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// What gauges find on a thread. mm.
+// The measurements of a thread. mm.
 struct ThreadReading {
   double pitch = 0.0;               // mean distance of neighbouring grooves along the axis
   double largestError = 0.0;        // of one of these distances

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// What a review of passes has to know of the lathe.
+// The parameters of the lathe for a review of passes.
 struct ReviewedLathe {
   double spindleSpeed = 800.0;  // revolutions a minute, of passes that do not tell theirs
   double chuckHeight = 0.0;     // mm above the lower end of the part that the chuck holds it; 0: no chuck

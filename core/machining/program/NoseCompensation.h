@@ -22,7 +22,7 @@ inline ProfilePoint profilePoint(const PlanePoint& p) {
   return {p.imag(), p.real()};
 }
 
-// Nose compensation (G41, G42): from the contour that is programmed to the path of the tool tip.
+// Tool nose radius compensation (G41, G42). It goes from the contour that is programmed to the path of the tool tip.
 //
 // A move is held back until the next one is known: in a concave corner it ends where the two offset moves meet; at a
 // convex corner an arc around it is put between. A corner that the nose cannot enter is refused (ProgramRefusal). The

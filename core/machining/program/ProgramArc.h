@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The centre of an arc from its radius: the shorter one, or the longer one where the radius is negative. turn: 1
+// The centre of an arc from its radius. Of the shorter arc, or of the longer one where the radius is negative. turn: 1
 // counter-clockwise in the plane of z and r, -1 clockwise. Refuses a radius that does not reach (ProgramRefusal).
 PlanePoint centreFromRadius(const PlanePoint& from, const PlanePoint& to, int turn, double radius,
                             const ProgramPlace& place);

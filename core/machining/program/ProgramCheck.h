@@ -13,9 +13,9 @@
 
 namespace handwheel {
 
-// Everything that keeps a program from running, in the order in which it is met: the first is what runProgram() says.
-// To find the next ones, what was refused is left out and the program is run again; so an error may be one that an
-// earlier one causes. At most kMostProblems, and fewer of long programs. Empty: it runs. Any thread.
+// All errors that keep a program from running, in the order of execution. The first is what runProgram() says. To find
+// the next ones, what was refused is left out and the program is run again; so an error may be one that an earlier one
+// causes. At most kMostProblems, and fewer of long programs. Empty: it runs. Any thread.
 inline constexpr std::size_t kMostProblems = 100;
 std::vector<Error> programProblems(std::string_view text, const ProgramSetup& setup, Progress progress = {});
 

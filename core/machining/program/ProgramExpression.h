@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Evaluates the values in a line of a program: numbers, variables, and expressions in square brackets.
+// Evaluates the values in a line of a program. They are numbers, variables, and expressions in square brackets.
 //
 // LinuxCNC and Fanuc share most operators and functions; angles are degrees. From the strongest: **, then * / MOD, then
 // + -, then EQ NE GT GE LT LE, then AND OR XOR, which are logical. In Fanuc AND is as strong as *, OR and XOR are as

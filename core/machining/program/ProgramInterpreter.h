@@ -11,7 +11,8 @@
 
 namespace handwheel {
 
-// Runs a lathe program: G-code in the dialect of LinuxCNC 2.9 or of Fanuc, system A. docs/programs.md has the words.
+// Runs a lathe program in G-code. Its dialect is that of LinuxCNC 2.9 or of Fanuc, system A. docs/programs.md has the
+// words.
 //
 // The text is hostile input: its size, its loops and its moves are limited. Every word that is not understood is
 // refused with its line and column. Errors: Refused, Endless, TooManyMoves, FileTooLarge, Cancelled. Cost: linear in

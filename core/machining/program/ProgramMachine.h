@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The lathe that a program drives: its modal state, its offsets and where the tool is. Writes the tool path.
+// The lathe that a program drives: its modal state, offsets and tool position. Writes the tool path.
 //
 // Lengths are mm, radii not diameters, whatever the program uses. Points are (r, z) in the coordinates of the program:
 // those of the active system (G54...), shifted by G92 and the offset of the tool.

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// What the tools of a program meet besides the material that they cut: chuck, jaws and tailstock with all of the tool,
-// its post and its slide; the work with all but the edge. The same contacts as on the manual lathe (LatheRun).
+// The obstacles of the tools of a program besides the material that they cut. Chuck, jaws and tailstock meet all of the
+// tool, its post and its slide; the work all but the edge. The same contacts as on the manual lathe (LatheRun).
 class ProgramObstacles {
  public:
   // part: as the chuck has gripped it.

@@ -12,7 +12,8 @@
 
 namespace handwheel {
 
-// The structure of a program, read before it runs: its lines, O words, loops and line numbers. It refers to the text.
+// The structure of a program, read before it runs. It has lines, O words, loops and line numbers. It refers to the
+// text.
 class ProgramOutline {
  public:
   static constexpr std::size_t kMostBytes = std::size_t{64} << 20, kMostLines = 2'000'000, kLongestLine = 4096;

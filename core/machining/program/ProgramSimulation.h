@@ -14,7 +14,7 @@
 
 namespace handwheel {
 
-// What a program did that no machine survives.
+// A motion of a program that would damage the machine, such as a collision.
 struct ProgramCollision {
   enum class Kind {
     RapidInMaterial,  // a rapid move through the part

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// A place on a tool path: so many moves are done, and this share of the next one.
+// A position on a tool path: a number of completed moves and a fraction. The fraction is the share of the next move.
 struct ProgramPosition {
   std::size_t done = 0;
   double fraction = 0.0;  // 0…1, of the length of the move

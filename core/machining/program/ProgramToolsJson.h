@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The table of tools as a document keeps it: [{"number", "tool": id of its body, "nose_radius" (mm), "orientation",
+// The table of tools as JSON in a document. [{"number", "tool": id of its body, "nose_radius" (mm), "orientation",
 // "offset": [r, z] (mm)}, …], orientations in the numbers of LinuxCNC.
 nlohmann::json toJson(const ProgramTools& tools);
 // Accepts any JSON; a tool that is impossible, or whose body is none of these, is added to the damage and left out.

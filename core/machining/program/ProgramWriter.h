@@ -11,9 +11,9 @@
 
 namespace handwheel {
 
-// Writes moves as a program that the interpreter, and a machine, reads as the same path to 1e-4 mm. Millimetres,
-// diameters, arcs with I and K. A tool of another number is changed to; what does not change is not repeated.
-// comments: lines of their own, after the title.
+// Writes moves as a lathe program. The interpreter, and a machine, reads it as the same path to 1e-4 mm. Millimetres,
+// diameters, arcs with I and K. A tool of another number is changed to; what does not change is not repeated. comments:
+// lines of their own, after the title.
 std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect, const std::string& title,
                         std::span<const std::string> comments = {});
 

@@ -9,10 +9,10 @@
 
 namespace handwheel {
 
-// The rational curve of degree 2 over lines and circular arcs, each of which begins where the one before ends; exact.
-// Inner knots are double, so every joint is a pole and may be a sharp corner: the same as a double pole over single
-// knots, with one pole less. Arcs are parted where their tangent is parallel to an axis, so that no pole is outside of
-// the box of its arc, nor across the axis of the part. O(segments).
+// The exact rational curve of degree 2 over a chain of lines and circular arcs. Each of them begins where the one
+// before ends. Inner knots are double, so every joint is a pole and may be a sharp corner: the same as a double pole
+// over single knots, with one pole less. Arcs are parted where their tangent is parallel to an axis, so that no pole is
+// outside of the box of its arc, nor across the axis of the part. O(segments).
 ProfileNet netOf(std::span<const ProfileSegment> segments);
 
 }  // namespace handwheel

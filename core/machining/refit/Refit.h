@@ -7,7 +7,8 @@
 
 namespace handwheel {
 
-// Lines and arcs through the samples of one side of a turned part, as few as stay within `chord` (mm, > 0) of them.
+// Fits lines and arcs to the samples of one side of a turned part. They are as few as stay within `chord` (mm, > 0) of
+// the samples.
 //
 // What a tool left exactly, lines and arcs, is found exactly first, with the sharp corners in which they meet between
 // two samples. Only what is short beside the tolerance, as the marks of feed, is then joined to longer lines and arcs.

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The half section of a turned part as lines and arcs, from its lower end; z = 0 is the lower end. It is within the
+// The half section of a sampled turned part as lines and arcs. From its lower end, which is at z = 0. It is within the
 // tolerance (mm, > 0) of the samples. Corners between two samples are where the surfaces beside them meet, and a
 // shoulder between two is half way, unless the arc beside it tells. Material that was cut in two is not represented:
 // only what lies between the axis and the samples. O(samples log samples). Errors: those of TargetProfile::make().

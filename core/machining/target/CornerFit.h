@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Restores the corners of a profile that was sampled at equal steps of z: a line across a single step becomes the
+// Restores the corners of a profile that was sampled at equal steps of z. A line across a single step becomes the
 // corner in which its neighbours meet, or a flat face where it is a shoulder; it stays where that would leave one of
 // its ends further than the tolerance from the profile. spacing: mm, of the samples; tolerance: mm. O(segments).
 std::vector<ProfileSegment> sharpened(std::vector<ProfileSegment> segments, double spacing, double tolerance);

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// Fits lines and arcs to points along a curve: as few as stay within a tolerance of them.
+// Fits lines and arcs to points along a curve, within a tolerance. They are as few as possible.
 //
 // Each begins and ends in one of the points. Greedy: a segment goes as far as all points under it allow, so exact lines
 // and arcs are found whole. A line is preferred where both fit. tolerance: mm, > 0. O(n log n).

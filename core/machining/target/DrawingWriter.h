@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Writes the half section of a target as DXF in text (AutoCAD R12 with $INSUNITS, mm): LINE and ARC on the layer
+// Writes the half section of a target as DXF in text. AutoCAD R12 with $INSUNITS, mm: LINE and ARC on the layer
 // "PROFILE", the axis on the layer "AXIS". z is x. Numbers have all their digits.
 std::string dxfOf(const TargetProfile& target);
 

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A group of a DXF file: a code, and the value on the line below it.
+// A group of a DXF file: a code and a value on the next line.
 struct DxfPair {
   int code = 0;
   std::string_view value;  // without blanks around it

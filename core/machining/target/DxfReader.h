@@ -11,7 +11,7 @@ namespace handwheel {
 
 bool looksLikeDxf(std::string_view head);
 
-// Reads the curves in the model space of a DXF file in text, from untrusted bytes.
+// Reads the curves in the model space of a text DXF file. The bytes are untrusted.
 //
 // Of the entities LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE are read; those that are invisible, on paper or
 // not in a plane parallel to x and y are not. Lines on a layer "axis" or "center", or with such a line type, mark the

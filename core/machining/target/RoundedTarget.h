@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// How the sizes of a target are rounded, as those of a part that was turned by hand for it.
+// How the sizes of a target are rounded. For targets that were made from a part that was turned by hand.
 struct TargetRounding {
   static constexpr double kLeastStep = 1e-3, kLargestStep = 10.0;  // mm
 

@@ -11,7 +11,7 @@ namespace handwheel {
 
 bool looksLikeSvg(std::string_view head);
 
-// Reads the outlines of an SVG file from untrusted bytes; fill, stroke and style sheets do not matter.
+// Reads the outlines of an SVG file from untrusted bytes. Fill, stroke and style sheets do not matter.
 //
 // Paths, lines, polylines, polygons, rectangles, circles and ellipses are read, in groups and under transformations;
 // what is not displayed, definitions and texts are not. Other curves than lines and circular arcs become arcs within

@@ -8,8 +8,9 @@
 
 namespace handwheel {
 
-// A part taken apart: the same without bores, and what its bores would be if they were parts, each going on beyond the
-// opening. So the distance of a wall from where it is to be is known although the other side of it is nearer.
+// The sides of a target as parts of their own: the outside, and the bores. The outside is the part without bores; a
+// bore is what it would be if it was a part, going on beyond the opening. So the distance of a wall from where it is to
+// be is known although the other side of it is nearer.
 struct TargetSides {
   TargetProfile outside;
   std::vector<TargetProfile> bores;  // one right through, or at most one from each end

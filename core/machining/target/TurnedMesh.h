@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// The half section of a turned part from its triangles, as CAD programs write them: their points lie on rings around
-// one axis. The axis is found from the normals, which all meet it; z runs along it, with the sign that the coordinates
-// of the mesh have most.
+// The half section of a turned part, recovered from a triangle mesh. Of triangles as CAD programs write them: their
+// points lie on rings around one axis. The axis is found from the normals, which all meet it; z runs along it, with the
+// sign that the coordinates of the mesh have most.
 struct TurnedMesh {
   TargetProfile target;
   double deviation = 0.0;  // mm, of the chords of the rings from their circles

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// A ring of points around the axis, one in each direction of a circle, as triangles know it.
+// A ring of indexed points around the axis, one in each direction of a circle.
 struct SurfaceRing {
   std::uint32_t first = 0;  // index of its first point
   double radius = 0.0;      // mm, of the profile, without threads

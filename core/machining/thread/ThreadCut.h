@@ -6,8 +6,9 @@
 
 namespace handwheel {
 
-// What makes a pass the pass of a thread: the work turns in step with the tool, which leaves a groove between straight
-// flanks. The bottom of the groove is as wide as the flat, and rounded into the flanks with the radius of the nose.
+// The parameters of a thread that a pass cuts. The work turns in step with the tool, which leaves a groove between
+// straight flanks. The bottom of the groove is as wide as the flat, and rounded into the flanks with the radius of the
+// nose.
 struct ThreadCut {
   static constexpr double kLeastPitch = 0.05, kLargestPitch = 100.0;  // mm
   static constexpr double kLeastAngle = 0.01, kLargestAngle = 3.0;    // radian

@@ -8,8 +8,9 @@
 
 namespace handwheel {
 
-// The groove that a pass of a thread leaves, or all of its starts: the edge of the tool along a helix whose depth may
-// change along the axis. Where the pass ends it runs out within a quarter of a turn, as a tool is drawn back.
+// The helical groove that a pass of a thread leaves, or all of its starts. The edge of the tool runs along a helix
+// whose depth may change along the axis. Where the pass ends it runs out within a quarter of a turn, as a tool is drawn
+// back.
 class ThreadGroove {
  public:
   static constexpr double kMostTurns = 500.0;         // of grooves, side by side

@@ -9,7 +9,8 @@
 
 namespace handwheel {
 
-// The distance within which a point of a boundary loop attracts the pointer (He 2008, section 3.1.1); logical pixels.
+// The pick radius of a boundary loop in logical pixels (He 2008, section 3.1.1). A point of a loop within it attracts
+// the pointer.
 inline constexpr double kBorderPickRadius = 12.0;
 
 // A point of a boundary loop.

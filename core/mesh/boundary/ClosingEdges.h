@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Open edges that become one when near vertices are merged, or one that shrinks to a point.
+// Open edges that become one, or collapse, when near vertices are merged. One that collapses shrinks to a point.
 struct ClosingEdge {
   std::vector<std::size_t> pairs;  // that have to be merged for it, by index, rising
   std::vector<PointKey> places;    // of the ends of the open edges

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A loop nearer to the pick ray than this is preferred to the face below it; logical pixels.
+// The pick radius of a hole's loop in logical pixels. A loop nearer to the pick ray is preferred to the face below it.
 inline constexpr double kHolePickRadius = 8.0;
 
 // Picks the boundary loop at the pointer. It is the nearest within kHolePickRadius that the surface does not hide; else

@@ -6,9 +6,9 @@
 
 namespace handwheel {
 
-// Marks the outer boundary loops of open sheets as rims: the longest loop of each shell that looks one way, is thin
-// with a long outline, is frayed as a single-view scan is, or has no vertex but on that loop. A patch over such a loop
-// would be a lid as large as the sheet, or cover it with a second layer. If cancelled, none is marked. O(n).
+// Marks the outer boundary loops of open sheets as rims. A rim is the longest loop of each shell that looks one way, is
+// thin with a long outline, is frayed as a single-view scan is, or has no vertex but on that loop. A patch over such a
+// loop would be a lid as large as the sheet, or cover it with a second layer. If cancelled, none is marked. O(n).
 void markRims(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& loops, Progress progress = {});
 
 }  // namespace handwheel

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Splits border edges at border vertices that lie on them (T-junctions), within this share of the diagonal and
+// Splits border edges at border vertices that lie on them (T-junctions). That is within this share of the diagonal and
 // tolerance::kNearWeldEdge of the edge. Vertices in "fixed" are ignored; it may be shorter than the number of vertices.
 // The mesh must be relinked then: until then only what is border and what is not is true. Returns the number of splits.
 // When cancelled, some may be left.

@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Of triangles over the same three positions, those with the same answer look the same way: even permutations of
-// ascending corners do.
+// The orientation of a triangle: whether its corners are an even permutation of ascending ones. Of triangles over the
+// same three positions, those with the same answer look the same way.
 inline bool looksUp(const Triangle& t) {
   return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2;
 }

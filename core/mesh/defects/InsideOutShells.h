@@ -9,7 +9,8 @@
 
 namespace handwheel {
 
-// Limits of findInsideOutShells() on pairs of shells and visits of faces: a second, where a body is full of bubbles.
+// Limits of findInsideOutShells() on pairs of shells and visits of faces. They take a second, where a body is full of
+// bubbles.
 inline constexpr std::size_t kMostShellPairs = 10'000'000;
 inline constexpr std::size_t kMostShellVisits = 30'000'000;
 

@@ -10,7 +10,8 @@
 
 namespace handwheel {
 
-// A file holds positions, not vertices: an edge is non-manifold when more than two faces have its two ends by position.
+// Non-manifold edges, with vertices identified by position. A file holds positions, not vertices: an edge is
+// non-manifold when more than two faces have its two ends by position.
 
 // The fans of faces at one position, by vertex, each as the half-edges that leave it.
 using Fans = std::map<Vertex, std::vector<HalfEdge>>;

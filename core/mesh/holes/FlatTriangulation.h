@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// Triangulates a hole in the plane that fits its loop best, by a constrained Delaunay triangulation (CGAL). No new
+// Triangulates a hole in the least-squares plane of its loop by constrained Delaunay triangulation (CGAL). No new
 // vertices, so that the patch is flat where the loop is, and elsewhere leans only as far as the loop leaves the plane.
 // None where the loop crosses itself as seen along the normal of the plane, and when cancelled. O(n log n).
 std::optional<Patch> triangulateFlat(const HoleContext& hole, Progress progress = {});

@@ -9,8 +9,8 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <span>
 
-// The only place where meshes go to OpenMesh and come back. Included by sources only, never by headers, so that nothing
-// else sees its types (docs/adr/0028-openmesh.md).
+// Converts meshes to OpenMesh and back. This is the only place where that is done. Included by sources only, never by
+// headers, so that nothing else sees its types (docs/adr/0028-openmesh.md).
 namespace handwheel {
 
 struct OpenMeshTraits : OpenMesh::DefaultTraits {

@@ -7,7 +7,8 @@
 
 namespace handwheel {
 
-// The functions below stop halfway when cancelled: the mesh is invalid then.
+// Removal of degenerate faces and other defects. The functions below stop halfway when cancelled: the mesh is invalid
+// then.
 
 // Removes faces of exactly zero area. A needle between two neighbours is flipped away (the long edge's other face is
 // split at the middle vertex, which changes no geometry); others are simply removed. Returns the number of removed

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// What separating spares.
+// Limits on the vertices that separateCoincidentVertices() moves.
 struct SeparationLimits {
   const std::set<PointKey>* kept = nullptr;  // a vertex of an open fan at one of these places is not moved
   Vertex firstNew = 0;                       // the vertices from this number on are moved rather than those before

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// One of the faces around a vertex, in counter-clockwise order as seen from where the normals point to.
+// One of the faces around a vertex, in counter-clockwise order. As seen from where the normals point to.
 struct FanFace {
   FaceAtVertex face;
   Vec3 edge;  // from the vertex, of length 1: the face's, from which the next face lies on its other side

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Why a repair leaves boundary loops open: by its options before, and by what was tried in vain afterwards. Loops are
+// Why a repair leaves boundary loops open. By its options before, and by what was tried in vain afterwards. Loops are
 // named by those of the input along which they run, their owners.
 class LoopReasons {
  public:

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// What a later version of a mesh has changed of it, by the numbers of the earlier one. Both are invalid if cancelled.
+// Differences between two versions of a mesh, by the indices of the earlier one. Both are invalid if cancelled.
 
 // How many faces run the other way over the same three positions. O(n).
 std::size_t countReversedFaces(const HalfEdgeMesh& before, const HalfEdgeMesh& after, Progress progress = {});

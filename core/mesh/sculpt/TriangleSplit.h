@@ -9,7 +9,8 @@
 
 namespace handwheel {
 
-// The points of a triangle that is split: its corners are 0, 1, 2; the middle of the edge from corner k is 3 + k.
+// The points of a triangle that is split, numbered. Its corners are 0, 1, 2; the middle of the edge from corner k is 3
+// + k.
 using TriangleSplit = std::vector<std::array<std::size_t, 3>>;
 
 // Splits a triangle into one to four by the points on its edges. In three it is split along the shorter diagonal (He

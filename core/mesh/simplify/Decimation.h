@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// How triangles are chosen that go.
+// The methods of mesh decimation.
 enum class DecimationMethod {
   Bounded,  // ours: with every option
   // OpenMesh's: a vertex goes to one beside it, so those that stay do not move. It bounds no distance and

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Steps of a loop between two polls of the cancel flag: a few milliseconds where a step is a face or a line of text.
+// Steps of a loop between two polls of the cancel flag. A few milliseconds where a step is a face or a line of text.
 inline constexpr std::size_t kIterationsPerPoll = std::size_t{1} << 16;
 // The same where each step searches, which takes up to a few microseconds.
 inline constexpr std::size_t kSearchesPerPoll = std::size_t{1} << 12;

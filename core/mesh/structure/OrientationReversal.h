@@ -11,7 +11,8 @@
 
 namespace handwheel {
 
-// Where neighbours disagree: triangles that run along a common edge of two in the same direction.
+// Inconsistent orientations: neighbouring triangles that traverse their common edge in the same direction. Of edges of
+// two triangles.
 struct OrientationFaults {
   std::vector<std::uint32_t> trianglesToReverse;  // as the function of this name
   // Edges of a non-orientable surface at which they disagree after that, as pairs of points.

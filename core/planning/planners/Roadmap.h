@@ -10,11 +10,11 @@
 
 namespace handwheel {
 
-// A roadmap of a robot among obstacles that is kept from plan to plan: free places, and the motions between neighbours
-// (PRM: Kavraki, Švestka, Latombe and Overmars 1996, Probabilistic roadmaps for path planning in high-dimensional
-// configuration spaces). Motions are proven free (MotionCheck) only when they are on a way from start to goal (lazy
-// PRM: Bohlin and Kavraki 2000), and what was found of them is kept. It grows where there is no way, up to so many
-// milestones; when it is full it begins anew.
+// A probabilistic roadmap of a robot among obstacles, which is kept between plans. It has free places, and the motions
+// between neighbours (PRM: Kavraki, Švestka, Latombe and Overmars 1996, Probabilistic roadmaps for path planning in
+// high-dimensional configuration spaces). Motions are proven free (MotionCheck) only when they are on a way from start
+// to goal (lazy PRM: Bohlin and Kavraki 2000), and what was found of them is kept. It grows where there is no way, up
+// to so many milestones; when it is full it begins anew.
 //
 // Any thread: one plan at a time, others wait. All plans must be of the same scene: what collides must not change.
 class Roadmap {

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Plans with single-query, bi-directional, lazy trees (SBL: Sánchez and Latombe 2001, A single-query bi-directional
-// probabilistic roadmap planner with lazy collision checking). Milestones are free points, and the motions between them
+// Plans with single-query, bi-directional, lazy trees (SBL). Sánchez and Latombe 2001, A single-query bi-directional
+// probabilistic roadmap planner with lazy collision checking. Milestones are free points, and the motions between them
 // are checked only when they are on a path from start to goal: the piece that is longest and not known to be free comes
 // first. Where a motion is blocked, the milestones beyond it go to the other tree. Here the checks prove what they find
 // free, so that the path is free between its points.

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// Which of two ways an arm with a closed form reaches a pose by: its shoulder, its elbow and its wrist.
+// The branch of a closed-form inverse kinematics solution: shoulder, elbow and wrist. Each is one of two ways.
 struct ArmConfiguration {
   bool shoulder = false, elbow = false, wrist = false;
   bool operator==(const ArmConfiguration&) const = default;
@@ -43,10 +43,11 @@ struct IkSolutions {
   const Solution* end() const { return all.data() + count; }
 };
 
-// The inverse kinematics of an arm with six hinges in closed form: of arms whose axes 2 and 3 are parallel and whose
-// axes 4, 5 and 6 meet in a point (a spherical wrist), and of arms whose axes 2, 3 and 4 are parallel and whose axes 5
-// and 6 meet, as those of Universal Robots. The steps are the subproblems of Paden and Kahan (Murray, Li and Sastry
-// 1994, A Mathematical Introduction to Robotic Manipulation, section 3.3). Immutable; any thread; allocates nothing.
+// The closed-form inverse kinematics of an arm with six revolute joints. Of arms whose axes 2 and 3 are parallel and
+// whose axes 4, 5 and 6 meet in a point (a spherical wrist), and of arms whose axes 2, 3 and 4 are parallel and whose
+// axes 5 and 6 meet, as those of Universal Robots. The steps are the subproblems of Paden and Kahan (Murray, Li and
+// Sastry 1994, A Mathematical Introduction to Robotic Manipulation, section 3.3). Immutable; any thread; allocates
+// nothing.
 class ClosedFormIk {
  public:
   // None: the arm is of neither form.

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// How inverse kinematics by iteration is done.
+// Settings of numerical inverse kinematics.
 struct NumericalIkSettings {
   double tolerance = 1e-5;  // rad, and of lengths to `length`; for each of the six numbers of the error
   double length = 1000.0;   // mm: lengths are divided by it before they meet angles (1000: they are metres)

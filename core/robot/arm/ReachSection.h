@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// How the reach of an arm is looked for.
+// Settings of the computation of an arm's workspace outline.
 struct ReachSectionSettings {
   int cells = 64;            // of the grid, to a reach of the arm
   double tolerance = 1.0;    // mm that the outline is off along the lines of the grid

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A joint of a serial arm: it turns about, or slides along, the z axis of its frame.
+// A joint of a serial arm, revolute or prismatic. It turns about, or slides along, the z axis of its frame.
 struct ArmJoint {
   Pose before = Pose::Identity();  // of its frame at 0, in the frame of the joint before; of the first: in the base
   bool isPrismatic = false;
@@ -25,8 +25,8 @@ inline constexpr int kMostArmJoints = 24;
 using ArmValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostArmJoints, 1>;
 using ArmJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMostArmJoints>;
 
-// A chain of joints from a base to a tip, for kinematics that is computed very often. Immutable; any thread. Nothing
-// but of() allocates.
+// A kinematic chain of joints from a base to a tip, for fast computation. Immutable; any thread. Nothing but of()
+// allocates.
 class SerialArm {
  public:
   // tip: in the frame of the last joint. At most kMostArmJoints joints.

@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// Which of its ways an arm with a spherical wrist reaches a pose by, as controllers tell them apart.
+// The posture of an arm with a spherical wrist, as controllers denote it. It says in which of its ways the arm reaches
+// a pose.
 struct ArmPosture {
   bool isRear = false;       // the wrist is behind the first axis, seen from how the arm looks with all joints at 0
   bool isElbowDown = false;  // the wrist is behind the lower arm

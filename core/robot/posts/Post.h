@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// A motion as it was read from a program: its end by joint values, or by a pose of the tool's centre point.
+// A motion as it was read from a program. Its end is given by joint values, or by a pose of the tool's centre point.
 struct ReadMotion {
   ProgramMotion::Kind kind = ProgramMotion::Kind::Joint;
   std::optional<ArmValues> joints = {};  // rad; as the model of the arm counts

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The places of a path in JSON: of each its joint values under their names, what it is called, and its motion.
+// The places of a path as JSON. Of each its joint values under their names, what it is called, and its motion.
 // docs/robots.md has the keys.
 nlohmann::json toJson(const RobotModel& robot, const RobotPath& path);
 

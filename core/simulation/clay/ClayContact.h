@@ -17,8 +17,8 @@ struct ClayFeel {
   bool operator==(const ClayFeel&) const = default;
 };
 
-// The tool in the hand, a point: it stays outside of the material, at the place nearest to the hand that it can get to
-// (god object, Zilles and Salisbury 1995, on a field of depths), or goes through it slowly while it cuts. Material that
+// The god-object of a point tool in clay (Zilles and Salisbury 1995). On a field of depths it stays outside of the
+// material, at the place nearest to the hand that it can get to, or goes through it slowly while it cuts. Material that
 // appears around it does not push it out: it is felt when the hand has been outside. Servo thread: no lock, no memory.
 class ClayContact {
  public:

@@ -11,7 +11,8 @@ namespace handwheel {
 // The id of the force source.
 inline constexpr const char* kClaySource = "clay";
 
-// The force of clay on a tool: a spring between the hand and the tool, which the clay holds back.
+// The force of clay on a tool: a spring between hand and god-object. The clay holds back the latter, which is the tool
+// (ClayContact).
 class ClayForce : public ForceSource {
  public:
   ClayForce(std::shared_ptr<ClayChannel> channel, const ClayFeel& feel);

@@ -26,7 +26,7 @@ struct ClayPatch {
 
 using ClayChannel = SimulationChannel<ClayPatch>;
 
-// The simulation of clay: the volume changes as the brush is drawn over it in a gesture.
+// The simulation of clay: a brush changes the volume in a gesture. It does so as it is drawn over it.
 class ClaySimulation : public Simulation {
  public:
   // begin: what it starts from. The channel must outlive it.

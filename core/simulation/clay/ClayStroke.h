@@ -21,7 +21,7 @@ struct ClayBrush {
   bool operator==(const ClayBrush&) const = default;
 };
 
-// Where a brush that is drawn over a volume touches it: at once where it is pressed, then whenever it has gone a share
+// The places at which a brush stroke acts on a volume. At once where it is pressed, then whenever it has gone a share
 // of its radius, and some times a second where it rests and this does something. What adds or carves is swept from one
 // place to the next.
 class ClayStroke {

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// What the servo loop knows of a lathe: where the tool is and what it cuts. mm and s.
+// The state of a lathe for the servo loop: tool position and cut. mm and s.
 struct LathePatch {
   ProfilePoint tip{0.0, 0.0};       // (r, z)
   ProfilePoint velocity{0.0, 0.0};  // mm/s
@@ -53,7 +53,7 @@ struct LatheMoment : SimulationState {
   std::shared_ptr<const std::vector<LatheWarning>> warnings;      // never null
 };
 
-// The simulation of a manual lathe: commands of the window and the hand at a device move it, material leaves. What was
+// The simulation of a manual lathe. Commands of the window and the hand at a device move it, material leaves. What was
 // cut since it began is one pass for each tool that cut.
 class LatheSimulation : public Simulation {
  public:

@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// The part of a turned profile near the tool: what the servo loop knows of it. The simulation renews it. Distances from
-// the axis count away from the material of the tool's side: r outside, -r in a bore (sideways()), so that the material
-// is below its surface on either side.
+// The part of a turned profile near the tool, for the servo loop. The simulation renews it. Distances from the axis
+// count away from the material of the tool's side: r outside, -r in a bore (sideways()), so that the material is below
+// its surface on either side.
 struct ProfilePatch {
   static constexpr std::size_t kMost = 512;
 
@@ -58,10 +58,10 @@ struct TurningTool {
   bool operator==(const TurningTool&) const = default;
 };
 
-// The tool of a lathe, which follows the hand: freely beside the material, slowly through it while it cuts, and no
-// deeper into it otherwise. Material that comes back around a resting hand, as by undo, does not push it out: it is
-// felt from there on inward, and whole once the hand has left it; so is material that the hand comes into from the far
-// side. All in the half plane of the patch.
+// The god-object of a lathe tool, which follows the hand. It moves freely beside the material, slowly through it while
+// it cuts, and no deeper into it otherwise. Material that comes back around a resting hand, as by undo, does not push
+// it out: it is felt from there on inward, and whole once the hand has left it; so is material that the hand comes into
+// from the far side. All in the half plane of the patch.
 class TurningContact {
  public:
   void place(const ProfilePoint& hand);

@@ -13,10 +13,10 @@ using TurningChannel = SimulationChannel<ProfilePatch>;
 // The id of the force source.
 inline constexpr const char* kTurningSource = "turning";
 
-// The force of a cutting tool on a turning part: a spring between the hand and the tool, which goes through material
-// only as fast as it is pressed, F = resistance · speed, also where the loop can carry a softer spring only. In a
-// gesture it cuts; otherwise the part is felt as it is. The part turns about z from z = base on, and is felt alike from
-// all sides.
+// The force of a cutting tool on a turning part. It is a spring between the hand and the tool, which goes through
+// material only as fast as it is pressed, F = resistance · speed, also where the loop can carry a softer spring only.
+// In a gesture it cuts; otherwise the part is felt as it is. The part turns about z from z = base on, and is felt alike
+// from all sides.
 class TurningForce : public ForceSource {
  public:
   TurningForce(std::shared_ptr<TurningChannel> channel, const TurningTool& tool, double base);

@@ -28,7 +28,8 @@ struct TurningFinish {
   double speed = 0.0;                      // r/min of the spindle; 0: not known
 };
 
-// The simulation of turning: the profile loses what the tool passes in a gesture, which is one pass.
+// The simulation of turning, in which a tool cuts a profile. The profile loses what the tool passes in a gesture, which
+// is one pass.
 class TurningSimulation : public Simulation {
  public:
   // blank: a pass without points, which says what cuts. base: mm, z of the part's lower end in the scene. mostPoints:

@@ -18,9 +18,9 @@ struct ArmWaysServices {
   std::function<void(DisplayModel& shown, const JointValues& joints)> mark;
 };
 
-// Tool that shows all ways in which the arm brings its tool to a pose: where it is, or where a person types it. One is
-// chosen from a list and shown; committing moves the robot there. Of a device the first button goes to the next way,
-// the second commits.
+// Tool that shows all inverse kinematics solutions for a pose of the arm's tool. The pose is where the tool is, or
+// where a person types it. One is chosen from a list and shown; committing moves the robot there. Of a device the first
+// button goes to the next way, the second commits.
 class ArmWaysTool : public Tool {
  public:
   ArmWaysTool(RobotCellDocument& document, ArmWaysServices services);

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Tool that moves by hand what stands in a robot cell: the links of the robot, and the bodies beside it.
+// Tool that moves the links of a robot, and bodies beside it, by hand.
 class CellTool : public Tool {
  public:
   // Marks what collides in the cell as it is shown: the robot at these joint values, and a body that is being moved;

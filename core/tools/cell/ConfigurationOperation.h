@@ -8,8 +8,9 @@
 
 namespace handwheel {
 
-// The operation "configuration": stores where the robot stands under a name, moves it there, removes what is stored;
-// the same for targets, and for poses of the tool; removes paths; sets what planning goes by.
+// The operation "configuration", which edits the plans of a cell. It stores where the robot stands under a name, moves
+// it there, removes what is stored; the same for targets, and for poses of the tool; removes paths; sets what planning
+// goes by.
 const Operation& configurationOperation();
 
 // What is wrong with a combination of values, as a clause; empty when they fit together.

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// What configurationOperation() does with poses of the tool and targets.
+// Poses of the tool and targets in configurationOperation().
 
 // Whether "go" names a target.
 bool goesToTarget(const OperationValues& values, const CellPlans& plans);

@@ -13,7 +13,8 @@
 
 namespace handwheel {
 
-// How the tool was led along a path by hand, and with which help (He 2008, chapter 6: the three are compared).
+// Measurements of an attempt to lead the tool along a path by hand. Help is what assisted it (He 2008, chapter 6: the
+// three are compared).
 struct LeadTry {
   enum class Help { Eyes, Force, Fixture };  // a fixture has force, too
   std::string path;
@@ -38,10 +39,10 @@ struct LeadServices {
   std::vector<LeadTry>* tries = nullptr;                   // what was tried in this document; outlives the tool
 };
 
-// Tool that leads the tool of a robot by hand, and the arm follows: never through anything, nor beyond a limit. The
-// hand takes over wherever it is, and feels what holds the robot back and what it comes near to. With the mouse the
-// tool moves in the plane of the view, or, with Shift, turns. A path of the cell can be followed, with a virtual
-// fixture that draws the tool to it; how well that went is measured. Letting go commits one edit.
+// Tool that guides a robot by hand at its tool. The arm follows: never through anything, nor beyond a limit. The hand
+// takes over wherever it is, and feels what holds the robot back and what it comes near to. With the mouse the tool
+// moves in the plane of the view, or, with Shift, turns. A path of the cell can be followed, with a virtual fixture
+// that draws the tool to it; how well that went is measured. Letting go commits one edit.
 class LeadTool : public Tool {
  public:
   LeadTool(RobotCellDocument& document, LeadServices services);

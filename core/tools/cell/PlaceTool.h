@@ -22,12 +22,12 @@ struct PlaceServices {
   std::function<void(DisplayModel& shown, std::size_t robot, const Pose& way)> markRobot = {};
 };
 
-// Tool that places the selected body, or else the selected robot by its base, by handles: arrows along three axes move
+// Tool that places the selected body by handles. Or else the selected robot by its base: arrows along three axes move
 // it, rings about them turn it, by the mouse or a device, in steps unless Ctrl is held. Dragged by itself, as by any
-// link of the robot, it moves over the horizontal plane, with Shift up and down. A device that grabs the body
-// itself moves and turns it freely. Numbers that are typed move and turn it from where it is; they are shown and hold
-// when they are committed. Each release or commit is one edit. A body that the robot carries is placed on its carrier.
-// The robot on the root has no handles, as everything is measured from its base.
+// link of the robot, it moves over the horizontal plane, with Shift up and down. A device that grabs the body itself
+// moves and turns it freely. Numbers that are typed move and turn it from where it is; they are shown and hold when
+// they are committed. Each release or commit is one edit. A body that the robot carries is placed on its carrier. The
+// robot on the root has no handles, as everything is measured from its base.
 class PlaceTool : public Tool {
  public:
   // The selection must outlive the tool.

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// How a path along a curve is worked off, as settings of the operation "process": in the tool that plans it, and as
+// The settings of the operation "process", which plans a path along a curve. They are in the tool that plans it, and
 // fields of the path afterwards. Lengths in mm, angles in rad.
 
 // Names of the configurations that such a path may come from or go to.

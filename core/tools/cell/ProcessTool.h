@@ -18,9 +18,9 @@ struct ProcessServices {
   std::function<void(const OperationValues& values)> plan;
 };
 
-// Tool that chooses an edge or a section of a part for the robot's tool to work along. The curve under the pointer is
-// shown, a click takes it, and the settings say how the tool is held; "commit" plans the path. A curve can be drawn,
-// too: by clicks on the part, or in one go.
+// Tool that selects the curve on a part that the robot's tool follows. It is an edge or a section of the part. The
+// curve under the pointer is shown, a click takes it, and the settings say how the tool is held; "commit" plans the
+// path. A curve can be drawn, too: by clicks on the part, or in one go.
 class ProcessTool : public Tool {
  public:
   ProcessTool(const RobotCellDocument& document, ProcessServices services);

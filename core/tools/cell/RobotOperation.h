@@ -7,7 +7,8 @@
 
 namespace handwheel {
 
-// The operation "robot": adds a robot to a cell, removes one, or chooses the one that is planned for.
+// The operation "robot", which edits the robots of a cell. It adds one, removes one, or chooses the one that is planned
+// for.
 const Operation& robotOperation();
 
 // What is wrong with a combination of values, as a clause; empty when they fit together.

@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// Each of these functions creates a manual change of faces or open edges, with its step. Indices that are invalid in
-// the mesh that it is applied to change nothing.
+// Manual changes of faces or open edges, each with its step. Each of these functions creates one. Indices that are
+// invalid in the mesh that it is applied to change nothing.
 
 // Removes faces. text, reason: as in MeshChange.
 MeshChange deleteChange(FaceSelection faces, const char* text, const char* reason = nullptr);

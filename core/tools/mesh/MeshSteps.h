@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-// Mesh edits as lines of text (steps), so that they can be made without a window: what a tool or a job did is written
-// as a step, and the step does it once more, by the same code. StepText.h describes the syntax of a line.
+// Mesh edits as lines of text (steps), so that they work without a window. What a tool or a job did is written as a
+// step, and the step does it once more, by the same code. StepText.h describes the syntax of a line.
 namespace handwheel {
 
 // Result of applying a step.

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// The operation "body" on a document that holds bodies: adds one, removes it, reads its linked file again, links it to
-// another or cuts the link. A body is named by its name or its number.
+// The operation "body", which edits the bodies of a document. It adds one, removes it, reads its linked file again,
+// links it to another or cuts the link. A body is named by its name or its number.
 const Operation& bodyOperation();
 
 // The body of this name, or else this number. Errors: BodyMissing; Ambiguous where these are two.

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// A drag of something over the horizontal plane through the point where it was grabbed; with Shift, or where that plane
-// is seen from the side, along Z. In steps that fit the zoom, except with Ctrl. mm.
+// A drag over the horizontal plane through the point where it began. With Shift, or where that plane is seen from the
+// side, along Z. In steps that fit the zoom, except with Ctrl. mm.
 class FloorDrag {
  public:
   // grip: where it was grabbed; start: where its origin was then.

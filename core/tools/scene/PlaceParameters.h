@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Parameters that operations have that put things somewhere.
+// Parameters of operations that place objects.
 
 // A text without a default.
 Parameter wordParameter(const char* id, const char* word, std::string meaning);

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The handles by which a thing is moved along three axes and turned about them: an arrow and a ring for each. A value.
+// The handles that translate and rotate an object: an arrow and a ring per axis. A value.
 struct PlacingHandles {
   struct Handle {
     int axis = 0;  // 0…2

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Tool that shapes a volume as clay: while the button is held it adds, carves, inflates, smooths, flattens, moves,
+// Tool that sculpts a volume like clay. While the button is held it adds, carves, inflates, smooths, flattens, moves,
 // attracts or pinches what it passes; that is one undo step. The mouse draws it over the surface as that was when the
 // button was pressed; a haptic device feels the clay and works where its tip is.
 class ClayTool : public VolumeTool {

@@ -13,7 +13,8 @@
 
 namespace handwheel {
 
-// Makes a volume of an image: the values, how many of the largest parts, the voxel, whether it is smoothed.
+// The operation that makes a volume of an image. Its values are the range, how many of the largest parts, the voxel,
+// whether it is smoothed.
 const Operation& segmentOperation();
 
 // A range as it is typed: "300:2000", or open at an end, "300:" or ":50". None for anything else.

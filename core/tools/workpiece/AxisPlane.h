@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The place (mm) under a ray in the plane that contains the axis, z, and faces the viewer as far as it can. Seen along
-// the axis there is none, nor behind the viewer.
+// The point (mm) where a ray meets the plane of the axis facing the viewer. The plane contains the axis, z, and faces
+// the viewer as far as it can. Seen along the axis there is none, nor behind the viewer.
 std::optional<Vec3> placeInAxisPlane(const Ray& ray);
 
 }  // namespace handwheel

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The description of 'train': a model of cutting forces is trained on a table of cuts.
+// The operation "train": trains a model of cutting forces on a table of cuts.
 const Operation& trainOperation();
 TrainingOptions trainingOptionsOf(const OperationValues& values);
 

@@ -9,9 +9,9 @@
 
 namespace handwheel {
 
-// A picture of the chip of a cut: a curl from the tip outward and up over the rake, tighter for a thin chip and with
-// more coils for a wide one, which runs with the work. Empty where nothing is cut. tip: mm, in the scene; turns: of the
-// spindle. O(1).
+// The chip of a cut as a curled line, for display. It goes from the tip outward and up over the rake, tighter for a
+// thin chip and with more coils for a wide one, and runs with the work. Empty where nothing is cut. tip: mm, in the
+// scene; turns: of the spindle. O(1).
 std::vector<std::vector<Vec3>> chipCurl(const LatheLoad& load, const Vec3& tip, double turns);
 
 }  // namespace handwheel

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// Where a lathe stood when each part of a document came to be, for undo and redo. Keeps no part alive.
+// The state of a lathe at each part of a document, for undo and redo. Keeps no part alive.
 class LathePlaces {
  public:
   using Part = std::shared_ptr<const TurnedPart>;

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The description of 'thread': a thread is cut into a workpiece, between two heights of the document.
+// The operation "thread": cuts a thread into a workpiece, between two heights of the document.
 const Operation& threadOperation();
 
 // The pass that cuts it. Without a depth it is that of the ISO metric profile, from the surface that is there: outside

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// What a head takes from a volume on a short way.
+// The material that a drill head removes from a volume on a short move.
 struct DrillCut {
   double removed = 0.0;      // mm³
   Vec3 push = Vec3::Zero();  // of length 1: where the head pushes what it takes, by A-8; 0: it took nothing

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// What is drilled.
+// A material to be drilled, with its force constants.
 struct DrillMaterial {
   std::string id;           // stable, for files and the command line: "cortical-bone"
   std::string name;         // English

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// A drilling program as a path: where the foremost point of the drill is when, the shank along z. Straight between.
+// A drilling program as a path of the drill's foremost point over time. The shank is along z. Straight between.
 struct DrillProgram {
   struct Place {
     double time = 0.0;        // s

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// Where a head was in a cycle, as it is kept: what is drilled by it is drilled again to the last bit.
+// A stored pose of a drill's head in a cycle. What is drilled by it is drilled again to the last bit.
 struct DrillPose {
   static constexpr double kStep = 1e-6;  // mm; so fine that the steps of a slow hand are even at 1 kHz
 

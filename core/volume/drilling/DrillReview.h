@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// What was drilled, gone through again.
+// The evaluation of a drilled hole by replaying its cycles.
 struct DrillReview {
   static constexpr double kEndOfBone = 1.0;  // mm before the breakthrough
 

@@ -29,7 +29,7 @@ struct DrillTick {
   double removed = 0.0;        // mm³, in this cycle
 };
 
-// Drilling cycle by cycle: one place of the head after the other, as the servo loop or a recording gives them.
+// A simulation of drilling, cycle by cycle. The servo loop or a recording gives one place of the head after the other.
 class DrillRun {
  public:
   // The volume must outlive it.

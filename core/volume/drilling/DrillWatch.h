@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// How a hole is to be drilled.
+// The planned drill path of a hole, with its tolerance and forbidden regions.
 struct DrillPlan {
   Vec3 entry = Vec3::Zero();         // mm, on the surface
   Vec3 direction = -Vec3::UnitZ();   // of the drill, of length 1

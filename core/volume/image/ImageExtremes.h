@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// The least and largest samples in cubes of 8³ of an image, so that what no surface passes is found without a look at
-// its samples.
+// The minimum and maximum of each cube of 8³ samples of an image. With it what no surface passes is found without a
+// look at its samples.
 class ImageExtremes {
  public:
   explicit ImageExtremes(const ImageVolume& image);

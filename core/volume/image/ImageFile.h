@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// What there is to say of how an image was read.
+// A remark about how an image was read.
 struct ImageRemark {
   enum class Kind {
     NoSpacing,       // the file says no distances of samples: they are 1 mm

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// How many samples of an image have which values: bins of one width from the least value to the largest.
+// The histogram of an image. Its bins are of one width from the least value to the largest.
 struct ImageHistogram {
   ValueRange values{0.0, 0.0};      // of the image
   std::vector<std::size_t> counts;  // a bin holds its lower end; the last one both

@@ -11,9 +11,9 @@
 
 namespace handwheel {
 
-// Makes a volume of what has values of this range. Between samples values are linear, so along a row of voxels the
-// surface is where they pass an end of the range; the depths around follow from there (VolumeFilters.h). What reaches
-// the border of the image is closed there: half a step beyond the outermost samples.
+// Makes a volume of the samples of an image with values in this range. Between samples values are linear, so along a
+// row of voxels the surface is where they pass an end of the range; the depths around follow from there
+// (VolumeFilters.h). What reaches the border of the image is closed there: half a step beyond the outermost samples.
 //
 // voxel: edge of a voxel, mm; none: usualVoxel(). Voxels lie along the axes of places, whatever the image's are; where
 // those are the same and the voxel is the spacing, each voxel is a sample. On all threads of the arena; O(samples +

@@ -14,8 +14,8 @@
 
 namespace handwheel {
 
-// Where the samples of an image lie: the first at the origin, the others in steps from it, mm. The steps need neither
-// be at right angles (slices of a tilted scanner are sheared) nor right-handed.
+// The grid of an image in space: an origin and three steps, mm. The first sample is at the origin, the others in steps
+// from it. The steps need neither be at right angles (slices of a tilted scanner are sheared) nor right-handed.
 //
 // Places are of a patient lying down, as DICOM has them: x to his left, y to his back, z to his head.
 struct ImageGrid {

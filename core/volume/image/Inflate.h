@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// Unpacks a gzip or zlib stream (RFC 1952, RFC 1950), by a look at its first bytes, to at most so many bytes: what
-// follows is not unpacked. Memory grows with what comes out, which deflate limits to 1032 times what went in.
-// Errors: LibraryFailed {zlib, reason} where it is damaged or ends early before that.
+// Unpacks a gzip or zlib stream (RFC 1952, RFC 1950) up to a size limit. The format is found by its first bytes; what
+// follows so many bytes is not unpacked. Memory grows with what comes out, which deflate limits to 1032 times what went
+// in. Errors: LibraryFailed {zlib, reason} where it is damaged or ends early before that.
 Result<std::string> inflated(std::string_view packed, std::size_t most);
 
 // Whether the bytes begin as a gzip stream does.

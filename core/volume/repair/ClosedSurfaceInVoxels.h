@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// A surface that is to become a volume: welded, closed by cones, and counted in voxels of its grid.
+// A surface prepared for voxelisation: welded, closed by cones, and in voxels of its grid.
 struct ClosedSurfaceInVoxels {
   TriangleSoup closed;  // voxels
   BoundaryCaps caps;

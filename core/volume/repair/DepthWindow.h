@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The depths of a block and of four voxels around it, in voxels, to be worked on and put back as the block's.
+// The depths of a block and of four voxels around it, in voxels. They are worked on and put back as the block's.
 class DepthWindow {
  public:
   static constexpr int kMargin = 4;

@@ -14,9 +14,9 @@
 
 namespace handwheel {
 
-// What closes wide bent holes of a surface: where its generalised winding number, the sum of its solid angles, passes a
-// half. That is smooth over a hole, meets the surface at its edge, and is the plane of a hole with a flat edge; what is
-// left of the surface shapes it, and not the middle of the hole alone.
+// Surfaces that close wide curved holes, by the generalised winding number. They are where it, the sum of the solid
+// angles of the surface, passes a half. Each is smooth over a hole, meets the surface at its edge, and is the plane of
+// a hole with a flat edge; what is left of the surface shapes it, and not the middle of the hole alone.
 //
 // The winding number is the whole one of the surface that cones close (SurfaceRows), less the solid angle of the cones.
 // So it differs from that, and is looked at, only in the blocks around the cones.

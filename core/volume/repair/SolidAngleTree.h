@@ -11,9 +11,10 @@
 
 namespace handwheel {
 
-// How often some triangles go round a point: the sum of their solid angles in turns, whole only for a closed surface
-// (Jacobson et al. 2013). Far from a group of triangles it is that of the first two terms of their expansion (Barill et
-// al., "Fast winding numbers for soups and clouds", 2018): within about 0.001. A value that any thread may read.
+// A tree of triangles that evaluates their generalised winding number. That is the sum of their solid angles in turns,
+// whole only for a closed surface (Jacobson et al. 2013). Far from a group of triangles it is that of the first two
+// terms of their expansion (Barill et al., "Fast winding numbers for soups and clouds", 2018): within about 0.001. A
+// value that any thread may read.
 class SolidAngleTree {
  public:
   // O(n log n).

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// How a surface is repaired by a volume.
+// Options of the repair of a surface by a volume.
 struct VolumeRepairOptions {
   double voxel = 0.0;     // mm
   double gaps = 0.0;      // mm: what a ball of this radius does not get into is filled (withoutGaps()); 0: nothing

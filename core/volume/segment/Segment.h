@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// 16 by 16 by 16 samples of an image, each in a segment or not: bit x of row 16 z + y.
+// A brick of 16³ samples of an image, each in a segment or not. Bit x of row 16 z + y.
 struct SegmentBrick {
   static constexpr int kSide = 16;
   std::array<std::uint16_t, kSide * kSide> rows{};
@@ -27,8 +27,8 @@ struct SegmentBrick {
   }
 };
 
-// A part of an image: its samples with values of a range, but where bricks say which ones. So a range alone takes no
-// memory, and what is painted takes that of the bricks that it meets.
+// A part of an image, by a range of values and bricks. Its samples are those with values of the range, but where bricks
+// say which ones. So a range alone takes no memory, and what is painted takes that of the bricks that it meets.
 //
 // A value: copies share bricks. Reading different copies on different threads is safe.
 class Segment {

@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// The median of a segment: a sample is in it where it is most of the 3³ around, those at the border counting for the
-// ones beyond. Specks of one sample vanish, steps of one are evened. On all threads of the arena; O(samples), and two
-// bytes for each. After a cancel the result is not to be used.
+// The median filter of a segment over 3³ samples. A sample is in it where most around are, those at the border counting
+// for the ones beyond. Specks of one sample vanish, steps of one are evened. On all threads of the arena; O(samples),
+// and two bytes for each. After a cancel the result is not to be used.
 Segment smoothed(const ImageVolume& image, const Segment& segment, const Progress& progress = {});
 
 }  // namespace handwheel

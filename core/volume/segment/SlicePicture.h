@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The three planes in which images of patients are looked at, and how a slice lies on the screen: as if the patient
-// were seen from the feet (axial), from the front (coronal) and from his left (sagittal).
+// The anatomical planes in which images of patients are viewed. A slice lies on the screen as if the patient were seen
+// from the feet (axial), from the front (coronal) and from his left (sagittal).
 enum class SlicePlane { Axial, Coronal, Sagittal };
 inline constexpr std::array<SlicePlane, 3> kSlicePlanes{SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal};
 
@@ -35,7 +35,8 @@ struct GreyWindow {
   double width = 1.0;  // from black to white, above 0
 };
 
-// A slice as a picture, at most so many pixels along: of larger ones every second, third, … sample.
+// A slice as a picture of limited size. It has at most so many pixels along: of larger ones every second, third, …
+// sample.
 struct SlicePicture {
   static constexpr int kMostPixels = 2048;
   int width = 0, height = 0, step = 1;

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// The cells of a block: 8³ cubes between samples, those at the high sides to the first samples of the next blocks. A
-// block owns the edges that begin at its samples.
+// The 8³ cells of a block, which are cubes between samples. Those at the high sides go to the first samples of the next
+// blocks. A block owns the edges that begin at its samples.
 class BlockCells {
  public:
   static constexpr std::size_t kEdges = 3 * VolumeBlock::kCount;  // 3 times the sample, and the axis

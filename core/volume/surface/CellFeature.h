@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A sharp edge or corner of a volume in or beside a cell between eight samples. In voxels.
+// A sharp edge or corner of a volume in or beside a cell. A cell is between eight samples. In voxels.
 struct CellFeature {
   struct Plane {
     Vec3 foot;     // on the surface

@@ -9,9 +9,9 @@
 
 namespace handwheel {
 
-// The marching cubes table (Lorensen and Cline 1987), made in a way that surfaces are closed and manifold and do not
-// intersect: where a face of a cell has material in two opposite corners only, they are separated, from both sides; and
-// no diagonal lies in a face, where one of the next cell could lie.
+// The marching cubes table (Lorensen and Cline 1987), with ambiguous faces resolved. Surfaces are closed and manifold
+// and do not intersect: where a face of a cell has material in two opposite corners only, they are separated, from both
+// sides; and no diagonal lies in a face, where one of the next cell could lie.
 //
 // Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2). Edge e is along axis e / 4, from the corner whose other two
 // coordinates, in the order of the axes, are e & 1 and e >> 1 & 1.

@@ -13,9 +13,9 @@
 
 namespace handwheel {
 
-// Where a closed surface crosses the rows of voxel centres along x, and the winding numbers that follow: how often it
-// goes round each voxel. Crossings are decided exactly, a row through an edge or corner as if it were shifted by
-// something infinitely small, so the number outside is 0 on either end of every row.
+// Crossings of a closed surface with rows of voxel centres, and voxels' winding numbers. Rows are along x; the winding
+// number is how often the surface goes round a voxel. Crossings are decided exactly, a row through an edge or corner as
+// if it were shifted by something infinitely small, so the number outside is 0 on either end of every row.
 class SurfaceRows {
  public:
   struct Crossing {

@@ -27,8 +27,8 @@ struct VolumePiece {
   std::vector<BlockPart> parts;  // of the fine ones, by block
 };
 
-// The surface of a volume for its display, in pieces, so that only those are made anew that an edit touches. Normals
-// are those of the depths, so that pieces are shaded alike where they meet. A value; copies share the pieces.
+// The surface of a volume for its display, in pieces. Only those are made anew that an edit touches. Normals are those
+// of the depths, so that pieces are shaded alike where they meet. A value; copies share the pieces.
 class VolumeSurface {
  public:
   using Piece = std::shared_ptr<const VolumePiece>;  // not empty

@@ -10,9 +10,10 @@ namespace handwheel {
 
 inline constexpr const char* kVdbLibrary = "OpenVDB";
 
-// Reads a volume of a VDB file, in a process of its own (IsolatedReader.h): its first level set of floats, or else its
-// first fog, whose material is what is denser than a half. Lengths are taken as millimetres. Errors: LibraryFailed with
-// the reason (no such grid; voxels that are no cubes along the axes; too large), OutOfMemory, Cancelled.
+// Reads a volume of a VDB file, in a process of its own (IsolatedReader.h). It is the first level set of floats, or
+// else the first fog, whose material is what is denser than a half. Lengths are taken as millimetres. Errors:
+// LibraryFailed with the reason (no such grid; voxels that are no cubes along the axes; too large), OutOfMemory,
+// Cancelled.
 Result<VdbVolume> readVdb(std::string_view file, Progress progress);
 
 // The volume as a VDB file of one level set, "surface", three voxels deep either way; written by the same process.

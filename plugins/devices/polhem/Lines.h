@@ -12,9 +12,9 @@
 
 namespace handwheel::polhem {
 
-// Lines in both directions are ASCII: numbers between blanks, padded with blanks, ended by a line feed. The device ends
-// its numbers with another line feed, before the blanks. The maker's version of 2021-03-23; the one before had 63
-// bytes.
+// The size of a line of the protocol, in either direction. Lines are ASCII: numbers between blanks, padded with blanks,
+// ended by a line feed. The device ends its numbers with another line feed, before the blanks. The maker's version of
+// 2021-03-23; the one before had 63 bytes.
 inline constexpr std::size_t kLineSize = 64;  // bytes, its end included
 using Line = std::array<std::uint8_t, kLineSize>;
 

@@ -12,8 +12,8 @@
 
 namespace handwheel::spacemouse {
 
-// Without a report for so long (s), a displaced cap counts as released: reports come every 16 ms while it is held, so
-// the report of its release was lost. Shorter gaps are radio trouble, and the cap stays where it was.
+// The time (s) without a report after which a displaced cap counts as released. Reports come every 16 ms while it is
+// held, so the report of its release was lost. Shorter gaps are radio trouble, and the cap stays where it was.
 inline constexpr double kHeld = 1.0;
 
 // Session with a SpaceMouse by its HID reports. Its lamp is on while it is open.

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The slices of one image, in the order of their heights, and what is to be said of them.
+// The slices of one image, sorted by height, with remarks on them.
 struct Series {
   std::vector<DicomSlice> slices;
   Vec3 step = Vec3::UnitZ();    // from slice to slice of the image that they make, mm

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-// The distance of two surfaces by every pair of their triangles, and of these by every pair of their features: slow,
-// and by nothing that the program has.
+// The distance of two surfaces by brute force. By every pair of their triangles, and of these by every pair of their
+// features: slow, and by nothing that the program has.
 namespace handwheel::test {
 
 using Corners = std::array<Vec3, 3>;

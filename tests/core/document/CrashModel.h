@@ -10,7 +10,8 @@
 // The little document that the crash test's child edits and its parent judges.
 namespace handwheel::test {
 
-// After so many edits: a counter, and blobs each of which is as it was after the last edit that touched it.
+// A model whose content after any number of edits is known. It has a counter, and blobs each of which is as it was
+// after the last edit that touched it.
 class CrashModel {
  public:
   CrashModel() : m_blobs(kBlobs) {}

@@ -10,7 +10,8 @@
 
 namespace handwheel::test {
 
-// Every edge in two triangles, once each way: by number, since positions may coincide where a profile touches itself.
+// Whether a triangulation is closed: every edge in two triangles, once each way. By number, since positions may
+// coincide where a profile touches itself.
 inline bool isClosed(const TriangleSoup& soup) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
   for (const Triangle& t : soup.triangles) {

@@ -9,7 +9,7 @@
 
 namespace handwheel::test {
 
-// The power spectrum of a signal under a Hann window, by its definition through an FFT of radix 2 (Cooley and Tukey).
+// The power spectrum of a signal under a Hann window. By its definition through an FFT of radix 2 (Cooley and Tukey).
 class Spectrum {
  public:
   Spectrum(const std::vector<double>& signal, double rate) {

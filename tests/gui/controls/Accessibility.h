@@ -19,8 +19,9 @@
 #include <QTest>
 #include <functional>
 
-// What a person who uses the keyboard, a screen reader or large letters would miss in a window. Each function returns
-// one line per finding: the path of object names and classes from the root. Only what is visible is looked at.
+// Finds accessibility defects of a window. They are what a person who uses the keyboard, a screen reader or large
+// letters would miss. Each function returns one line per finding: the path of object names and classes from the root.
+// Only what is visible is looked at.
 namespace handwheel::test {
 
 inline QString pathOf(const QWidget* widget, const QWidget& root) {

@@ -10,8 +10,8 @@
 
 namespace handwheel::test {
 
-// Looks at a widget in both themes: nothing is cut, everything has a name and is reached by Tab. The scale is that of
-// the environment (QT_SCALE_FACTOR). With HANDWHEEL_PICTURES, a folder, the pictures are kept there to be looked at.
+// Checks a widget in both themes. Nothing is cut, everything has a name and is reached by Tab. The scale is that of the
+// environment (QT_SCALE_FACTOR). With HANDWHEEL_PICTURES, a folder, the pictures are kept there to be looked at.
 inline void lookAt(QWidget& widget, const QString& name, const QStringList& mayBeUnreached = {}) {
   widget.show();
   QVERIFY(QTest::qWaitForWindowExposed(&widget));

@@ -28,7 +28,7 @@
 #include <memory>
 #include <numbers>
 
-// The controls with something in them, to be looked at and to be checked in all sizes and themes.
+// The controls with sample content, for tests in all sizes and themes.
 namespace handwheel::test {
 
 inline std::vector<Property> sampleProperties() {

@@ -13,7 +13,7 @@
 
 namespace handwheel::test {
 
-// Runs a test of widgets: as the program starts, but with settings in a temporary folder.
+// Runs a test of widgets, with settings in a temporary folder. Otherwise as the program starts.
 template <class Test>
 int runControlsTest(int argc, char** argv) {
   QApplication application(argc, argv);

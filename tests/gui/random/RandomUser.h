@@ -23,10 +23,10 @@ class MainWindow;
 
 namespace handwheel::test {
 
-// Uses the window at random, the same way for the same seed as far as jobs end in the same order: keys, clicks,
-// strokes, commands, documents that are opened, switched, saved and closed, jobs that are cancelled. Watches that no
-// document is lost: one that has changes closes only after its prompt was answered so, and any other only by a command
-// that closes.
+// Operates the window at random, reproducibly from a seed. The same way as far as jobs end in the same order: keys,
+// clicks, strokes, commands, documents that are opened, switched, saved and closed, jobs that are cancelled. Watches
+// that no document is lost: one that has changes closes only after its prompt was answered so, and any other only by a
+// command that closes.
 class RandomUser : public QObject {
   Q_OBJECT
 

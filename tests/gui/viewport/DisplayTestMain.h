@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// A viewport of 600 × 500 pixels on the display with a mesh and parts, for each test a new one.
+// A fixture with a viewport of 600 × 500 pixels, for each test a new one. On the display with a mesh and parts.
 class ViewportFixture : public QObject {
   Q_OBJECT
 

@@ -9,7 +9,8 @@
 #include <vtkProperty.h>
 #include <deque>
 
-// A kind of geometry that the program does not have: points of a few pixels, in blocks, in the colour of the view.
+// A kind of geometry that the program does not have, for tests. Points of a few pixels, in blocks, in the colour of the
+// view.
 namespace handwheel::test {
 
 class PointsLayer : public ViewLayer {

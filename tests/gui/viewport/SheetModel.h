@@ -8,7 +8,7 @@
 #include <QImage>
 #include <cstdlib>
 
-// A model whose picture is known beforehand, and how to look for things in a picture.
+// A model whose picture is known, and functions that find objects in a picture.
 namespace handwheel {
 
 inline constexpr int kCells = 20;

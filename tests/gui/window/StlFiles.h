@@ -11,7 +11,8 @@
 #include <set>
 #include <vector>
 
-// Files for the window to open, and a judgement of the files it writes that uses nothing of the program.
+// STL files for tests of the window, and an independent reader for its output. That judges the files with nothing of
+// the program.
 namespace handwheel::test {
 
 using Corner = std::array<float, 3>;

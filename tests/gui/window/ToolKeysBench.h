@@ -11,7 +11,8 @@
 #include <QKeySequenceEdit>
 #include <QPushButton>
 
-// Keys are changed in the preferences, and pressed in the view while a brush selects faces.
+// A test fixture for keys of tools. Keys are changed in the preferences, and pressed in the view while a brush selects
+// faces.
 namespace handwheel::test {
 
 inline constexpr const char* kSmaller = "tool/select/smaller";

@@ -23,7 +23,8 @@
 #include <QtTest>
 #include <utility>
 
-// A main window with settings of its own, driven through the widgets that a person uses, found by their names.
+// A main window for tests with settings of its own. It is driven through the widgets that a person uses, found by their
+// names.
 namespace handwheel::test {
 
 constexpr int kPatienceMs = 20000;

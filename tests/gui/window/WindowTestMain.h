@@ -15,7 +15,7 @@
 
 namespace handwheel::test {
 
-// Runs a test of the window: as the program starts, but with settings in a temporary folder.
+// Runs a test of the window, with settings in a temporary folder. Otherwise as the program starts.
 template <class Test>
 int runWindowTest(int argc, char** argv) {
   Viewport::prepareApplication();

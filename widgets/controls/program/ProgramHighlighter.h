@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The colour of a word on the ground of lists and fields, with a contrast of at least 4.5:1.
+// The colour of a word in a program editor. It has a contrast of at least 4.5:1 on the ground of lists and fields.
 QColor programColour(EditorWord::Kind kind, ThemeKind theme);
 
 // Colours the words of a program and underlines what is marked. Only the lines that are shown are coloured, so that a

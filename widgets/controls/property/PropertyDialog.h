@@ -12,7 +12,7 @@
 
 namespace handwheel {
 
-// Shows properties of what is about to be done, which can be changed before it is: each change at once.
+// A dialog that shows the properties of an action before it is done. They can be changed there: each change at once.
 class PropertyDialog : public QDialog {
   Q_OBJECT
 

@@ -26,7 +26,8 @@ std::vector<PathLine> dashed(const PathLine& line, double length);
 // The colour of a look, on the background of the view.
 QColor pathColour(PathLine::Look look, const SceneColours& colours);
 
-// A tool path over the model, which hides none of it, and the outline of the tool. It is not fitted and not picked.
+// A view layer with a tool path and the outline of the tool. It lies over the model and hides none of it. It is not
+// fitted and not picked.
 class PathLayer : public ViewLayer {
  public:
   using Lines = std::shared_ptr<const std::vector<PathLine>>;

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// A view layer that shows the surface of a volume, which may change with every frame. It has one element, 0. While the
-// camera moves on a slow display it is drawn coarse.
+// A view layer for the surface of a volume, which may change every frame. It has one element, 0. While the camera moves
+// on a slow display it is drawn coarse.
 class VolumeLayer : public ViewLayer {
  public:
   VolumeLayer();

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Why loops that were to be closed are open after a repair, by their keys in its result.
+// Why boundary loops are still open after a repair, by their keys in its result. Only of loops that were to be closed.
 std::map<Vertex, FillFailure> failuresOf(const RepairReport& report);
 
 // Why the other defects of its result remain, translated.

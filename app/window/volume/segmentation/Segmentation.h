@@ -18,8 +18,8 @@ namespace handwheel {
 class SlicesPanel;
 class VolumeDocument;
 
-// The segmentation of a scan in the window: the docks “Segmentation” and “Slices”, which are there as long as a
-// document with a scan is current and nobody closed them. Every change of the segment is an edit of the document.
+// The segmentation of a scan in the window: the docks “Segmentation” and “Slices”. They are there as long as a document
+// with a scan is current and the user has not closed them. Every change of the segment is an edit of the document.
 // Window thread.
 class Segmentation : public QObject {
   Q_OBJECT

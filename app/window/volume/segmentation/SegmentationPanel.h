@@ -26,8 +26,8 @@ struct SegmentFigures {
   double faces = 0.0;  // facesOf(), mm²
 };
 
-// The controls of a segmentation: range, parts, smoothing, what the mouse does in the slices, greys, the surface. What
-// is done comes out as signals. Window thread.
+// The controls of a segmentation. They are range, parts, smoothing, what the mouse does in the slices, greys, the
+// surface. What is done comes out as signals. Window thread.
 class SegmentationPanel : public QWidget {
   Q_OBJECT
 

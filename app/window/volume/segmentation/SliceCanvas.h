@@ -15,10 +15,10 @@ namespace handwheel {
 // What the left button does in a slice.
 enum class SliceAction { Look, Paint, Erase, Grow };
 
-// One plane of a scan: the slice at the crosshair, the segment over it, letters of the patient's sides. The left button
-// does the chosen action, with Shift it moves the crosshair; the right one changes level and width of the greys, the
-// middle one moves the picture; the wheel goes through the slices, with Ctrl it zooms. The keys do the same at the
-// crosshair: arrows, Page up and down, Home and End, Space for the action, [ and ] for the radius, + and - to zoom.
+// A slice of a scan at the crosshair, with the segment over it. Letters name the patient's sides. The left button does
+// the chosen action, with Shift it moves the crosshair; the right one changes level and width of the greys, the middle
+// one moves the picture; the wheel goes through the slices, with Ctrl it zooms. The keys do the same at the crosshair:
+// arrows, Page up and down, Home and End, Space for the action, [ and ] for the radius, + and - to zoom.
 class SliceCanvas : public QWidget {
   Q_OBJECT
 

@@ -13,8 +13,8 @@ class QSlider;
 
 namespace handwheel {
 
-// The three planes of a scan with one crosshair, each with a slider: side by side, or one above the other where it is
-// higher than wide. Window thread.
+// Axial, coronal and sagittal slices of a scan with one crosshair, each with a slider. They are side by side, or one
+// above the other where the panel is higher than wide. Window thread.
 class SlicesPanel : public QWidget {
   Q_OBJECT
 

@@ -22,8 +22,8 @@ class ProgramSession;
 class SimulationBanner;
 struct DisplayModel;
 
-// The dock “Program” of workpieces: a page for each document, made when it is first shown, and what it shows in the
-// view while the dock is open. Window thread.
+// The dock “Program” of workpieces, with a page for each document. A page is made when it is first shown; the view
+// shows its content while the dock is open. Window thread.
 class ProgramDock : public QObject {
   Q_OBJECT
 

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The text of a program as an editor has it, and how its file wrote it.
+// The text of a program in an editor, and the encoding of its file.
 struct ProgramFile {
   QString text;             // lines end in '\n'
   bool isLatin = false;     // ISO 8859-1 instead of UTF-8

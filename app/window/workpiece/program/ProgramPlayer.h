@@ -13,8 +13,8 @@ class QToolButton;
 
 namespace handwheel {
 
-// Goes through a program by line and by time: Back, Play or Pause, Step, a slider, and how much faster than the machine
-// it plays. It says what is wanted, and shows the time that it is given. Window thread.
+// Controls to play a program by line and by time. They are Back, Play or Pause, Step, a slider, and how much faster
+// than the machine it plays. It says what is wanted, and shows the time that it is given. Window thread.
 class ProgramPlayer : public QWidget {
   Q_OBJECT
 

@@ -26,8 +26,8 @@ struct ProgramPicture {
   std::shared_ptr<const DisplayModel> part;  // as it is cut up to the line; null: as the document has it
 };
 
-// The program of one document: its text and file, its runs, and the place at which one looks. Window thread; runs are
-// jobs on what they were given.
+// The program of one document: its text, file, runs, and the current position. Window thread; runs are jobs on what
+// they were given.
 class ProgramSession : public QObject {
   Q_OBJECT
 

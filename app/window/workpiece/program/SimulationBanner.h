@@ -12,8 +12,8 @@ namespace handwheel {
 
 class MessageBar;
 
-// What lies over the view while that shows what a program would cut: nothing of it is in the document yet. It
-// lies below the messages of the window. Window thread.
+// A banner over the view while that shows the simulated cut of a program. It says that nothing of it is in the document
+// yet. It lies below the messages of the window. Window thread.
 class SimulationBanner : public QFrame {
   Q_OBJECT
 

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// A tool path as lines in the plane y = 0 of the scene, those of one look together: rapid moves dashed, arcs within
+// A tool path as lines in the plane y = 0 of the scene. Those of one look are together: rapid moves dashed, arcs within
 // 0.02 mm. zero: mm, z of the program's zero in the scene; dash: mm. Of a very long path the first part. Any thread.
 PathLayer::Lines toolPathLines(const ToolPath& path, double zero, double dash);
 

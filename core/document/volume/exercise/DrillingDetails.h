@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// Thrust or torque over time with the reference of (3-22) or (3-23) at the same feed, and the breakthrough as a line.
-// The constants of the reference are those with which both agree on a ball that drills deep inside: Ks = kp / (2 ktc),
-// Ru = kp / 5; so it is their shapes that are compared.
+// Thrust or torque over time with its reference curve, and the breakthrough as a line. The reference is (3-22) or
+// (3-23) at the same feed. The constants of the reference are those with which both agree on a ball that drills deep
+// inside: Ks = kp / (2 ktc), Ru = kp / 5; so it is their shapes that are compared.
 ReportCurve thrustCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments);
 ReportCurve torqueCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments);
 // Depth of the tip along the plan, and how far it is beside it.

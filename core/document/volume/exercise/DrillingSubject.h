@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Exercises of drilling: students drill a hole into a volume, which is judged by the planned path. The target is that
+// Exercises of drilling: students drill a hole into a volume. It is judged by the planned path. The target is that
 // path; what is imported is the stock.
 class DrillingSubject : public ExerciseSubject {
  public:

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// What is prepared for an exercise of drilling: the stock, the drill, and the way it is to go.
+// The data of an exercise of drilling: the stock, the drill, and its planned path.
 struct DrillingTask : ExerciseTask {
   static constexpr std::size_t kMostForbidden = 100;
 

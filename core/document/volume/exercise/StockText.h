@@ -11,8 +11,9 @@
 
 namespace handwheel {
 
-// A volume that is drilled in an exercise, and the same within its description: {"voxel", "origin", "data"}, the data
-// as VolumeRegions.h has it, compressed by zlib, in Base64. To make one takes a second for a large volume.
+// A volume that is drilled in an exercise, and its JSON form. Within the description of the exercise it is {"voxel",
+// "origin", "data"}, the data as VolumeRegions.h has it, compressed by zlib, in Base64. To make one takes a second for
+// a large volume.
 struct DrillingStock {
   SparseVolume volume;
   std::shared_ptr<const nlohmann::json> json;

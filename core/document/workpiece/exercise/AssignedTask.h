@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// What is prepared for the exercise that a workpiece is work on; null: it is none, or of other work.
+// The task of the exercise that a workpiece is work on. Null: it is none, or of other work.
 std::shared_ptr<const TurningTask> assignedTask(const AssignedExercise& assigned);
 
 }  // namespace handwheel

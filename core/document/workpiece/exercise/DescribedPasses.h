@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// The passes that the description of an exercise lists under "passes", at this speed (r/min), to be cut from this bar.
-// Error: ElementMalformed, also where cutting them would visit more than kMostCutAgain samples.
+// The passes that the description of an exercise lists under "passes". They are at this speed (r/min), to be cut from
+// this bar. Error: ElementMalformed, also where cutting them would visit more than kMostCutAgain samples.
 Result<std::vector<TurningPass>> describedPasses(const nlohmann::json& description, double spindleSpeed,
                                                  const TurnedProfile& bar);
 

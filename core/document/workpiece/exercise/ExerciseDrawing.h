@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// What the drawing of an exercise's target says: title, material, and of the criteria that students see the tolerances,
-// threads and roughness.
+// The texts on the drawing of an exercise's target. They are title, material, and of the criteria that students see the
+// tolerances, threads and roughness.
 DrawingTitle drawingTitleOf(const Exercise& exercise, const TurningTask& task);
 
 }  // namespace handwheel

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// What a student of an exercise of turning begins with.
+// The initial workpiece of a student in an exercise of turning.
 struct ExerciseStock {
   WorkpieceSnapshot bar;
   std::shared_ptr<const TurningTask> task;  // with the target, if there is one

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// A target as exercises have it in their JSON: "segments", an array of five numbers each as in the blob of a
-// workpiece's target (document/workpiece/target/TargetBlobs.h).
+// A target as JSON within an exercise. It is "segments", an array of five numbers each as in the blob of a workpiece's
+// target (document/workpiece/target/TargetBlobs.h).
 nlohmann::json toJson(const TargetProfile& target);
 
 // Reads it; also "outer" and "inner", points [r, z] that never go back in z, of the outside and of a bore that is open

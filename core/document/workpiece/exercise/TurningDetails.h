@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// What a report shows of work at the lathe: the shape beside the target, the path of the tool, roughness, force and
-// power over time, and what collided or was too heavy. O(samples + points of the passes).
+// The details of work at the lathe in a report. They are the shape beside the target, the path of the tool, roughness,
+// force and power over time, and what collided or was too heavy. O(samples + points of the passes).
 ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& work, Progress progress);
 
 }  // namespace handwheel

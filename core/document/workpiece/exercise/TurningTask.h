@@ -18,7 +18,7 @@ struct AllowedTool {
   bool operator==(const AllowedTool&) const = default;
 };
 
-// What is prepared for an exercise of turning: bar, lathe, tools and the shape that the part is to have.
+// The data of an exercise of turning: bar, lathe, tools and target shape.
 struct TurningTask : ExerciseTask {
   static constexpr std::size_t kMostTools = 50;
   static constexpr double kLargestSpeed = 10'000.0;  // r/min

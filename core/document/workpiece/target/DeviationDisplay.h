@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The colour (sRGB, 0…1) for a distance from the target (mm, above zero where material is left).
+// The colour (sRGB, 0…1) for a distance from the target. The distance is in mm, above zero where material is left.
 using DeviationColour = std::function<std::array<float, 3>(double)>;
 
 // A workpiece as displayed parts in the colours of its deviation from the target, which it must have. At most some 200

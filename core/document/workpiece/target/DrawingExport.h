@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The formats of drawings: DXF and SVG hold the exact half section, PDF a drawing with dimensions.
+// The file formats of drawings. DXF and SVG hold the exact half section, PDF a drawing with dimensions.
 std::vector<FileFormat> drawingFormats();
 bool isDrawingName(const std::filesystem::path& path);
 

@@ -9,8 +9,9 @@
 
 namespace handwheel {
 
-// Writes the target of a workpiece: "target" in the object "document" of the manifest, and the blob "workpiece/target"
-// with five doubles for each segment (r and z of both ends in mm, bulge). Without a target, null and no blob.
+// Writes the target of a workpiece into a container. It is "target" in the object "document" of the manifest, and the
+// blob "workpiece/target" with five doubles for each segment (r and z of both ends in mm, bulge). Without a target,
+// null and no blob.
 void writeTarget(const WorkpieceSnapshot& workpiece, Container& container);
 
 // Reads it; accepts any input. What cannot be read is added to damage, and there is no target then (null).

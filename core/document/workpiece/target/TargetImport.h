@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// A target that was read from a file, where it stands there.
+// A target that was read from a file, at its position there.
 struct ImportedTarget {
   TargetProfile profile;
   std::string source;       // name of the file, UTF-8

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Where a target lies in its bar: its finished face, which is the zero of the drawing and of programs, is behind the
+// Where a target lies in its bar. Its finished face, which is the zero of the drawing and of programs, is behind the
 // free end of the bar by what is left there for facing. All lengths are in mm.
 
 inline constexpr double kUsualAllowance = 1.0;

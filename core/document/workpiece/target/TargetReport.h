@@ -12,7 +12,7 @@
 
 namespace handwheel {
 
-// The deviation of a workpiece from its target, which it must have; that of the bar where nothing was cut. Incomplete
+// The deviation of a workpiece from its target, which it must have. That of the bar where nothing was cut. Incomplete
 // when cancelled.
 TargetDeviation deviationOf(const WorkpieceSnapshot& workpiece, Progress progress = {});
 

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The errors of a law on cuts that it was not fitted to, as shares of their force.
+// The relative errors of a law on cuts that it was not fitted to. As shares of their force.
 struct HeldOutErrors {
   std::size_t cuts = 0;
   double mean = 0.0, median = 0.0, worst = 0.0;

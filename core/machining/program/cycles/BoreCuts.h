@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// With what a bore is made. bar: null where the drill alone makes it.
+// The tools that make a bore. bar: null where the drill alone makes it.
 struct BoreTools {
   std::shared_ptr<const LatheTool> drill, bar;
 };

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// A surface that is to be cut, from its upper end, z = 0, down to its lower; r grows out of the material.
+// A surface to be cut, from its upper end to its lower. The upper end is at z = 0; r grows out of the material.
 using CutContour = std::vector<ProfileSegment>;
 
 // The path of the tip of a tool with its nose towards the axis and the chuck, which takes what is between a contour and

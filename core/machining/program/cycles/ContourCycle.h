@@ -7,7 +7,8 @@
 
 namespace handwheel {
 
-// The cycles that cut a contour: roughing along z or r in levels (G71, G72) and finishing passes (G70).
+// The cycles that cut a contour: G71, G72 and G70. They are roughing along z or r in levels (G71, G72) and finishing
+// passes (G70).
 //
 // The moves are those of LinuxCNC 2.9 (interp_g7x.cc), which its documentation describes: levels from the start on, an
 // escape of 45 degrees, pockets cut once the level that meets them is reached, then along the contour. The contour

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Cuts what lies outside of a contour in levels, from its start down; a part of ContourCycle. The contour goes on in
+// Roughs the region outside of a contour in levels, from its start down. A part of ContourCycle. The contour goes on in
 // -z. A level is cut from where it enters the material to where it meets the contour; where the contour dips, its
 // pocket is cut when the contour has been followed to it.
 class ContourLevels {

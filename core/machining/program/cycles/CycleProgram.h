@@ -23,7 +23,7 @@ struct CycleTask {
   double allowance = 0.0;                  // mm of the part beyond z = 0 of the program
 };
 
-// What was written, and the tools with which it was simulated; those that turn the outside are a nose alone.
+// A program of cycles, and the tools with which it was simulated. Those that turn the outside are a nose alone.
 struct CycleProgram {
   std::string text;
   ProgramTools tools;

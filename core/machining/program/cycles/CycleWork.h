@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// What all contour cycles of a program together may cost, in steps from segment to segment, about 100 ns each: a
-// program of a few lines can ask for any number. Looks at the cancel flag.
+// The budget of computation for all contour cycles of a program together. In steps from segment to segment, about 100
+// ns each: a program of a few lines can ask for any number. Looks at the cancel flag.
 class CycleWork {
  public:
   static constexpr std::uint64_t kMost = 20'000'000;

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// How a target is roughed and finished from a bar. mm unless said.
+// Settings of roughing and finishing a target from a bar. mm unless said.
 struct CycleSettings {
   double depth = 1.5;       // of a level, on the radius
   double allowance = 0.3;   // left for finishing

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The passes of a thread (G76): parallel to Z, deeper and deeper, moved in along one flank.
+// The passes of a thread (G76): parallel to Z, deeper each time, along one flank.
 //
 // The depth of pass n is firstDepth·n^(1/degression) below the peaks: degression 1 keeps the depth of each pass, 2 the
 // area of its chip. Lengths in mm, of radii. The start must be beside the peaks, by `peak`.

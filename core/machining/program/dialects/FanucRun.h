@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// A run of a program for a lathe with a Fanuc control: G-code system A (X and Z absolute, U and W from where the tool
+// A run of a program for a lathe with a Fanuc control. G-code system A (X and Z absolute, U and W from where the tool
 // is, G90, G92 and G94 are cycles), Macro B as far as docs/programs.md says. X and U are diameters; I, K and R are not.
 class FanucRun : public ProgramRun {
  public:

@@ -12,8 +12,8 @@
 
 namespace handwheel {
 
-// Planes in which surfaces lie on each other but for the rounding of their corners, as the walls of two boxes that were
-// placed and then rotated: in the numbers of a file the walls cross at angles of the last digits.
+// Planes of surfaces that coincide except for rounding. As the walls of two boxes that were placed and then rotated: in
+// the numbers of a file the walls cross at angles of the last digits.
 struct SharedPlanes {
   struct Plane {
     Vec3 normal;  // unit length, but for rounding

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// What the verification of a path depends on: what it found holds as long as none of this changes. Lengths in mm,
-// angles in rad. A value; any thread.
+// The inputs on which the verification of a path depends. What it found holds as long as none of this changes. Lengths
+// in mm, angles in rad. A value; any thread.
 struct PathBasis {
   RobotPath path;
   std::shared_ptr<const CellRobot> robot;

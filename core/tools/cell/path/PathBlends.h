@@ -6,10 +6,10 @@
 
 namespace handwheel {
 
-// The blends of a path that are free, mm, of each place: at most the wanted ones; 0: an exact stop. Within a zone each
-// joint may be anywhere between where the two motions have it there, half as far again where lines bend in joint space:
-// everything is that far from the robot. What a controller does in a zone is not known but that it stays there. Exact
-// stops at the rest once cancelled.
+// The collision-free blend of each place of a path, mm. At most the wanted one; 0: an exact stop. At most the wanted
+// one; 0: an exact stop. Within a zone each joint may be anywhere between where the two motions have it there, half as
+// far again where lines bend in joint space: everything is that far from the robot. What a controller does in a zone is
+// not known but that it stays there. Exact stops at the rest once cancelled.
 std::vector<double> certifiedBlends(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const ResolvedPath& way, double clearance, const Progress& progress = {});
 

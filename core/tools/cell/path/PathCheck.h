@@ -12,7 +12,7 @@
 
 namespace handwheel {
 
-// A path of a cell as motions straight in joint space: lines of the tool are followed by short ones.
+// A path of a cell as motions straight in joint space. Lines of the tool are followed by short ones.
 struct ResolvedPath {
   JointPath joints;
   std::vector<std::size_t> placeOf;         // of each motion: the place that it leads to, from 1

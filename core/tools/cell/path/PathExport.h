@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A program that was written, and how far it is off when it is read back.
+// An exported robot program, and its error when it is read back.
 struct WrittenProgram {
   PostCheck check;
   std::size_t exactStops = 0;  // places whose blend was not certified, or that the language has none for

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The operation "optimise-path": a path whose critical places are visited in the order, and reached in the
-// configurations, that take the least time.
+// The operation "optimise-path", which minimises the duration of a path. Its critical places are visited in the order,
+// and reached in the configurations, that take the least time.
 const Operation& optimisationOperation();
 
 // How a path is optimised.

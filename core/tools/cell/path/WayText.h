@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Ways of the arm in words, translated.
+// Texts that describe inverse kinematics solutions of an arm, translated.
 
 // "Shoulder in front, elbow up, wrist flipped".
 QString stanceText(const ArmStance& stance);

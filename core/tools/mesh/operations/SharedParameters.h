@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Parameters that several operations on meshes have, and the simple ones that need no more than a sentence.
+// Parameters that several operations on meshes have. Also the simple operations that need no more than a sentence.
 
 // A flag that is off unless it is given.
 Parameter flagParameter(const char* id, std::string meaning, const char* label = "");

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// What the fixes of defects share.
+// Functions that the fixes of defects share.
 
 inline constexpr const char* kTooLong = QT_TRANSLATE_NOOP("Tool", "it would take too long for a mesh of this size");
 

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Why a repair left the defects that its result has, each for itself: as MeshChange::reason, in the order of Defects.
-// Empty where there are none.
+// Why a repair left the defects that remain in its result. Each for itself: as MeshChange::reason, in the order of
+// Defects. Empty where there are none.
 struct RemainingDefects {
   std::vector<const char*> nonManifoldEdges;
   std::vector<const char*> nonManifoldVertices;

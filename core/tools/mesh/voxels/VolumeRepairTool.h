@@ -10,7 +10,7 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that repairs a mesh by the volume that it encloses (volumeRepairChange()), for what the repair of triangles
+// Tool that repairs a mesh by the volume that it encloses (volumeRepairChange()). For what the repair of triangles
 // leaves: bodies through one another, self-intersections, walls inside.
 class VolumeRepairTool : public Tool {
  public:

@@ -24,8 +24,8 @@ inline void write(const QString& path, const std::string& bytes) {
     throw std::runtime_error("not written");
 }
 
-// A slide along x (0 to 1 m), on it an arm that turns about z (±2 rad), and a claw that follows the arm; the tool 0.5 m
-// out. The foot is a box, the arm a mesh of 0.5 m × 0.1 m × 0.1 m from a file.
+// The URDF of a small test arm. A slide along x (0 to 1 m), on it an arm that turns about z (±2 rad), and a claw that
+// follows the arm; the tool 0.5 m out. The foot is a box, the arm a mesh of 0.5 m × 0.1 m × 0.1 m from a file.
 inline const std::string kArmUrdf = R"(<robot name='arm'>
   <link name='foot'><visual><geometry><box size='0.2 0.2 0.1'/></geometry></visual></link>
   <link name='sledge'/>

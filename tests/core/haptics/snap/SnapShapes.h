@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-// Features to snap to, and what is nearest to them by other means than the program's.
+// Features to snap to, and an independent computation of the nearest point. It has nothing of the program's.
 namespace handwheel::test {
 
 using Real = long double;

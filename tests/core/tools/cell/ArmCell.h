@@ -14,7 +14,7 @@
 
 namespace handwheel::test {
 
-// The cell of a robot of the library, as a document; prepared for planning when it is asked for.
+// The document of a cell with a built-in robot. It is prepared for planning when that is asked for.
 class ArmCell {
  public:
   explicit ArmCell(const char* id = "irb120") {

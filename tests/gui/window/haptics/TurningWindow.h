@@ -12,7 +12,7 @@
 
 namespace handwheel::test {
 
-// A window with a new workpiece, 50 × 100 mm, seen from the front, and the tool in use.
+// A window with a new workpiece seen from the front, and the tool in use. The workpiece is 50 × 100 mm.
 struct TurningWindow {
   WindowDriver driver;
   HapticSession& session;

@@ -14,8 +14,8 @@
 
 namespace handwheel {
 
-// A Falcon behind its FTDI chip: bootloader, firmware, homing, motors, and what is known to go wrong. Written after the
-// description of the protocol, not after the code that it tests. Any thread, under its mutex.
+// An emulator of a Falcon behind its FTDI chip. It has bootloader, firmware, homing, motors, and what is known to go
+// wrong. Written after the description of the protocol, not after the code that it tests. Any thread, under its mutex.
 class FalconEmulator {
  public:
   using Bytes = std::vector<std::uint8_t>;

@@ -14,7 +14,7 @@
 
 namespace handwheel {
 
-// A host for a session on a thread of its own, behind a real socket: all of a guard but the process.
+// A host for a session on a thread of its own, behind a real socket. That is all of a guard but the process.
 class HostedSession {
  public:
   using Make = std::function<std::unique_ptr<Session>()>;

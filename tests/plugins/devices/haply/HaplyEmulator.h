@@ -15,8 +15,8 @@
 
 namespace handwheel {
 
-// The Inverse service as its documentation describes it: one frame for each message, forces that hold for one message.
-// It checks what it is sent, and closes the connection when that is no WebSocket.
+// An emulator of the Inverse service, as its documentation describes it. It sends one frame for each message, and
+// forces hold for one message. It checks what it is sent, and closes the connection when that is no WebSocket.
 struct HaplyEmulator final : Peer {
   nlohmann::json position = {{"x", 0.01}, {"y", -0.02}, {"z", 0.03}};
   bool calibrated = true;

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// A pen on an arm behind the stand-in of OpenHaptics, with a servo thread as the maker's library has one. There is one,
-// as there is one library. Any thread, under its mutex.
+// A simulated pen device behind the stand-in of OpenHaptics. It is on an arm, with a servo thread as the maker's
+// library has one. There is one, as there is one library. Any thread, under its mutex.
 struct HdStandIn {
   std::mutex mutex;
   // What it is like.

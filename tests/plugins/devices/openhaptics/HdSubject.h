@@ -9,7 +9,8 @@
 
 namespace handwheel {
 
-// The whole way: the plugin's session, a host, the bridge's session, and the stand-in of the maker's library.
+// The complete chain of an OpenHaptics device for tests. The plugin's session, a host, the bridge's session, and the
+// stand-in of the maker's library.
 inline ContractSubject hdSubject() {
   HdStandIn& device = HdStandIn::only();
   device.reset();

@@ -13,7 +13,8 @@
 
 namespace handwheel {
 
-// The board of a Polhem: 64 bytes in, 64 bytes out, written with the format that its firmware uses.
+// An emulator of the board of a Polhem. It has 64 bytes in, 64 bytes out, written with the format that its firmware
+// uses.
 struct PolhemEmulator final : Peer {
   double place[3] = {-59.276, 13.383, -148.002};
   double angles[4] = {0.0919, -1.8483, 1.0370, -1.9512};

@@ -24,8 +24,8 @@ inline bool isRadius(double radius) {
   return radius >= kLeastRadius && radius <= kLargestRadius;
 }
 
-// The surface of a globe: points in fixed directions from its centre, each pushed in by a fraction of the radius. A
-// value; versions share what did not change.
+// The surface of a globe: points at varying distances from its centre. They are in fixed directions, each pushed in by
+// a fraction of the radius. A value; versions share what did not change.
 class GlobeSurface {
  public:
   static constexpr double kDeepest = 0.9;

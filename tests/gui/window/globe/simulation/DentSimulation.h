@@ -13,7 +13,7 @@ struct DentState : SimulationState {
   bool isChanged;  // since the simulation began
 };
 
-// The simulation of dents: in a gesture the surface around the tip gives way until it is where the tip is.
+// The simulation of dents in a globe. In a gesture the surface around the tip gives way until it is where the tip is.
 class DentSimulation : public Simulation {
  public:
   static constexpr double kYield = 0.05;  // s, in which all but 1/e of the depth is gone

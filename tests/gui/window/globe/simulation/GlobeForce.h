@@ -11,7 +11,8 @@
 
 namespace handwheel::test {
 
-// The points of a globe near the tip: what the servo loop knows of one that is being dented. The simulation renews it.
+// The points of a globe near the tip, for the servo loop. It is what that knows of a globe that is being dented. The
+// simulation renews it.
 struct GlobePatch {
   static constexpr std::size_t kMost = 256;
   static constexpr double kChord = 2.0 * kGlobeReach;  // of the unit sphere
@@ -32,7 +33,7 @@ using DentChannel = SimulationChannel<GlobePatch>;
 
 inline constexpr const char* kGlobeSource = "globe";
 
-// The force of a globe: a spring from the tip inside to the surface above it.
+// The contact force of a globe. It is a spring from the tip inside to the surface above it.
 class GlobeForce : public ForceSource {
  public:
   // place: of the globe in the scene. stiffness: N/mm there. channel: of the simulation that changes the surface; null

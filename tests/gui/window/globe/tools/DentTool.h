@@ -13,7 +13,8 @@ namespace handwheel::test {
 // The id of the service that tools of dents need.
 inline constexpr const char* kDentService = "globe_dents";
 
-// Dents a globe while a button is held: with a device where its tip is, with the mouse a little below the surface.
+// Tool that dents a globe while a button is held. With a device where its tip is, with the mouse a little below the
+// surface.
 class DentTool : public Tool {
  public:
   static constexpr double kRate = 250.0;  // steps of the simulation a second

@@ -7,7 +7,7 @@
 
 namespace handwheel::test {
 
-// Shows the globe in twice its size as long as a button is held, then makes it so.
+// Tool that doubles the size of the globe. It shows that as long as a button is held, then makes it so.
 class GrowTool : public Tool {
  public:
   explicit GrowTool(GlobeDocument& document) : m_document(document) {}

@@ -15,7 +15,8 @@ namespace handwheel::test {
 
 class PointsLayer;
 
-// The user interface of globes: points in a layer of their own, felt through a force of their own; their poles attract.
+// The user interface of globes. It has points in a layer of their own, felt through a force of their own; their poles
+// attract.
 class GlobeUi : public KindUi {
  public:
   // sample: a file of it.
