@@ -154,6 +154,9 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
     lines.push_back("New: " + counted(after.debris - before.debris, "piece", "pieces") + " of debris, " +
                     std::to_string(after.debris) + " in all. Another repair with --remove-debris removes them.");
   }
+  const bool isCut = options.cutCrossings && after.selfIntersectingPairs.value_or(0) > 0;
+  if (after.nonManifoldEdges > 0 || after.nonManifoldVertices > 0 || isCut)
+    lines.push_back("--by volume makes a surface without such places, in the detail of its voxels.");
   return lines;
 }
 

@@ -95,7 +95,9 @@ Verdict judge(const std::string& name, const std::string& input, const TriangleS
     const rlimit limit{kLimitSeconds, kLimitSeconds};
     setrlimit(RLIMIT_CPU, &limit);
   });
-  program.start(HANDWHEEL_PROGRAM, {"repair", QString::fromStdString(input), "-o", output, "--report", report});
+  // Open sheets stay open unless asked; here everything is to be closed.
+  program.start(HANDWHEEL_PROGRAM,
+                {"repair", QString::fromStdString(input), "-o", output, "--rims", "back", "--report", report});
   if (!program.waitForFinished(kPatienceMs)) {
     program.kill();
     program.waitForFinished();
