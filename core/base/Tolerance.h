@@ -58,7 +58,7 @@ inline constexpr int kLibraryFanFaces = 5'000;
 // √2 splits to about their length. The default of the fidelity setting mesh.patch_density.
 inline constexpr double kPatchDensity = 1.4142135623730951;
 // A crease whose sides meet at more than this angle (radian; 30°) and that ends at a hole is continued through it.
-inline constexpr double kRidgeAngle = 0.52;
+inline constexpr double kCreaseAngle = 0.52;
 // New vertices of a patch per boundary edge, and in all: where the density of the surroundings asks for more, the patch
 // is coarser. 10,000 take 0.15 s to refine and fair, which cannot be interrupted.
 inline constexpr int kPatchVerticesPerEdge = 20;

@@ -277,7 +277,7 @@ std::vector<Property> FillHoleTool::settings() const {
   const OperationValues& values = *m_services.values;
   const FillMethod method = fillOptionsOf(values).method;
   std::vector<Property> all = {settingOf(values, "fill")};
-  if (method == FillMethod::Fair || method == FillMethod::Ridge) all.push_back(settingOf(values, "continuity"));
+  if (method == FillMethod::Fair || method == FillMethod::Crease) all.push_back(settingOf(values, "continuity"));
   for (const char* id : kWeightIds) {
     if (method != FillMethod::Ear) break;
     all.push_back(settingOf(values, id));

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/holes/RidgeFill.h"
+#include "mesh/holes/CreaseFill.h"
 
+#include "CreasedShapes.h"
 #include "MeshChecks.h"
 #include "MeshShapes.h"
-#include "RidgedShapes.h"
 #include "TestClass.h"
 #include "mesh/holes/HoleFiller.h"
 #include "mesh/structure/MeshBuilder.h"
@@ -19,7 +19,7 @@ namespace {
 
 using Distance = std::function<double(const Vec3&)>;
 
-FillOptions ridgeFillOnly(FillMethod method) {
+FillOptions creaseFillOnly(FillMethod method) {
   FillOptions options;
   options.method = method;
   options.tryOthers = false;
@@ -43,8 +43,8 @@ double rms(const Patch& patch, const Distance& distance) {
   return std::sqrt(squares / area);
 }
 
-struct RidgeFillErrors {
-  std::vector<double> fair, ridge;  // RMS / diameter of the hole
+struct CreaseFillErrors {
+  std::vector<double> fair, crease;  // RMS / diameter of the hole
   double p90(std::vector<double> values) const {
     std::sort(values.begin(), values.end());
     return values[values.size() * 9 / 10];
@@ -52,17 +52,18 @@ struct RidgeFillErrors {
 };
 
 // Cuts a ball out of the part around each place and fills it both ways.
-RidgeFillErrors cutAndFill(const TriangleSoup& part, const std::vector<Vec3>& places, double radius,
-                           const Distance& distance) {
-  RidgeFillErrors errors;
+CreaseFillErrors cutAndFill(const TriangleSoup& part, const std::vector<Vec3>& places, double radius,
+                            const Distance& distance) {
+  CreaseFillErrors errors;
   for (const Vec3& place : places) {
     const HalfEdgeMesh mesh = buildMesh(test::withHole(part, place, radius)).mesh;
     const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
     const HoleFiller filler(mesh);
-    const FillAttempt fair = filler.propose(loop, {}), ridge = filler.propose(loop, ridgeFillOnly(FillMethod::Ridge));
-    if (fair.failure != FillFailure::None || ridge.failure != FillFailure::None) continue;
+    const FillAttempt fair = filler.propose(loop, {}),
+                      crease = filler.propose(loop, creaseFillOnly(FillMethod::Crease));
+    if (fair.failure != FillFailure::None || crease.failure != FillFailure::None) continue;
     errors.fair.push_back(rms(fair.patch, distance) / loop.box.diagonal().norm());
-    errors.ridge.push_back(rms(ridge.patch, distance) / loop.box.diagonal().norm());
+    errors.crease.push_back(rms(crease.patch, distance) / loop.box.diagonal().norm());
   }
   return errors;
 }
@@ -74,7 +75,7 @@ std::size_t countOn(const Patch& patch, const std::function<bool(const Vec3&)>& 
 
 }  // namespace
 
-class RidgeFillTest : public QObject {
+class CreaseFillTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -83,13 +84,13 @@ class RidgeFillTest : public QObject {
   void flatSidesStayFlat();
   void valleysToo();
   void cornersComeBack();
-  void withoutRidgesAsFair();
+  void withoutCreasesAsFair();
   void keepsTheWholePartSound();
   void anySizeAndPlace();
   void cancels();
 };
 
-void RidgeFillTest::halvesTheErrorOnCubes() {
+void CreaseFillTest::halvesTheErrorOnCubes() {
   const TriangleSoup cube = test::roughCube(24, 7);
   std::mt19937 random(1);
   std::vector<Vec3> places;
@@ -99,14 +100,14 @@ void RidgeFillTest::halvesTheErrorOnCubes() {
     places.emplace_back((i % 2 ? 1.0 : -1.0) + 0.2 * (unit() - 0.5), 1.0 + 0.2 * (unit() - 0.5), unit() - 0.5);
   }
   for (double radius : {0.2, 0.35}) {
-    const RidgeFillErrors errors = cutAndFill(cube, places, radius, test::distanceToCube);
-    QCOMPARE(errors.ridge.size(), places.size());
-    QVERIFY2(errors.p90(errors.ridge) <= 0.5 * errors.p90(errors.fair),
-             qPrintable(QString("%1 %2").arg(errors.p90(errors.ridge)).arg(errors.p90(errors.fair))));
+    const CreaseFillErrors errors = cutAndFill(cube, places, radius, test::distanceToCube);
+    QCOMPARE(errors.crease.size(), places.size());
+    QVERIFY2(errors.p90(errors.crease) <= 0.5 * errors.p90(errors.fair),
+             qPrintable(QString("%1 %2").arg(errors.p90(errors.crease)).arg(errors.p90(errors.fair))));
   }
 }
 
-void RidgeFillTest::halvesTheErrorOnRims() {
+void CreaseFillTest::halvesTheErrorOnRims() {
   const TriangleSoup part = test::roughCylinder(120, 7);
   std::mt19937 random(2);
   std::vector<Vec3> places;
@@ -116,21 +117,21 @@ void RidgeFillTest::halvesTheErrorOnRims() {
     places.emplace_back(r * std::cos(u), r * std::sin(u), 1.0 + 0.1 * (unit() - 0.5));
   }
   for (double radius : {0.2, 0.4}) {
-    const RidgeFillErrors errors = cutAndFill(part, places, radius, test::distanceToCylinder);
-    QCOMPARE(errors.ridge.size(), places.size());
-    QVERIFY2(errors.p90(errors.ridge) <= 0.5 * errors.p90(errors.fair),
-             qPrintable(QString("%1 %2").arg(errors.p90(errors.ridge)).arg(errors.p90(errors.fair))));
+    const CreaseFillErrors errors = cutAndFill(part, places, radius, test::distanceToCylinder);
+    QCOMPARE(errors.crease.size(), places.size());
+    QVERIFY2(errors.p90(errors.crease) <= 0.5 * errors.p90(errors.fair),
+             qPrintable(QString("%1 %2").arg(errors.p90(errors.crease)).arg(errors.p90(errors.fair))));
   }
 }
 
 // A clean cut across a cube's edge leaves two flat sides and a straight crease, exactly.
-void RidgeFillTest::flatSidesStayFlat() {
+void CreaseFillTest::flatSidesStayFlat() {
   const TriangleSoup cube = test::roughCube(24, 0);
   const HalfEdgeMesh mesh = buildMesh(test::withHole(cube, Vec3(1.02, 1.01, 0.1), 0.3)).mesh;
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
-  const FillAttempt attempt = HoleFiller(mesh).propose(loop, ridgeFillOnly(FillMethod::Ridge));
+  const FillAttempt attempt = HoleFiller(mesh).propose(loop, creaseFillOnly(FillMethod::Crease));
   QVERIFY(attempt.failure == FillFailure::None);
-  QVERIFY(attempt.patch.method == FillMethod::Ridge);
+  QVERIFY(attempt.patch.method == FillMethod::Crease);
   QCOMPARE(attempt.patch.bridges.size(), std::size_t{1});
   QVERIFY(rms(attempt.patch, test::distanceToCube) < 1e-9);
   QVERIFY(countOn(attempt.patch,
@@ -138,54 +139,55 @@ void RidgeFillTest::flatSidesStayFlat() {
 }
 
 // The inside of a corner: a cube turned inside out.
-void RidgeFillTest::valleysToo() {
+void CreaseFillTest::valleysToo() {
   const TriangleSoup room = test::turnedOver(test::roughCube(24, 0));
   const HalfEdgeMesh mesh = buildMesh(test::withHole(room, Vec3(0.98, 1.01, 0.1), 0.3)).mesh;
-  const FillAttempt attempt = HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), ridgeFillOnly(FillMethod::Ridge));
+  const FillAttempt attempt =
+      HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), creaseFillOnly(FillMethod::Crease));
   QVERIFY(attempt.failure == FillFailure::None);
-  QVERIFY(attempt.patch.method == FillMethod::Ridge);
+  QVERIFY(attempt.patch.method == FillMethod::Crease);
   QVERIFY(rms(attempt.patch, test::distanceToCube) < 1e-9);
 }
 
-void RidgeFillTest::cornersComeBack() {
+void CreaseFillTest::cornersComeBack() {
   const TriangleSoup cube = test::roughCube(24, 7);
   for (double radius : {0.1, 0.3, 0.5}) {
     const HalfEdgeMesh mesh = buildMesh(test::withHole(cube, Vec3(1.01, 1.02, 0.99), radius)).mesh;
     const FillAttempt attempt =
-        HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), ridgeFillOnly(FillMethod::Ridge));
+        HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), creaseFillOnly(FillMethod::Crease));
     QVERIFY(attempt.failure == FillFailure::None);
-    QVERIFY(attempt.patch.method == FillMethod::Ridge);
+    QVERIFY(attempt.patch.method == FillMethod::Crease);
     QVERIFY(rms(attempt.patch, test::distanceToCube) < 1e-9);
     QCOMPARE(countOn(attempt.patch, [](const Vec3& p) { return (p - Vec3::Ones()).norm() < 1e-9; }), std::size_t{1});
   }
 }
 
-void RidgeFillTest::withoutRidgesAsFair() {
+void CreaseFillTest::withoutCreasesAsFair() {
   for (const TriangleSoup& part : {test::sphereWithoutCap(4), test::withHole(test::torus(60, 30), Vec3(2.7, 0, 0), 0.4),
                                    test::withHole(test::roughCube(24, 7), Vec3(1, 0, 0), 0.3)}) {
     const HalfEdgeMesh mesh = buildMesh(part).mesh;
     const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
     const HoleFiller filler(mesh);
-    const FillAttempt fair = filler.propose(loop, ridgeFillOnly(FillMethod::Fair));
-    const FillAttempt ridge = filler.propose(loop, ridgeFillOnly(FillMethod::Ridge));
+    const FillAttempt fair = filler.propose(loop, creaseFillOnly(FillMethod::Fair));
+    const FillAttempt crease = filler.propose(loop, creaseFillOnly(FillMethod::Crease));
     QVERIFY(fair.failure == FillFailure::None);
-    QVERIFY(ridge.failure == FillFailure::None);
-    QVERIFY(ridge.patch.method == FillMethod::Fair);
-    QVERIFY(ridge.patch.points == fair.patch.points);
-    QVERIFY(ridge.patch.triangles == fair.patch.triangles);
+    QVERIFY(crease.failure == FillFailure::None);
+    QVERIFY(crease.patch.method == FillMethod::Fair);
+    QVERIFY(crease.patch.points == fair.patch.points);
+    QVERIFY(crease.patch.triangles == fair.patch.triangles);
   }
 }
 
-void RidgeFillTest::keepsTheWholePartSound() {
+void CreaseFillTest::keepsTheWholePartSound() {
   for (const TriangleSoup& part : {test::withHole(test::roughCube(16, 3), Vec3(1, 1, 0), 0.3),
-                                   test::withHole(test::roughCube(16, 3), Vec3(1, 1, 1), 0.4),  // three ridges
+                                   test::withHole(test::roughCube(16, 3), Vec3(1, 1, 1), 0.4),  // three creases
                                    test::withHole(test::roughCylinder(80, 3), Vec3(0, 1, 1), 0.3),
-                                   test::withHole(test::roughSlab(16, 3), Vec3(0, 1, 0.1), 0.3)}) {  // two ridges
+                                   test::withHole(test::roughSlab(16, 3), Vec3(0, 1, 0.1), 0.3)}) {  // two creases
     const HalfEdgeMesh mesh = buildMesh(part).mesh;
     HoleFiller filler(mesh);
     const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
     FillOptions options;
-    options.method = FillMethod::Ridge;
+    options.method = FillMethod::Crease;
     const FillAttempt attempt = filler.propose(loop, options);
     QVERIFY(attempt.failure == FillFailure::None);
     filler.accept(loop, attempt.patch);
@@ -197,7 +199,7 @@ void RidgeFillTest::keepsTheWholePartSound() {
   }
 }
 
-void RidgeFillTest::anySizeAndPlace() {
+void CreaseFillTest::anySizeAndPlace() {
   const TriangleSoup cut = test::withHole(test::roughCube(24, 0), Vec3(1.02, 1.01, 0.1), 0.3);
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()));
   for (const auto& [scale, shift] : {std::pair{1e-6, 0.0}, {1e6, 0.0}, {1.0, 1e4}}) {
@@ -205,9 +207,9 @@ void RidgeFillTest::anySizeAndPlace() {
     for (Vec3& p : part.points) p = scale * (turn * p) + Vec3::Constant(shift);
     const HalfEdgeMesh mesh = buildMesh(part).mesh;
     const FillAttempt attempt =
-        HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), ridgeFillOnly(FillMethod::Ridge));
+        HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), creaseFillOnly(FillMethod::Crease));
     QVERIFY(attempt.failure == FillFailure::None);
-    QVERIFY(attempt.patch.method == FillMethod::Ridge);
+    QVERIFY(attempt.patch.method == FillMethod::Crease);
     const auto distance = [&, s = scale, o = shift](const Vec3& p) {
       return test::distanceToCube(turn.inverse() * ((p - Vec3::Constant(o)) / s));
     };
@@ -215,15 +217,15 @@ void RidgeFillTest::anySizeAndPlace() {
   }
 }
 
-void RidgeFillTest::cancels() {
+void CreaseFillTest::cancels() {
   const HalfEdgeMesh mesh = buildMesh(test::withHole(test::roughCube(16, 3), Vec3(1, 1, 0), 0.3)).mesh;
   const HoleContext hole = holeContext(mesh, findBoundaryLoops(mesh).at(0));
   const Obstacles obstacles(mesh);
-  QVERIFY(fillAlongRidges(hole, obstacles, tolerance::kPatchDensity));
+  QVERIFY(fillAlongCreases(hole, obstacles, tolerance::kPatchDensity));
   JobState job;
   job.cancelled = true;
-  QVERIFY(!fillAlongRidges(hole, obstacles, tolerance::kPatchDensity, Continuity::Tangent, Progress(job)));
+  QVERIFY(!fillAlongCreases(hole, obstacles, tolerance::kPatchDensity, Continuity::Tangent, Progress(job)));
 }
 
-HANDWHEEL_TEST(RidgeFillTest)
-#include "RidgeFillTest.moc"
+HANDWHEEL_TEST(CreaseFillTest)
+#include "CreaseFillTest.moc"

@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // The end of a surface crease at a hole.
-struct RidgeEnd {
+struct CreaseEnd {
   // Points of the context: from the loop back into the surface. Where the crease ran on as the loop's own edge, more
   // than the first of them are the loop's; nothing behind those edges belongs to the crease's other side.
   std::vector<std::uint32_t> chain;
@@ -19,6 +19,6 @@ struct RidgeEnd {
 
 // Finds the ends of all creases at a hole. The sides of a crease meet at more than this angle (radian), and it is seen
 // over two edges, or one where it comes from a corner of the part. O(n) for n faces around the hole.
-std::vector<RidgeEnd> findRidgeEnds(const HoleContext& hole, double angle);
+std::vector<CreaseEnd> findCreaseEnds(const HoleContext& hole, double angle);
 
 }  // namespace handwheel

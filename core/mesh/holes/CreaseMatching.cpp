@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/holes/RidgeMatching.h"
+#include "mesh/holes/CreaseMatching.h"
 
 #include "base/Tolerance.h"
 #include "mesh/holes/HoleDecomposition.h"
@@ -25,7 +25,7 @@ struct Match {
   bool operator<(const Match& other) const { return cost < other.cost; }
 };
 
-std::optional<double> costOf(const HoleContext& hole, const RidgeEnd& a, const RidgeEnd& b, double aim) {
+std::optional<double> costOf(const HoleContext& hole, const CreaseEnd& a, const CreaseEnd& b, double aim) {
   const Vec3 line = (hole.points[b.chain[0]] - hole.points[a.chain[0]]).stableNormalized();
   const double aimA = a.direction.dot(line), aimB = -b.direction.dot(line);
   if (!(aimA > aim) || !(aimB > aim) || (a.angle > 0.0) != (b.angle > 0.0)) return std::nullopt;
@@ -41,7 +41,7 @@ double piecesOf(const HoleContext& hole, double length, double spacing, double d
 // Cubic Hermite. Over an arc that leaves its chord by the angle a, Bézier handles of 4/3 · tan(a/2) radii follow a
 // circle (Goldapp, "Approximation of circular arcs by cubic polynomials", 1991); that is a tangent of chord /
 // cos²(a/2).
-std::vector<Vec3> curveBetween(const HoleContext& hole, const RidgeEnd& a, const RidgeEnd& b, double density) {
+std::vector<Vec3> curveBetween(const HoleContext& hole, const CreaseEnd& a, const CreaseEnd& b, double density) {
   const Vec3 &p = hole.points[a.chain[0]], &q = hole.points[b.chain[0]];
   const Vec3 line = (q - p).stableNormalized();
   const double chord = (q - p).norm();
@@ -59,7 +59,7 @@ std::vector<Vec3> curveBetween(const HoleContext& hole, const RidgeEnd& a, const
 }
 
 // The point nearest to the lines in which three ends go on.
-std::optional<Match> meetingOf(const HoleContext& hole, const std::vector<RidgeEnd>& ends,
+std::optional<Match> meetingOf(const HoleContext& hole, const std::vector<CreaseEnd>& ends,
                                const std::vector<std::size_t>& three) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Vec3 right = Vec3::Zero();
@@ -84,7 +84,7 @@ std::optional<Match> meetingOf(const HoleContext& hole, const std::vector<RidgeE
 
 class Matching {
  public:
-  Matching(const HoleContext& hole, const std::vector<RidgeEnd>& ends, double density)
+  Matching(const HoleContext& hole, const std::vector<CreaseEnd>& ends, double density)
       : m_hole(hole), m_ends(ends), m_density(density), m_isUsed(ends.size(), false) {}
 
   void addPairs(double aim) {
@@ -95,8 +95,8 @@ class Matching {
       }
     }
     for (const Match& match : accepted(std::move(matches))) {
-      const RidgeEnd &a = m_ends[match.ends[0]], &b = m_ends[match.ends[1]];
-      m_ridges.pairs.push_back({a, b, curveBetween(m_hole, a, b, m_density)});
+      const CreaseEnd &a = m_ends[match.ends[0]], &b = m_ends[match.ends[1]];
+      m_creases.pairs.push_back({a, b, curveBetween(m_hole, a, b, m_density)});
     }
   }
 
@@ -113,13 +113,13 @@ class Matching {
     for (Match& match : accepted(std::move(matches))) {
       std::sort(match.ends.begin(), match.ends.end(),
                 [&](std::size_t a, std::size_t b) { return m_ends[a].chain[0] < m_ends[b].chain[0]; });
-      RidgeCorner corner;
+      CreaseCorner corner;
       corner.point = match.point;
       for (std::size_t k = 0; k < 3; ++k) {
         corner.ends[k] = m_ends[match.ends[k]];
         corner.curves[k] = spoke(corner.ends[k].chain[0], match.point);
       }
-      m_ridges.corners.push_back(std::move(corner));
+      m_creases.corners.push_back(std::move(corner));
     }
   }
 
@@ -138,12 +138,12 @@ class Matching {
       }
     }
     for (const Match& match : accepted(std::move(matches))) {
-      const RidgeEnd& end = m_ends[match.ends[0]];
-      m_ridges.pairs.push_back({end, m_ends[match.ends[1]], spoke(end.chain[0], match.point)});
+      const CreaseEnd& end = m_ends[match.ends[0]];
+      m_creases.pairs.push_back({end, m_ends[match.ends[1]], spoke(end.chain[0], match.point)});
     }
   }
 
-  const Ridges& ridges() const { return m_ridges; }
+  const Creases& creases() const { return m_creases; }
 
  private:
   // The best of the matches that agree with each other and with those before.
@@ -177,23 +177,23 @@ class Matching {
   }
 
   const HoleContext& m_hole;
-  const std::vector<RidgeEnd>& m_ends;
+  const std::vector<CreaseEnd>& m_ends;
   double m_density;
   std::vector<bool> m_isUsed;
   std::vector<LoopChord> m_bridges;
-  Ridges m_ridges;
+  Creases m_creases;
 };
 
 }  // namespace
 
-Ridges matchRidges(const HoleContext& hole, const std::vector<RidgeEnd>& ends, double density) {
+Creases matchCreases(const HoleContext& hole, const std::vector<CreaseEnd>& ends, double density) {
   if (ends.size() > kMostEnds) return {};
   Matching matching(hole, ends, density);
   matching.addPairs(kSureAim);
   matching.addCorners();
   matching.addWaysToCorners();
   matching.addPairs(kAim);
-  return matching.ridges();
+  return matching.creases();
 }
 
 }  // namespace handwheel

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/holes/RidgeFill.h"
+#include "mesh/holes/CreaseFill.h"
 
 #include "base/Tolerance.h"
 #include "mesh/holes/CgalHoleFilling.h"
+#include "mesh/holes/CreaseMatching.h"
 #include "mesh/holes/EarClipping.h"
 #include "mesh/holes/HoleDecomposition.h"
 #include "mesh/holes/MinimalTriangulation.h"
-#include "mesh/holes/RidgeMatching.h"
 #include "mesh/structure/EdgeTable.h"
 
 #include <algorithm>
@@ -20,21 +20,21 @@ namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;  // smaller first
 
-// A hole cut along ridges. The patch's points are the loop's, then those of the curves, then each piece's own.
-class RidgeFiller {
+// A hole cut along creases. The patch's points are the loop's, then those of the curves, then each piece's own.
+class CreaseFiller {
  public:
-  RidgeFiller(const HoleContext& hole, const Obstacles& obstacles, const std::vector<RidgeEnd>& ends,
-              const Ridges& ridges, double density, Continuity continuity, Progress progress)
+  CreaseFiller(const HoleContext& hole, const Obstacles& obstacles, const std::vector<CreaseEnd>& ends,
+               const Creases& creases, double density, Continuity continuity, Progress progress)
       : m_hole(hole), m_obstacles(obstacles), m_density(density), m_continuity(continuity), m_progress(progress) {
     m_patch.loopSize = hole.loopSize;
     m_patch.points = hole.loop();
-    m_patch.method = FillMethod::Ridge;
-    for (const Ridge& ridge : ridges.pairs) {
-      m_paths.push_back({ridge.bridge(), added(ridge.curve)});
-      m_patch.bridges.push_back(ridge.bridge());
+    m_patch.method = FillMethod::Crease;
+    for (const Crease& crease : creases.pairs) {
+      m_paths.push_back({crease.bridge(), added(crease.curve)});
+      m_patch.bridges.push_back(crease.bridge());
     }
-    for (const RidgeCorner& corner : ridges.corners) addCorner(corner);
-    for (const RidgeEnd& end : ends) addChain(end);
+    for (const CreaseCorner& corner : creases.corners) addCorner(corner);
+    for (const CreaseEnd& end : ends) addChain(end);
     findNeighbours();
   }
 
@@ -67,7 +67,7 @@ class RidgeFiller {
     return numbers;
   }
 
-  void addCorner(const RidgeCorner& corner) {
+  void addCorner(const CreaseCorner& corner) {
     const std::uint32_t point = added({corner.point}).front();
     m_meetings.insert(point);
     std::array<std::vector<std::uint32_t>, 3> spokes;
@@ -92,7 +92,7 @@ class RidgeFiller {
     m_corners.insert(ends);
   }
 
-  void addChain(const RidgeEnd& end) {
+  void addChain(const CreaseEnd& end) {
     for (std::size_t i = 0; i + 1 < end.chain.size(); ++i) {
       m_creases.insert(std::minmax(end.chain[i], end.chain[i + 1]));
     }
@@ -244,19 +244,19 @@ class RidgeFiller {
   std::vector<HolePiece> m_slivers;    // between an edge of the loop and two curves that meet
   std::set<std::uint32_t> m_meetings;  // points where three curves meet,
   std::set<HolePiece> m_corners;       // and the ends of those
-  std::set<Edge> m_creases;            // edges of the ridges in the surface and along the loop
+  std::set<Edge> m_creases;            // edges of the creases in the surface and along the loop
   std::vector<std::vector<std::uint32_t>> m_neighbours;
   std::vector<std::uint32_t> m_behind;  // the face of each loop edge, none at a crease
 };
 
 }  // namespace
 
-std::optional<Patch> fillAlongRidges(const HoleContext& hole, const Obstacles& obstacles, double density,
-                                     Continuity continuity, Progress progress) {
-  const std::vector<RidgeEnd> ends = findRidgeEnds(hole, tolerance::kRidgeAngle);
-  const Ridges ridges = matchRidges(hole, ends, density);
-  if (ridges.pairs.empty() && ridges.corners.empty()) return std::nullopt;
-  return RidgeFiller(hole, obstacles, ends, ridges, density, continuity, progress).run();
+std::optional<Patch> fillAlongCreases(const HoleContext& hole, const Obstacles& obstacles, double density,
+                                      Continuity continuity, Progress progress) {
+  const std::vector<CreaseEnd> ends = findCreaseEnds(hole, tolerance::kCreaseAngle);
+  const Creases creases = matchCreases(hole, ends, density);
+  if (creases.pairs.empty() && creases.corners.empty()) return std::nullopt;
+  return CreaseFiller(hole, obstacles, ends, creases, density, continuity, progress).run();
 }
 
 }  // namespace handwheel

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/holes/Ridges.h"
+#include "mesh/holes/Creases.h"
 
 #include "mesh/structure/EdgeTable.h"
 #include "mesh/structure/FaceNormal.h"
@@ -35,9 +35,9 @@ Vec3 directionOf(const HoleContext& hole, const std::vector<std::uint32_t>& chai
 }
 
 // The creases of the ring.
-class Creases {
+class CreaseSearch {
  public:
-  Creases(const HoleContext& hole, double least) : m_hole(hole) {
+  CreaseSearch(const HoleContext& hole, double least) : m_hole(hole) {
     EdgeTable(hole.ring, hole.points.size()).forEachEdge([&](std::uint32_t a, std::uint32_t b, auto run) {
       if (run.size() != 2) return;
       const Triangle &f = hole.ring[run[0].halfEdge / 3], &g = hole.ring[run[1].halfEdge / 3];
@@ -51,13 +51,13 @@ class Creases {
     });
   }
 
-  std::vector<RidgeEnd> ends() const {
-    std::vector<RidgeEnd> result;
+  std::vector<CreaseEnd> ends() const {
+    std::vector<CreaseEnd> result;
     for (const auto& [v, creases] : m_at) {
       if (v >= m_hole.loopSize) break;
       for (const auto& [next, angle] : creases) {
         if (next < m_hole.loopSize) continue;
-        std::optional<RidgeEnd> end = follow(v, next, angle);
+        std::optional<CreaseEnd> end = follow(v, next, angle);
         if (end) result.push_back(alongLoop(std::move(*end)));
       }
     }
@@ -67,8 +67,8 @@ class Creases {
  private:
   using Neighbours = std::vector<std::pair<std::uint32_t, double>>;  // with the angle there
 
-  std::optional<RidgeEnd> follow(std::uint32_t from, std::uint32_t next, double angle) const {
-    RidgeEnd end{{from, next}, Vec3::Zero(), angle};
+  std::optional<CreaseEnd> follow(std::uint32_t from, std::uint32_t next, double angle) const {
+    CreaseEnd end{{from, next}, Vec3::Zero(), angle};
     bool isCorner = false;
     while (end.chain.size() < kSeen) {
       const std::uint32_t last = end.chain.back(), before = end.chain[end.chain.size() - 2];
@@ -86,7 +86,7 @@ class Creases {
   }
 
   // Follows the loop for as long as it goes where the crease does: there one side of the crease is missing.
-  RidgeEnd alongLoop(RidgeEnd end) const {
+  CreaseEnd alongLoop(CreaseEnd end) const {
     const auto n = static_cast<std::uint32_t>(m_hole.loopSize);
     for (std::size_t i = 0; i < kAlongLoop; ++i) {
       const std::uint32_t at = end.chain[0];
@@ -111,8 +111,8 @@ class Creases {
 
 }  // namespace
 
-std::vector<RidgeEnd> findRidgeEnds(const HoleContext& hole, double angle) {
-  return Creases(hole, angle).ends();
+std::vector<CreaseEnd> findCreaseEnds(const HoleContext& hole, double angle) {
+  return CreaseSearch(hole, angle).ends();
 }
 
 }  // namespace handwheel
