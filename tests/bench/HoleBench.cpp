@@ -302,7 +302,7 @@ void longLoops(benchmark::State& state) {
   removeDegenerateFaces(mesh);
   removeDuplicateFaces(mesh);
   removeFlaps(mesh);
-  stitchBorders(mesh, std::vector<bool>(mesh.vertexSlots(), false));
+  stitchBoundaries(mesh, std::vector<bool>(mesh.vertexSlots(), false));
   removeDegenerateFaces(mesh);
   const HoleFiller filler(mesh);
   std::vector<BoundaryLoop> cuts;

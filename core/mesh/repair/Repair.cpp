@@ -91,8 +91,8 @@ class Repairer {
     if (!progress.cancelled()) {
       const double longest = tolerance::kOneSidedCut * diagonalOf(m_mesh);
       WorkBudget effort(m_efforts.hard.left() / 2, m_efforts.hard);  // the rest is for holes
-      m_report.nonOrientableCuts +=
-          closeNonOrientable(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35).within(effort));
+      m_report.nonOrientableCuts += closeNonOrientable(m_mesh, m_options.fill, longest, BoundaryCuts::No,
+                                                       progress.part(0.3, 0.35).within(effort));
     }
     if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
@@ -115,7 +115,7 @@ class Repairer {
       m_report.removedDebris += removeDebris(m_mesh, progress.part(0.6, 0.7));
     if (!progress.cancelled()) {
       m_report.mergedVertices +=
-          stitchBorders(m_mesh, keptVertices(), progress.part(0.7, 0.9), m_options.nearWeld).size();
+          stitchBoundaries(m_mesh, keptVertices(), progress.part(0.7, 0.9), m_options.nearWeld).size();
     }
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.9, 1.0));
   }

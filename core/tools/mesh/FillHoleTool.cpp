@@ -3,7 +3,7 @@
 #include "tools/mesh/FillHoleTool.h"
 
 #include "document/mesh/MeshDocument.h"
-#include "mesh/boundary/BorderPick.h"
+#include "mesh/boundary/BoundaryPick.h"
 #include "mesh/boundary/HolePick.h"
 #include "tools/OperationSettings.h"
 
@@ -168,7 +168,7 @@ std::optional<std::uint32_t> FillHoleTool::pointAt(const PointerEvent& event) co
   const BoundaryLoop* chosen = loop();
   const auto faces = m_services.faces();
   if (!chosen || !faces) return std::nullopt;
-  const auto found = pickBorderPoint(m_document.mesh(), {chosen, 1}, *faces, event.pickRay());
+  const auto found = pickBoundaryPoint(m_document.mesh(), {chosen, 1}, *faces, event.pickRay());
   if (!found) return std::nullopt;
   const auto at = std::find(chosen->halfEdges.begin(), chosen->halfEdges.end(), found->at);
   return static_cast<std::uint32_t>(at - chosen->halfEdges.begin());

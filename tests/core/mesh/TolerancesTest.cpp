@@ -5,8 +5,8 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "mesh/boundary/BorderVertices.h"
 #include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/boundary/BoundaryVertices.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/holes/Creases.h"
 #include "mesh/holes/HoleContext.h"
@@ -179,14 +179,14 @@ void TolerancesTest::flap() {
 
 void TolerancesTest::nearWeld() {
   const double diagonal = std::hypot(2.0, 1.0);
-  const auto pairs = [](double gap) { return nearBorderVertices(buildMesh(squaresApart(gap)).mesh).size(); };
+  const auto pairs = [](double gap) { return nearBoundaryVertices(buildMesh(squaresApart(gap)).mesh).size(); };
   QCOMPARE(pairs(kJustBelow * tolerance::kNearWeld * diagonal), std::size_t{2});
   QCOMPARE(pairs(kJustAbove * tolerance::kNearWeld * diagonal), std::size_t{0});
 }
 
 // With so wide a reach that only the edges, all of length 1, are in the way.
 void TolerancesTest::nearWeldEdge() {
-  const auto pairs = [](double gap) { return nearBorderVertices(buildMesh(squaresApart(gap)).mesh, {}, 0.5).size(); };
+  const auto pairs = [](double gap) { return nearBoundaryVertices(buildMesh(squaresApart(gap)).mesh, {}, 0.5).size(); };
   QCOMPARE(pairs(kJustBelow * tolerance::kNearWeldEdge), std::size_t{2});
   QCOMPARE(pairs(kJustAbove * tolerance::kNearWeldEdge), std::size_t{0});
 }

@@ -5,7 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "mesh/boundary/BorderVertices.h"
+#include "mesh/boundary/BoundaryVertices.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/structure/MeshBuilder.h"
 

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Options of smoothBorder().
+// Options of smoothBoundary().
 struct SmoothingOptions {
   static constexpr double kLongestWavelength = 100.0;
 
@@ -25,8 +25,8 @@ struct VertexMove {
   Vec3 to = Vec3::Zero();
 };
 
-// The result of smoothBorder().
-struct SmoothedBorder {
+// The result of smoothBoundary().
+struct SmoothedBoundary {
   std::vector<VertexMove> moves;  // of the loop's vertices, those that move
   std::size_t held = 0;           // vertices held back so that no face flips and nothing is torn apart
 };
@@ -34,9 +34,10 @@ struct SmoothedBorder {
 // Smooths a boundary loop by moving its vertices onto a closed smoothing spline (PeriodicSpline.h). An interpolating
 // spline keeps every tooth of a ragged edge; the smoothing one filters waves by their length, and preserves the loop's
 // size and place, where averaging neighbours would shrink it. A small loop keeps its shape: waves of a third of it or
-// longer stay. Where a border face would flip, lose its area or intersect another, its corners go less far; points that
-// other fans or seams share stay. near: of this very mesh. O(n log n).
-SmoothedBorder smoothBorder(const FaceLocator& near, const BoundaryLoop& loop, const SmoothingOptions& options = {});
+// longer stay. Where a boundary face would flip, lose its area or intersect another, its corners go less far; points
+// that other fans or seams share stay. near: of this very mesh. O(n log n).
+SmoothedBoundary smoothBoundary(const FaceLocator& near, const BoundaryLoop& loop,
+                                const SmoothingOptions& options = {});
 
 // Applies vertex moves if every vertex is at its old position. False, and nothing changed, when one is not.
 bool moveVertices(HalfEdgeMesh& mesh, const std::vector<VertexMove>& moves);

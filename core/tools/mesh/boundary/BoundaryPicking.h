@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/boundary/BorderPick.h"
+#include "mesh/boundary/BoundaryPick.h"
 #include "mesh/boundary/FaceJoining.h"
 #include "tools/mesh/MeshServices.h"
 
@@ -18,15 +18,15 @@ const char* hintOf(JoinProblem problem, const char* otherwise);
 // Why a change of an edge may have no effect; English, context "Tool".
 extern const char* const kEdgeChanged;
 
-// Picks points and loops on the borders of a document's mesh. Queries refer to the present mesh, even while its
+// Picks points and loops on the boundaries of a document's mesh. Queries refer to the present mesh, even while its
 // hierarchy is still that of an older one.
-class BorderPicking {
+class BoundaryPicking {
  public:
-  BorderPicking(const MeshDocument& document, const MeshServices& services)
+  BoundaryPicking(const MeshDocument& document, const MeshServices& services)
       : m_document(document), m_faces(services.faces) {}
 
   // A point of a loop within reach; points at the position "without" do not count.
-  std::optional<BorderPoint> pointAt(const PickRay& pickRay, const std::optional<Vec3>& without = {}) const;
+  std::optional<BoundaryPoint> pointAt(const PickRay& pickRay, const std::optional<Vec3>& without = {}) const;
   // The key of the loop under the pointer.
   std::optional<Vertex> loopAt(const PickRay& pickRay) const;
   // Null until the first hierarchy is there. The answer holds until the document changes.

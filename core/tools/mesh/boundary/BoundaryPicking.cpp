@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/mesh/boundary/BorderPicking.h"
+#include "tools/mesh/boundary/BoundaryPicking.h"
 
 #include "document/mesh/MeshDocument.h"
 #include "mesh/boundary/HolePick.h"
@@ -58,13 +58,14 @@ const char* hintOf(JoinProblem problem, const char* otherwise) {
   return otherwise;
 }
 
-std::optional<BorderPoint> BorderPicking::pointAt(const PickRay& pickRay, const std::optional<Vec3>& without) const {
+std::optional<BoundaryPoint> BoundaryPicking::pointAt(const PickRay& pickRay,
+                                                      const std::optional<Vec3>& without) const {
   const auto faces = m_faces();
   if (!faces) return std::nullopt;
-  return pickBorderPoint(m_document.mesh(), m_document.defects().loops, *faces, pickRay, without);
+  return pickBoundaryPoint(m_document.mesh(), m_document.defects().loops, *faces, pickRay, without);
 }
 
-std::optional<Vertex> BorderPicking::loopAt(const PickRay& pickRay) const {
+std::optional<Vertex> BoundaryPicking::loopAt(const PickRay& pickRay) const {
   const auto faces = m_faces();
   if (!faces) return std::nullopt;
   const auto& loops = m_document.defects().loops;
@@ -72,7 +73,7 @@ std::optional<Vertex> BorderPicking::loopAt(const PickRay& pickRay) const {
   return loop ? std::optional(keyOf(m_document.mesh(), loops[*loop])) : std::nullopt;
 }
 
-std::shared_ptr<const FaceLocator> BorderPicking::near() {
+std::shared_ptr<const FaceLocator> BoundaryPicking::near() {
   const auto faces = m_faces();
   if (!faces) return nullptr;
   if (!m_near || m_older != faces || m_revision != m_document.revision()) {

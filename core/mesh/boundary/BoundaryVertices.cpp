@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/boundary/BorderVertices.h"
+#include "mesh/boundary/BoundaryVertices.h"
 
 #include "mesh/structure/CancelPolling.h"
 
@@ -12,7 +12,7 @@
 namespace handwheel {
 namespace {
 
-// How far each vertex on an open border may move to another: a share of its longer border edge, so that fine detail
+// How far each vertex on an open boundary may move to another: a share of its longer boundary edge, so that fine detail
 // of a large model does not fall together.
 std::unordered_map<Vertex, double> reaches(const HalfEdgeMesh& mesh, double nearWeld, Progress progress) {
   std::unordered_map<Vertex, double> reach;
@@ -46,7 +46,7 @@ double nearWeldReach(const HalfEdgeMesh& mesh, double nearWeld) {
   return std::isfinite(diagonal * diagonal) ? nearWeld * diagonal : 0.0;
 }
 
-BorderVertices::BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without, Progress progress) {
+BoundaryVertices::BoundaryVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without, Progress progress) {
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
     if (!pollProgress(h, mesh.halfEdgeSlots(), progress)) return;
     if (mesh.isBorder(h)) m_vertices.insert(m_vertices.end(), {mesh.from(h), mesh.to(h)});
@@ -64,9 +64,9 @@ BorderVertices::BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>
   m_places = TriangleHierarchy(points, places);
 }
 
-VertexPairs nearBorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without, double nearWeld,
-                               Progress progress) {
-  const BorderVertices vertices(mesh, without, progress.part(0.0, 0.3));
+VertexPairs nearBoundaryVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without, double nearWeld,
+                                 Progress progress) {
+  const BoundaryVertices vertices(mesh, without, progress.part(0.0, 0.3));
   const std::unordered_map<Vertex, double> reach = reaches(mesh, nearWeld, progress.part(0.3, 0.5));
   VertexPairs pairs;
   for (std::size_t i = 0; i < vertices.size(); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/boundary/BorderPick.h"
+#include "mesh/boundary/BoundaryPick.h"
 
 #include "HoleShapes.h"
 #include "TestClass.h"
@@ -10,7 +10,7 @@
 
 using namespace handwheel;
 
-class BorderPickTest : public QObject {
+class BoundaryPickTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -31,7 +31,7 @@ struct Scene {
   explicit Scene(const TriangleSoup& soup) : mesh(buildMesh(soup).mesh), loops(findBoundaryLoops(mesh)), faces(mesh) {}
 
   std::optional<Vec3> pick(const PickRay& pickRay, const std::optional<Vec3>& without = {}) const {
-    const auto point = pickBorderPoint(mesh, loops, faces, pickRay, without);
+    const auto point = pickBoundaryPoint(mesh, loops, faces, pickRay, without);
     if (!point) return std::nullopt;
     const auto& own = loops[point->loop].halfEdges;
     if (std::find(own.begin(), own.end(), point->at) == own.end()) qFatal("it is of another loop");
@@ -45,7 +45,7 @@ PickRay above(double x, double y, double pixel) {
 
 }  // namespace
 
-void BorderPickTest::nearestWithinReach() {
+void BoundaryPickTest::nearestWithinReach() {
   const Scene scene(test::plateWithHole());
   QCOMPARE(scene.pick(above(-1.9, 0.2, 0.1)), Vec3(-2, 0, 0));
   QCOMPARE(scene.pick(above(-1.9, 0.7, 0.1)), Vec3(-2, 1, 0));
@@ -54,7 +54,7 @@ void BorderPickTest::nearestWithinReach() {
   QVERIFY(!scene.pick(above(-3.5, 0.0, 0.01)));  // inner vertices do not count
 }
 
-void BorderPickTest::notBehindTheSurface() {
+void BoundaryPickTest::notBehindTheSurface() {
   TriangleSoup soup = test::plateWithHole();
   test::append(soup, test::moved(test::disc(12, 2, 6.0), Vec3(0, 0, 5)));
   const Scene scene(soup);
@@ -63,7 +63,7 @@ void BorderPickTest::notBehindTheSurface() {
   QCOMPARE(scene.pick(below), Vec3(-2, 0, 0));
 }
 
-void BorderPickTest::fromAnEye() {
+void BoundaryPickTest::fromAnEye() {
   const Scene scene(test::plateWithHole());
   const Vec3 eye(0, 0, 10);
   const PickRay pickRay{{eye, (Vec3(-2.1, 0, 0) - eye).normalized()}, eye, 0.05, 10.0};
@@ -72,14 +72,14 @@ void BorderPickTest::fromAnEye() {
   QVERIFY(!scene.pick(away));
 }
 
-void BorderPickTest::withoutOne() {
+void BoundaryPickTest::withoutOne() {
   const Scene scene(test::plateWithPinchedHole());
   QCOMPARE(scene.pick(above(0.1, 0.1, 0.2)), Vec3(0, 0, 0));
   QVERIFY(scene.pick(above(0.1, 0.1, 0.2), Vec3::Zero()) != std::optional(Vec3(0, 0, 0)));
   QVERIFY(!scene.pick(above(0, 0, 0.05), Vec3::Zero()));
 }
 
-void BorderPickTest::unusable() {
+void BoundaryPickTest::unusable() {
   const Scene scene(test::plateWithHole());
   for (const Vec3& direction : {Vec3(0, 0, 0), Vec3(NAN, 0, 1), Vec3(INFINITY, 0, 0)})
     QVERIFY(!scene.pick({{Vec3(0, 0, 9), direction}, std::nullopt, 0.1}));
@@ -87,5 +87,5 @@ void BorderPickTest::unusable() {
   QVERIFY(!Scene({}).pick(above(0, 0, 1)));
 }
 
-HANDWHEEL_TEST(BorderPickTest)
-#include "BorderPickTest.moc"
+HANDWHEEL_TEST(BoundaryPickTest)
+#include "BoundaryPickTest.moc"

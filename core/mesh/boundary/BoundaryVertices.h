@@ -15,16 +15,16 @@ namespace handwheel {
 // The length of the bounding-box diagonal of all live faces. 0 for an empty mesh.
 double modelDiagonal(const HalfEdgeMesh& mesh);
 
-// The distance below which border vertices count as one vertex. This share of the diagonal; 0 where the model is so
+// The distance below which boundary vertices count as one vertex. This share of the diagonal; 0 where the model is so
 // large that its square is not finite.
 double nearWeldReach(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld);
 
-// A spatial search structure for the vertices on open borders.
-class BorderVertices {
+// A spatial search structure for the vertices on open boundaries.
+class BoundaryVertices {
  public:
   // Vertices marked in "without" are left out; it may be shorter than the number of vertices. The result is invalid if
   // cancelled.
-  explicit BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without = {}, Progress progress = {});
+  explicit BoundaryVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without = {}, Progress progress = {});
 
   std::size_t size() const { return m_vertices.size(); }
   const std::vector<Vertex>& all() const { return m_vertices; }
@@ -45,11 +45,11 @@ class BorderVertices {
 
 using VertexPairs = std::vector<std::pair<Vertex, Vertex>>;
 
-// Finds pairs of border vertices that are close, but not at the same position. They are nearer than nearWeldReach() and
-// than tolerance::kNearWeldEdge of the longer border edge at either: most often one vertex of the scan, separated by
-// the rounding of its file. Each is paired with its nearest of smaller number. Vertices marked in "without" are
+// Finds pairs of boundary vertices that are close, but not at the same position. They are nearer than nearWeldReach()
+// and than tolerance::kNearWeldEdge of the longer boundary edge at either: most often one vertex of the scan, separated
+// by the rounding of its file. Each is paired with its nearest of smaller number. Vertices marked in "without" are
 // ignored. By rising second vertex. The result is invalid if cancelled.
-VertexPairs nearBorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without = {},
-                               double nearWeld = tolerance::kNearWeld, Progress progress = {});
+VertexPairs nearBoundaryVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without = {},
+                                 double nearWeld = tolerance::kNearWeld, Progress progress = {});
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The result of weldBorder().
+// The result of weldBoundary().
 struct Weld {
   JoinProblem problem = JoinProblem::None;
   HalfEdgeMesh mesh;          // with the weld, when there is no problem
@@ -16,10 +16,10 @@ struct Weld {
   TriangleSoup shapes;        // new shapes of those that stay
 };
 
-// Moves the first border point onto the second and merges the border there. Neighbours along the border are merged by
-// collapsing their edge; for points two edges apart, the two edges are merged. Other points would only touch, so the
-// nearer one of their neighbours moves along and the two edges become one. Faces that do not move stay as they are.
-// near: of this very mesh.
-Weld weldBorder(const FaceLocator& near, const BorderPair& ends);
+// Moves the first boundary point onto the second and merges the boundary there. Neighbours along the boundary are
+// merged by collapsing their edge; for points two edges apart, the two edges are merged. Other points would only touch,
+// so the nearer one of their neighbours moves along and the two edges become one. Faces that do not move stay as they
+// are. near: of this very mesh.
+Weld weldBoundary(const FaceLocator& near, const BoundaryPair& ends);
 
 }  // namespace handwheel

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/boundary/BorderSmoothing.h"
+#include "mesh/boundary/BoundarySmoothing.h"
 
 #include "mesh/boundary/PeriodicSpline.h"
 #include "mesh/search/MovedFaces.h"
@@ -156,7 +156,7 @@ class HeldWays {
 
 }  // namespace
 
-SmoothedBorder smoothBorder(const FaceLocator& near, const BoundaryLoop& loop, const SmoothingOptions& options) {
+SmoothedBoundary smoothBoundary(const FaceLocator& near, const BoundaryLoop& loop, const SmoothingOptions& options) {
   if (loop.halfEdges.size() < 3) return {};
   HeldWays ways(near, loop, options.numbers);
   std::size_t held = ways.draw(targets(ways.places(), options));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/boundary/BorderSmoothing.h"
+#include "mesh/boundary/BoundarySmoothing.h"
 
 #include "HoleShapes.h"
 #include "MeshChecks.h"
@@ -16,7 +16,7 @@
 
 using namespace handwheel;
 
-class BorderSmoothingTest : public QObject {
+class BoundarySmoothingTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -44,11 +44,11 @@ double roughness(const std::vector<Vec3>& p) {
 struct Smoothed {
   HalfEdgeMesh before, after;
   BoundaryLoop loop;
-  SmoothedBorder border;
+  SmoothedBoundary border;
 
   explicit Smoothed(const TriangleSoup& soup, const SmoothingOptions& options = {}, std::size_t which = 0)
       : before(buildMesh(soup).mesh), after(before), loop(findBoundaryLoops(before).at(which)) {
-    border = smoothBorder(FaceLocator(before, std::make_shared<FaceHierarchy>(before)), loop, options);
+    border = smoothBoundary(FaceLocator(before, std::make_shared<FaceHierarchy>(before)), loop, options);
     if (!moveVertices(after, border.moves)) qFatal("it moves other vertices");
   }
 
@@ -79,7 +79,7 @@ TriangleSoup toothedDisc(std::uint32_t n, double tooth) {
 
 }  // namespace
 
-void BorderSmoothingTest::teethGo() {
+void BoundarySmoothingTest::teethGo() {
   const Smoothed s(toothedDisc(60, 0.05));
   QCOMPARE(s.problem(), std::string());
   QCOMPARE(s.loop.halfEdges.size(), std::size_t(60));
@@ -90,7 +90,7 @@ void BorderSmoothingTest::teethGo() {
   for (const Vec3& p : loopPoints(s.after, s.loop)) QVERIFY(std::abs(p.norm() - 1.0) < 0.005);
 }
 
-void BorderSmoothingTest::aCircleStays() {
+void BoundarySmoothingTest::aCircleStays() {
   for (const std::uint32_t n : {24u, 60u, 400u}) {
     const Smoothed s(test::disc(n, 4));
     QCOMPARE(s.problem(), std::string());
@@ -99,7 +99,7 @@ void BorderSmoothingTest::aCircleStays() {
 }
 
 // Points that crowd on one side spread; the circle stays one.
-void BorderSmoothingTest::spacingOnly() {
+void BoundarySmoothingTest::spacingOnly() {
   TriangleSoup soup = test::disc(48, 2);
   for (Vec3& p : soup.points) {
     const double u = std::atan2(p.y(), p.x()) + 0.05 * std::sin(8.0 * std::atan2(p.y(), p.x()));
@@ -122,7 +122,7 @@ void BorderSmoothingTest::spacingOnly() {
   QVERIFY(test::sameMesh(nothing.before, nothing.after));
 }
 
-void BorderSmoothingTest::pinchesAndSeamsStay() {
+void BoundarySmoothingTest::pinchesAndSeamsStay() {
   for (std::size_t which = 0; which < 3; ++which) {
     const Smoothed s(test::plateWithPinchedHole(), {}, which);
     QCOMPARE(s.problem(), std::string());
@@ -133,7 +133,7 @@ void BorderSmoothingTest::pinchesAndSeamsStay() {
   }
 }
 
-void BorderSmoothingTest::smallestLoop() {
+void BoundarySmoothingTest::smallestLoop() {
   TriangleSoup soup = test::icosphere(2);
   soup.triangles.pop_back();
   const Smoothed s(soup);
@@ -142,7 +142,7 @@ void BorderSmoothingTest::smallestLoop() {
   for (const VertexMove& m : s.border.moves) QVERIFY((m.to - m.from).norm() < 0.1 * s.loop.length);
 }
 
-void BorderSmoothingTest::facesKeepTheirSides() {
+void BoundarySmoothingTest::facesKeepTheirSides() {
   QVERIFY(rc::check([] {
     const auto seed = *rc::gen::arbitrary<unsigned>();
     std::mt19937 random(seed);
@@ -157,7 +157,7 @@ void BorderSmoothingTest::facesKeepTheirSides() {
   }));
 }
 
-void BorderSmoothingTest::scalesAndOffsets() {
+void BoundarySmoothingTest::scalesAndOffsets() {
   const Smoothed plain(toothedDisc(60, 0.05));
   for (const double scale : {1e-6, 1e-3, 1e3, 1e6}) {
     const Smoothed s(test::moved(toothedDisc(60, 0.05), Vec3::Zero(), scale));
@@ -171,7 +171,7 @@ void BorderSmoothingTest::scalesAndOffsets() {
     QVERIFY((far.after.position(v) - Vec3::Constant(1e7) - plain.after.position(v)).norm() < 1e-6);
 }
 
-void BorderSmoothingTest::roundsToTheNumbersOfTheFile() {
+void BoundarySmoothingTest::roundsToTheNumbersOfTheFile() {
   SmoothingOptions options;
   options.numbers = NumberType::Float32;
   const Smoothed exact(toothedDisc(24, 0.1)), single(toothedDisc(24, 0.1), options);
@@ -185,7 +185,7 @@ void BorderSmoothingTest::roundsToTheNumbersOfTheFile() {
   }
 }
 
-void BorderSmoothingTest::staleMoves() {
+void BoundarySmoothingTest::staleMoves() {
   Smoothed s(toothedDisc(24, 0.05));
   const HalfEdgeMesh moved = s.after;
   QVERIFY(!moveVertices(s.after, s.border.moves));
@@ -193,5 +193,5 @@ void BorderSmoothingTest::staleMoves() {
   QVERIFY(!moveVertices(s.after, {{static_cast<Vertex>(s.after.vertexSlots()), Vec3::Zero(), Vec3::Zero()}}));
 }
 
-HANDWHEEL_TEST(BorderSmoothingTest)
-#include "BorderSmoothingTest.moc"
+HANDWHEEL_TEST(BoundarySmoothingTest)
+#include "BoundarySmoothingTest.moc"

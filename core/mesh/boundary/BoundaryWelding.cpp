@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/boundary/BorderWelding.h"
+#include "mesh/boundary/BoundaryWelding.h"
 
 #include "mesh/search/MovedFaces.h"
 #include "mesh/structure/EdgeCollapse.h"
@@ -16,7 +16,7 @@ struct Shift {
   Vertex from, onto;
 };
 
-// Moves vertices onto others, and pairs the borders that come to lie on each other.
+// Moves vertices onto others, and pairs the boundaries that come to lie on each other.
 class Welding {
  public:
   Welding(const FaceLocator& near, std::vector<Shift> shifts)
@@ -124,7 +124,7 @@ class Welding {
   MovedFaces m_moved;
 };
 
-// A border edge shrinks to the place of one of its ends.
+// A boundary edge shrinks to the place of one of its ends.
 Weld collapsed(const FaceLocator& near, HalfEdge h, Shift shift) {
   Weld weld;
   const HalfEdgeMesh& mesh = near.mesh();
@@ -156,7 +156,7 @@ Weld collapsed(const FaceLocator& near, HalfEdge h, Shift shift) {
 
 }  // namespace
 
-Weld weldBorder(const FaceLocator& near, const BorderPair& ends) {
+Weld weldBoundary(const FaceLocator& near, const BoundaryPair& ends) {
   const HalfEdgeMesh& mesh = near.mesh();
   const Vertex v = mesh.from(ends.a), w = mesh.from(ends.b);
   Weld weld;

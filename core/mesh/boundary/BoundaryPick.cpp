@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/boundary/BorderPick.h"
+#include "mesh/boundary/BoundaryPick.h"
 
 #include <algorithm>
 
@@ -9,14 +9,14 @@ namespace {
 
 struct Candidate {
   double pixels;  // from the line of sight
-  BorderPoint point;
+  BoundaryPoint point;
 };
 
 }  // namespace
 
-std::optional<BorderPoint> pickBorderPoint(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops,
-                                           const FaceHierarchy& faces, const PickRay& pickRay,
-                                           const std::optional<Vec3>& without) {
+std::optional<BoundaryPoint> pickBoundaryPoint(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops,
+                                               const FaceHierarchy& faces, const PickRay& pickRay,
+                                               const std::optional<Vec3>& without) {
   if (!pickRay.ray.isUsable()) return std::nullopt;
   const Vec3 forward = pickRay.ray.direction.stableNormalized();
   const auto aside = [&](const Vec3& p) -> double {
@@ -27,12 +27,12 @@ std::optional<BorderPoint> pickBorderPoint(const HalfEdgeMesh& mesh, std::span<c
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const double reach = 0.5 * loops[i].box.diagonal().norm();
     const Vec3 farthest = loops[i].box.center() + reach * forward;
-    if (aside(loops[i].box.center()) > reach + kBorderPickRadius * pickRay.pixelAt(farthest)) continue;
+    if (aside(loops[i].box.center()) > reach + kBoundaryPickRadius * pickRay.pixelAt(farthest)) continue;
     for (const HalfEdge h : loops[i].halfEdges) {
       const Vec3& p = mesh.position(mesh.from(h));
       if (p == without || (pickRay.eye && !((p - *pickRay.eye).dot(forward) > 0.0))) continue;
       const double pixels = aside(p) / pickRay.pixelAt(p);
-      if (pixels <= kBorderPickRadius) near.push_back({pixels, {i, h}});
+      if (pixels <= kBoundaryPickRadius) near.push_back({pixels, {i, h}});
     }
   }
   std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.pixels < b.pixels; });

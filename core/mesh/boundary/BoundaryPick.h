@@ -10,10 +10,10 @@
 namespace handwheel {
 
 // The distance within which a point of a boundary loop attracts the pointer (He 2008, section 3.1.1); logical pixels.
-inline constexpr double kBorderPickRadius = 12.0;
+inline constexpr double kBoundaryPickRadius = 12.0;
 
 // A point of a boundary loop.
-struct BorderPoint {
+struct BoundaryPoint {
   std::size_t loop = 0;  // in the list
   HalfEdge at = kNone;   // the open half-edge that leaves it
 };
@@ -21,8 +21,8 @@ struct BorderPoint {
 // Picks the boundary point that the pick ray passes nearest. It must be within the radius, and the surface must not
 // hide it. Points at the position "without" do not count. The loops are those of the mesh; the hierarchy may be of an
 // older version. O(points of the loops near by).
-std::optional<BorderPoint> pickBorderPoint(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops,
-                                           const FaceHierarchy& faces, const PickRay& pickRay,
-                                           const std::optional<Vec3>& without = {});
+std::optional<BoundaryPoint> pickBoundaryPoint(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops,
+                                               const FaceHierarchy& faces, const PickRay& pickRay,
+                                               const std::optional<Vec3>& without = {});
 
 }  // namespace handwheel

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/boundary/BorderVertices.h"
+#include "mesh/boundary/BoundaryVertices.h"
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
@@ -33,7 +33,7 @@ HalfEdgeMesh crumbs(std::mt19937& random) {
 
 }  // namespace
 
-class BorderVerticesTest : public QObject {
+class BoundaryVerticesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -44,7 +44,7 @@ class BorderVerticesTest : public QObject {
   void detailOfALargeModel();
 };
 
-void BorderVerticesTest::diagonal() {
+void BoundaryVerticesTest::diagonal() {
   QCOMPARE(modelDiagonal(HalfEdgeMesh()), 0.0);
   HalfEdgeMesh mesh = buildMesh(test::cube(2.0, Vec3(5, 5, 5))).mesh;
   QVERIFY(std::abs(modelDiagonal(mesh) - 2.0 * std::sqrt(3.0)) < 1e-12);
@@ -52,20 +52,20 @@ void BorderVerticesTest::diagonal() {
   QVERIFY(std::abs(modelDiagonal(mesh) - 2.0 * std::sqrt(3.0)) < 1e-12);
 }
 
-void BorderVerticesTest::whoIsIn() {
-  QCOMPARE(BorderVertices(buildMesh(test::icosphere(1)).mesh).size(), std::size_t{0});
+void BoundaryVerticesTest::whoIsIn() {
+  QCOMPARE(BoundaryVertices(buildMesh(test::icosphere(1)).mesh).size(), std::size_t{0});
   const HalfEdgeMesh mesh = buildMesh(test::annulus(16, 3, 1, 2)).mesh;
   const std::set<Vertex> expected = onBorder(mesh);
-  QVERIFY(BorderVertices(mesh).all() == std::vector<Vertex>(expected.begin(), expected.end()));
+  QVERIFY(BoundaryVertices(mesh).all() == std::vector<Vertex>(expected.begin(), expected.end()));
   std::vector<bool> without(*expected.begin() + 1, true);  // shorter than the number of vertices
-  QCOMPARE(BorderVertices(mesh, without).size(), expected.size() - 1);
+  QCOMPARE(BoundaryVertices(mesh, without).size(), expected.size() - 1);
 }
 
-void BorderVerticesTest::findsAllInABox() {
+void BoundaryVerticesTest::findsAllInABox() {
   QVERIFY(rc::check("at least all within the box", [] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const HalfEdgeMesh mesh = crumbs(random);
-    const BorderVertices vertices(mesh);
+    const BoundaryVertices vertices(mesh);
     const auto coordinate = [&] { return (random() % 500) / 100.0 - 1.0; };
     const auto corner = [&] { return Vec3(coordinate(), coordinate(), coordinate()); };
     const Box box = Box(corner()).extend(corner());
@@ -77,7 +77,7 @@ void BorderVerticesTest::findsAllInABox() {
 
 // Each vertex with its nearest of smaller number within reach, and within a quarter of every border edge at either; all
 // against all.
-void BorderVerticesTest::nearPairs() {
+void BoundaryVerticesTest::nearPairs() {
   int near = 0;
   QVERIFY(rc::check("the same pairs as all against all", [&] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
@@ -105,21 +105,21 @@ void BorderVerticesTest::nearPairs() {
       if (nearest != kNone) expected.emplace_back(nearest, v);
     }
     near += !expected.empty();
-    RC_ASSERT(nearBorderVertices(mesh) == expected);
+    RC_ASSERT(nearBoundaryVertices(mesh) == expected);
   }));
   QVERIFY(near > 0);
 }
 
 // A flake far out makes the reach larger than a hole; the hole's corners are still not one vertex.
-void BorderVerticesTest::detailOfALargeModel() {
+void BoundaryVerticesTest::detailOfALargeModel() {
   TriangleSoup soup = test::sphereWithoutCap(3);
   test::append(soup, TriangleSoup{{Vec3(1e6, 0, 0), Vec3(1e6, 1, 0), Vec3(1e6, 0, 1)}, {{0, 1, 2}}});
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
   QVERIFY(nearWeldReach(mesh) > 1.0);
-  QVERIFY(nearBorderVertices(mesh).empty());
+  QVERIFY(nearBoundaryVertices(mesh).empty());
   for (Vec3& p : soup.points) p *= 1e300;
   QCOMPARE(nearWeldReach(buildMesh(soup).mesh), 0.0);
 }
 
-HANDWHEEL_TEST(BorderVerticesTest)
-#include "BorderVerticesTest.moc"
+HANDWHEEL_TEST(BoundaryVerticesTest)
+#include "BoundaryVerticesTest.moc"
