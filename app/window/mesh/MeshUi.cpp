@@ -221,7 +221,7 @@ void MeshUi::refreshVisibility() {
 
 void MeshUi::showPreview(const ToolPreview& preview) {
   const MeshPreview onMesh = meshPreviewOf(preview);
-  m_layer->setLiveMesh(onMesh.live);
+  m_layer->setPreviewMesh(onMesh.previewMesh);
   m_layer->setHighlightedFaces(onMesh.highlighted);
   m_selectedInTool = onMesh.selected;
   selectFaces();
