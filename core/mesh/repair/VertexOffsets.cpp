@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/repair/FanBack.h"
+#include "mesh/repair/VertexOffsets.h"
 
 #include <algorithm>
 
@@ -25,11 +25,11 @@ DirectionBehind behindPart(const std::vector<FanFace>& fan, std::size_t begin, s
 
 }  // namespace
 
-FanBack fanBack(const std::vector<FanFace>& fan, bool isClosed) {
+VertexOffsets vertexOffsets(const std::vector<FanFace>& fan, bool isClosed) {
   std::vector<FaceAtVertex> faces;
   for (const FanFace& f : fan) faces.push_back(f.face);
   if (const Vec3 offset = offsetBehind(faces); !offset.isZero()) return {{offset}};
-  FanBack best;
+  VertexOffsets best;
   if (!isClosed || fan.size() > kMostDividedFaces) return best;
   double most = 0.0;
   for (std::size_t begin = 0; begin < fan.size(); ++begin) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/repair/FanBack.h"
 #include "mesh/repair/SheetThickening.h"
+#include "mesh/repair/VertexOffsets.h"
 
 #include <unordered_map>
 #include <unordered_set>
@@ -21,11 +21,11 @@ struct SheetOffset {
   int halvings = 0;
 };
 
-// The backs of sheets and the side faces along their outlines, as thickenSheets() makes them.
-class SheetBacks {
+// Builds the backs of sheets, offset from them, and the side faces along their outlines, for thickenSheets().
+class OffsetSheetBuilder {
  public:
   // kept: vertices without an offset.
-  SheetBacks(HalfEdgeMesh& mesh, NumberType numbers, const std::unordered_set<Vertex>& kept)
+  OffsetSheetBuilder(HalfEdgeMesh& mesh, NumberType numbers, const std::unordered_set<Vertex>& kept)
       : m_mesh(mesh), m_numbers(numbers), m_kept(kept) {}
 
   // False, without a change, where the numbers of the file cannot show the thickness.
@@ -46,7 +46,7 @@ class SheetBacks {
   struct Corner {
     std::vector<HalfEdge> fan;
     bool isOpen = false;
-    FanBack behind;
+    VertexOffsets behind;
     std::array<double, 2> reaches{1.0, 1.0};  // of the offsets
     std::array<Vertex, 2> backs{kNone, kNone};
 

@@ -14,8 +14,8 @@ struct FanFace {
   Vec3 edge;  // from the vertex, of length 1: the face's, from which the next face lies on its other side
 };
 
-// The offsets of a vertex for the back of its fan.
-struct FanBack {
+// The offsets of a vertex for the back of its fan, the faces around it.
+struct VertexOffsets {
   // One for all faces, or two where no single one is behind all of them; none where two are not either.
   std::vector<Vec3> offsets;
   // Of two, the first is that of the faces with these numbers, end not included; the second that of all others.
@@ -28,6 +28,6 @@ struct FanBack {
 // vertex, the fan is divided at two of its edges such that the direction of each part is behind its faces and behind
 // the plane through both edges. Then the back is manifold, with a pair of triangles between its parts. O(n³) for such a
 // fan, which is not divided if it has too many faces.
-FanBack fanBack(const std::vector<FanFace>& fan, bool isClosed);
+VertexOffsets vertexOffsets(const std::vector<FanFace>& fan, bool isClosed);
 
 }  // namespace handwheel

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/repair/SheetBacks.h"
+#include "mesh/repair/OffsetSheetBuilder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ Vec3 unitNormal(const HalfEdgeMesh& mesh, Face f) {
   return (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
 }
 
-bool SheetBacks::add(const OpenSheet& sheet) {
+bool OffsetSheetBuilder::add(const OpenSheet& sheet) {
   m_corners.clear();
   m_middles.clear();
   m_thickness = sheet.thickness;
@@ -38,12 +38,12 @@ bool SheetBacks::add(const OpenSheet& sheet) {
   return true;
 }
 
-const SheetOffset* SheetBacks::offsetOf(Vertex v) const {
+const SheetOffset* OffsetSheetBuilder::offsetOf(Vertex v) const {
   const auto found = m_offsets.find(v);
   return found == m_offsets.end() ? nullptr : &found->second;
 }
 
-bool SheetBacks::halve(Vertex v) {
+bool OffsetSheetBuilder::halve(Vertex v) {
   SheetOffset& offset = m_offsets.at(v);
   if (offset.halvings == kMostOffsetHalvings) return false;
   ++offset.halvings;
@@ -52,7 +52,7 @@ bool SheetBacks::halve(Vertex v) {
   return true;
 }
 
-SheetThickness SheetBacks::reached() const {
+SheetThickness OffsetSheetBuilder::reached() const {
   SheetThickness reached;
   for (const Face f : m_faces) {
     if (!m_mesh.isLive(f)) continue;
@@ -72,13 +72,13 @@ SheetThickness SheetBacks::reached() const {
   return reached;
 }
 
-std::size_t SheetBacks::Corner::offsetOf(Face f) const {
+std::size_t OffsetSheetBuilder::Corner::offsetOf(Face f) const {
   if (behind.offsets.size() < 2) return 0;
   const auto at = std::find_if(fan.begin(), fan.end(), [f](HalfEdge h) { return HalfEdgeMesh::face(h) == f; });
   return behind.offsetOf(static_cast<std::size_t>(at - fan.begin()));
 }
 
-SheetBacks::Corner SheetBacks::cornerOf(HalfEdge h) const {
+OffsetSheetBuilder::Corner OffsetSheetBuilder::cornerOf(HalfEdge h) const {
   const Vertex v = m_mesh.from(h);
   const Vec3 p = m_mesh.position(v);
   Corner corner;
@@ -92,7 +92,7 @@ SheetBacks::Corner SheetBacks::cornerOf(HalfEdge h) const {
     faces.push_back({{unitNormal(m_mesh, HalfEdgeMesh::face(spoke)), std::atan2(on.cross(back).norm(), on.dot(back))},
                      on.stableNormalized()});
   }
-  corner.behind = fanBack(faces, !corner.isOpen);
+  corner.behind = vertexOffsets(faces, !corner.isOpen);
   for (std::size_t i = 0; i < faces.size() && !corner.stays(); ++i) {
     const std::size_t k = corner.behind.offsetOf(i);
     if (const Vec3& normal = faces[i].face.normal; !normal.isZero())
@@ -102,7 +102,7 @@ SheetBacks::Corner SheetBacks::cornerOf(HalfEdge h) const {
 }
 
 // Else a back would be the sheet itself.
-bool SheetBacks::hasRoom() const {
+bool OffsetSheetBuilder::hasRoom() const {
   return std::all_of(m_corners.begin(), m_corners.end(), [&](const auto& entry) {
     const Vec3& p = m_mesh.position(entry.first);
     const std::vector<Vec3>& offsets = entry.second.behind.offsets;
@@ -113,18 +113,18 @@ bool SheetBacks::hasRoom() const {
   });
 }
 
-Vec3 SheetBacks::place(const SheetOffset& offset) const {
+Vec3 OffsetSheetBuilder::place(const SheetOffset& offset) const {
   return rounded(Vec3(offset.from + offset.depth * offset.direction), m_numbers);
 }
 
-Vertex SheetBacks::behind(const SheetOffset& offset) {
+Vertex OffsetSheetBuilder::behind(const SheetOffset& offset) {
   const Vertex v = m_mesh.addVertex(place(offset));
   m_offsets.emplace(v, offset);
   return v;
 }
 
 // The vertex behind that of a face.
-Vertex SheetBacks::back(Vertex v, Face f) {
+Vertex OffsetSheetBuilder::back(Vertex v, Face f) {
   Corner& c = m_corners.at(v);
   if (c.stays()) return v;
   const std::size_t k = c.offsetOf(f);
@@ -134,7 +134,7 @@ Vertex SheetBacks::back(Vertex v, Face f) {
 }
 
 // The vertex behind the middle of an edge whose ends both stay; kNone for other edges.
-Vertex SheetBacks::middle(HalfEdge h) {
+Vertex OffsetSheetBuilder::middle(HalfEdge h) {
   if (!m_mesh.hasOpposite(h) || !m_corners.at(m_mesh.from(h)).stays() || !m_corners.at(m_mesh.to(h)).stays())
     return kNone;
   const HalfEdge g = m_mesh.opposite(h);
@@ -148,12 +148,12 @@ Vertex SheetBacks::middle(HalfEdge h) {
   return at->second;
 }
 
-Face SheetBacks::add(Vertex a, Vertex b, Vertex c) {  // turned
+Face OffsetSheetBuilder::add(Vertex a, Vertex b, Vertex c) {  // turned
   m_faces.push_back(m_mesh.addFace({c, b, a}));
   return m_faces.back();
 }
 
-void SheetBacks::cover(Face f) {
+void OffsetSheetBuilder::cover(Face f) {
   std::array<Vertex, 3> v{}, m{};  // m[k] is on the edge from corner k
   for (HalfEdge k = 0; k < 3; ++k) {
     v[k] = back(m_mesh.triangle(f)[k], f);
@@ -181,7 +181,7 @@ void SheetBacks::cover(Face f) {
 }
 
 // A face none of whose edges is split: one whose corners all stay would lie on its back.
-void SheetBacks::coverWhole(Face f, const std::array<Vertex, 3>& v) {
+void OffsetSheetBuilder::coverWhole(Face f, const std::array<Vertex, 3>& v) {
   if (v != m_mesh.triangle(f)) {
     m_facePairs.emplace_back(add(v[0], v[1], v[2]), f);
     return;
@@ -192,7 +192,7 @@ void SheetBacks::coverWhole(Face f, const std::array<Vertex, 3>& v) {
 }
 
 // The side faces behind the open edges of a face.
-void SheetBacks::addSides(Face f) {
+void OffsetSheetBuilder::addSides(Face f) {
   for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
     if (m_mesh.hasOpposite(h)) continue;
     const Vertex a = m_mesh.from(h), b = m_mesh.to(h), behindA = back(a, f), behindB = back(b, f);
@@ -202,7 +202,7 @@ void SheetBacks::addSides(Face f) {
 }
 
 // Between the parts of a divided back, behind the edges that divide it.
-void SheetBacks::closeGaps(Face f) {
+void OffsetSheetBuilder::closeGaps(Face f) {
   for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
     if (!m_mesh.hasOpposite(h) || m_mesh.opposite(h) < h) continue;
     const Face g = HalfEdgeMesh::face(m_mesh.opposite(h));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/repair/FanBack.h"
+#include "mesh/repair/VertexOffsets.h"
 
 #include "MeshChecks.h"
 #include "TestClass.h"
@@ -92,7 +92,7 @@ HalfEdgeMesh thickened(const TriangleSoup& soup, double thickness) {
 
 }  // namespace
 
-class FanBackTest : public QObject {
+class VertexOffsetsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -110,7 +110,7 @@ class FanBackTest : public QObject {
 };
 
 // Compared with all candidates for it.
-void FanBackTest::noDirectionHasALargerMargin() {
+void VertexOffsetsTest::noDirectionHasALargerMargin() {
   std::mt19937 random(3);
   std::normal_distribution<double> number;
   int found = 0;
@@ -130,13 +130,13 @@ void FanBackTest::noDirectionHasALargerMargin() {
   QVERIFY(found > 100);
 }
 
-void FanBackTest::narrow_data() {
+void VertexOffsetsTest::narrow_data() {
   QTest::addColumn<double>("degrees");
   for (const double degrees : {30.0, 3.0, 0.3, 0.1}) QTest::newRow(qPrintable(QString::number(degrees))) << degrees;
 }
 
 // A needle of this half angle: all normals lean against its axis by it, and only directions near the axis are within.
-void FanBackTest::narrow() {
+void VertexOffsetsTest::narrow() {
   QFETCH(double, degrees);
   const double angle = degrees * M_PI / 180.0;
   std::vector<Vec3> normals;
@@ -149,7 +149,7 @@ void FanBackTest::narrow() {
   QVERIFY((behind.direction - Vec3(0, 0, -1)).norm() < 1e-6);
 }
 
-void FanBackTest::noneWithoutRoom() {
+void VertexOffsetsTest::noneWithoutRoom() {
   QCOMPARE(widestBehind({}).margin, 0.0);
   QCOMPARE(widestBehind({Vec3::Zero()}).margin, 0.0);
   QCOMPARE(widestBehind({Vec3(1, 0, 0), Vec3(-1, 0, 0)}).margin, 0.0);
@@ -160,20 +160,20 @@ void FanBackTest::noneWithoutRoom() {
   QCOMPARE(widestBehind({Vec3(0, 0, 1)}).direction, Vec3(0, 0, -1));
 }
 
-void FanBackTest::oneOffsetWhereThereIsOne() {
+void VertexOffsetsTest::oneOffsetWhereThereIsOne() {
   const std::vector<FanFace> fan = fanOf(kL);
-  const FanBack back = fanBack(fan, true);
+  const VertexOffsets back = vertexOffsets(fan, true);
   QCOMPARE(back.offsets.size(), std::size_t{1});
   for (std::size_t i = 0; i < fan.size(); ++i) QVERIFY(fan[i].face.normal.dot(back.offsets[back.offsetOf(i)]) < 0.0);
 }
 
 // However the faces are numbered.
-void FanBackTest::twoWhereThereIsNone() {
+void VertexOffsetsTest::twoWhereThereIsNone() {
   for (std::size_t first = 0; first < kU.size(); ++first) {
     std::vector<Corner> polygon = kU;
     std::rotate(polygon.begin(), polygon.begin() + std::ptrdiff_t(first), polygon.end());
     const std::vector<FanFace> fan = fanOf(polygon);
-    const FanBack back = fanBack(fan, true);
+    const VertexOffsets back = vertexOffsets(fan, true);
     QCOMPARE(back.offsets.size(), std::size_t{2});
     std::size_t ofFirst = 0;
     for (std::size_t i = 0; i < fan.size(); ++i) {
@@ -184,11 +184,11 @@ void FanBackTest::twoWhereThereIsNone() {
   }
 }
 
-void FanBackTest::noneAtAnOutline() {
-  QVERIFY(fanBack(fanOf(kU), false).offsets.empty());
+void VertexOffsetsTest::noneAtAnOutline() {
+  QVERIFY(vertexOffsets(fanOf(kU), false).offsets.empty());
 }
 
-void FanBackTest::bodyOfADividedFan_data() {
+void VertexOffsetsTest::bodyOfADividedFan_data() {
   QTest::addColumn<double>("thickness");
   QTest::addColumn<bool>("isMirrored");
   for (const double thickness : {1e-4, 0.02, 0.1}) {
@@ -198,7 +198,7 @@ void FanBackTest::bodyOfADividedFan_data() {
 }
 
 // It is closed, does not meet itself, and touches itself nowhere.
-void FanBackTest::bodyOfADividedFan() {
+void VertexOffsetsTest::bodyOfADividedFan() {
   QFETCH(double, thickness);
   QFETCH(bool, isMirrored);
   std::vector<Corner> polygon = kU;
@@ -217,7 +217,7 @@ void FanBackTest::bodyOfADividedFan() {
   for (Face f = 0; f < before.faceSlots(); ++f) QVERIFY(mesh.points(f) == before.points(f));
 }
 
-void FanBackTest::gapsAtShortEdges_data() {
+void VertexOffsetsTest::gapsAtShortEdges_data() {
   QTest::addColumn<double>("ring");
   QTest::addColumn<double>("thickness");
   for (const double ring : {0.3, 0.1, 0.03, 0.01})
@@ -227,7 +227,7 @@ void FanBackTest::gapsAtShortEdges_data() {
 
 // The edges that divide the fan end at a ring near the apex, much nearer than the back would be. The triangles between
 // the parts of the back, which have no face in front of them, are not turned over all the same.
-void FanBackTest::gapsAtShortEdges() {
+void VertexOffsetsTest::gapsAtShortEdges() {
   QFETCH(double, ring);
   QFETCH(double, thickness);
   const HalfEdgeMesh mesh = thickened(coneWithRing(kU, ring), thickness);
@@ -238,5 +238,5 @@ void FanBackTest::gapsAtShortEdges() {
   QVERIFY(test::volume(mesh.compact().soup) > 0.0);
 }
 
-HANDWHEEL_TEST(FanBackTest)
-#include "FanBackTest.moc"
+HANDWHEEL_TEST(VertexOffsetsTest)
+#include "VertexOffsetsTest.moc"
