@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>ArmWaysTool</name>
+    <name>IkSolutionsTool</name>
     <message>
         <source>Change the configuration of the arm</source>
         <translation>Stellung des Arms wechseln</translation>
@@ -9248,7 +9248,7 @@
     </message>
 </context>
 <context>
-    <name>WayText</name>
+    <name>IkSolutionText</name>
     <message>
         <source>Shoulder in front</source>
         <translation>Schulter vorn</translation>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
-    <name>ArmWaysTool</name>
+    <name>IkSolutionsTool</name>
     <message>
         <source>Change the configuration of the arm</source>
         <translation>更改机械臂的位形</translation>
@@ -9200,7 +9200,7 @@
     </message>
 </context>
 <context>
-    <name>WayText</name>
+    <name>IkSolutionText</name>
     <message>
         <source>Shoulder in front</source>
         <translation>肩部在前</translation>

@@ -7,9 +7,9 @@
 #include "document/cell/RobotCellDocument.h"
 #include "fidelity/Cases.h"
 #include "robot/arm/IkFidelity.h"
-#include "tools/cell/ArmWaysTool.h"
 #include "tools/cell/CellTool.h"
 #include "tools/cell/FaceSnapTool.h"
+#include "tools/cell/IkSolutionsTool.h"
 #include "tools/cell/ProcessTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/PartsLayer.h"
@@ -51,9 +51,9 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
       tr("Show all configurations in which the arm reaches a pose of its tool: shoulder, elbow and wrist"),
       QStringLiteral("arm-ways"),
       QKeySequence(Qt::SHIFT | Qt::Key_K),
-      [this] { return armWaysTool(); },
+      [this] { return ikSolutionsTool(); },
       "ways",
-      ArmWaysTool::keys()};
+      IkSolutionsTool::keys()};
   const ToolDescriptor place{QStringLiteral("placeTool"),
                              tr("Place a body or robot with &handles"),
                              tr("Move and turn the selected body, or the base of the selected robot, along and about "
@@ -108,11 +108,11 @@ std::unique_ptr<Tool> RobotCellUi::leadTool() {
   return std::make_unique<LeadTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
 }
 
-std::unique_ptr<Tool> RobotCellUi::armWaysTool() {
-  ArmWaysServices services;
+std::unique_ptr<Tool> RobotCellUi::ikSolutionsTool() {
+  IkSolutionsServices services;
   services.scene = [this] { return m_collisions.scene(); };
   services.mark = [this](DisplayModel& shown, const JointValues& joints) { m_collisions.mark(shown, joints); };
-  return std::make_unique<ArmWaysTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
+  return std::make_unique<IkSolutionsTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
 }
 
 PlaceServices RobotCellUi::placeServices() {

@@ -54,7 +54,7 @@ class RobotCellUi : public RigidPartsUi {
   std::unique_ptr<Tool> handTool();
   std::unique_ptr<Tool> processTool();
   std::unique_ptr<Tool> leadTool();
-  std::unique_ptr<Tool> armWaysTool();
+  std::unique_ptr<Tool> ikSolutionsTool();
   std::unique_ptr<Tool> placeTool();
   std::unique_ptr<Tool> faceSnapTool();
   PlaceServices placeServices();

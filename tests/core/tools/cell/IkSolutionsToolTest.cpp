@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/cell/ArmWaysTool.h"
+#include "tools/cell/IkSolutionsTool.h"
 
 #include "ArmCell.h"
 #include "TestClass.h"
@@ -13,11 +13,11 @@ using namespace handwheel::test;
 
 namespace {
 
-ArmWaysTool toolFor(ArmCell& cell) {
-  return ArmWaysTool(cell.document(), {[&cell] { return cell.scene(); }, {}});
+IkSolutionsTool toolFor(ArmCell& cell) {
+  return IkSolutionsTool(cell.document(), {[&cell] { return cell.scene(); }, {}});
 }
 
-std::size_t rowsOf(const ArmWaysTool& tool) {
+std::size_t rowsOf(const IkSolutionsTool& tool) {
   return propertyNamed(tool.settings(), "way")->choices.size();
 }
 
@@ -32,7 +32,7 @@ PointerEvent ofDevice(PointerButton button) {
 }  // namespace
 
 // The tool by which a person chooses among the ways of the arm.
-class ArmWaysToolTest : public QObject {
+class IkSolutionsToolTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -43,7 +43,7 @@ class ArmWaysToolTest : public QObject {
 
   // The tool stays where it is, the joints do not; one step, undone.
   void anotherWayIsOneStep() {
-    ArmWaysTool tool = toolFor(*m_cell);
+    IkSolutionsTool tool = toolFor(*m_cell);
     QVERIFY(rowsOf(tool) >= 2);
     QVERIFY(!isEnabled(tool, "commit"));  // it stands like that
     QVERIFY(!tool.preview().replaced);
@@ -67,7 +67,7 @@ class ArmWaysToolTest : public QObject {
 
   // Once around is back at the first; the other way round the last.
   void allInTurn() {
-    ArmWaysTool tool = toolFor(*m_cell);
+    IkSolutionsTool tool = toolFor(*m_cell);
     const std::size_t count = rowsOf(tool);
     for (std::size_t i = 0; i < count; ++i) {
       QCOMPARE(tool.chosen(), i);
@@ -81,7 +81,7 @@ class ArmWaysToolTest : public QObject {
   }
 
   void aTypedPose() {
-    ArmWaysTool tool = toolFor(*m_cell);
+    IkSolutionsTool tool = toolFor(*m_cell);
     const Vec3 before = m_cell->tool().translation();
     tool.setSetting("z", before.z() - 20.0);
     QVERIFY(isEnabled(tool, "commit"));
@@ -99,9 +99,10 @@ class ArmWaysToolTest : public QObject {
 
   // What cannot be is seen and cannot be chosen.
   void beyondLimits() {
-    ArmWaysTool tool = toolFor(*m_cell);
-    const std::vector<CellWay> ways = waysTo(*m_cell->scene(), *m_cell->document().plans(), m_cell->tool(),
-                                             m_cell->scene()->planned(m_cell->document().joints()));
+    IkSolutionsTool tool = toolFor(*m_cell);
+    const std::vector<CellIkSolution> ways =
+        ikSolutionsTo(*m_cell->scene(), *m_cell->document().plans(), m_cell->tool(),
+                      m_cell->scene()->planned(m_cell->document().joints()));
     bool isAny = false;
     for (std::size_t i = 0; i < ways.size(); ++i) {
       tool.setSetting("way", static_cast<double>(i));
@@ -116,7 +117,7 @@ class ArmWaysToolTest : public QObject {
 
   // What is in the way of one of them stands in its row.
   void whatCollidesIsSaid() {
-    ArmWaysTool tool = toolFor(*m_cell);
+    IkSolutionsTool tool = toolFor(*m_cell);
     tool.perform("next");
     const auto shown = tool.preview().replaced;
     QVERIFY(shown);
@@ -131,7 +132,7 @@ class ArmWaysToolTest : public QObject {
   }
 
   void theDeviceHasTwoButtons() {
-    ArmWaysTool tool = toolFor(*m_cell);
+    IkSolutionsTool tool = toolFor(*m_cell);
     const int steps = m_cell->steps();
     QCOMPARE(tool.pointer(ofDevice(PointerButton::First)), ToolReply::Used);
     QCOMPARE(tool.chosen(), std::size_t{1});
@@ -144,5 +145,5 @@ class ArmWaysToolTest : public QObject {
   std::unique_ptr<ArmCell> m_cell;
 };
 
-HANDWHEEL_TEST(ArmWaysToolTest)
-#include "ArmWaysToolTest.moc"
+HANDWHEEL_TEST(IkSolutionsToolTest)
+#include "IkSolutionsToolTest.moc"

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/cell/ArmWaysTool.h"
+#include "tools/cell/IkSolutionsTool.h"
 
 #include "base/Tolerance.h"
 #include "document/cell/CellDisplay.h"
 #include "document/cell/CellProperties.h"
 #include "tools/ToolProperty.h"
-#include "tools/cell/path/WayText.h"
+#include "tools/cell/path/IkSolutionText.h"
 
 #include <QCoreApplication>
 
@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr ToolKey kWaysKeys[] = {
+constexpr ToolKey kIkSolutionsKeys[] = {
     {"next", "PgDown", QT_TRANSLATE_NOOP("Tool", "next way")},
     {"previous", "PgUp", QT_TRANSLATE_NOOP("Tool", "previous way")},
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "move the robot there")},
@@ -25,77 +25,77 @@ constexpr double kPoseAxis = 60.0;  // mm
 
 }  // namespace
 
-ArmWaysTool::ArmWaysTool(RobotCellDocument& document, ArmWaysServices services)
+IkSolutionsTool::IkSolutionsTool(RobotCellDocument& document, IkSolutionsServices services)
     : m_document(document), m_services(std::move(services)) {
   documentChanged();
 }
 
-std::span<const ToolKey> ArmWaysTool::keys() {
-  return kWaysKeys;
+std::span<const ToolKey> IkSolutionsTool::keys() {
+  return kIkSolutionsKeys;
 }
 
-void ArmWaysTool::documentChanged() {
+void IkSolutionsTool::documentChanged() {
   m_pose = toolPose(m_document.robot(), *m_document.plans(), m_document.joints());
-  forgetWays();
+  forgetSolutions();
 }
 
-void ArmWaysTool::forgetWays() {
+void IkSolutionsTool::forgetSolutions() {
   m_chosen = 0;
   m_scene.reset();
-  m_ways.clear();
+  m_solutions.clear();
 }
 
 // The cell may be prepared, or be another one, at any time.
-const std::vector<CellWay>& ArmWaysTool::ways() const {
+const std::vector<CellIkSolution>& IkSolutionsTool::solutions() const {
   const auto scene = m_services.scene();
-  if (scene == m_scene) return m_ways;
+  if (scene == m_scene) return m_solutions;
   m_scene = scene;
-  m_ways =
-      scene ? waysTo(*scene, *m_document.plans(), m_pose, scene->planned(m_document.joints())) : std::vector<CellWay>();
-  return m_ways;
+  m_solutions = scene ? ikSolutionsTo(*scene, *m_document.plans(), m_pose, scene->planned(m_document.joints()))
+                      : std::vector<CellIkSolution>();
+  return m_solutions;
 }
 
-const CellWay* ArmWaysTool::way() const {
-  return m_chosen < ways().size() ? &m_ways[m_chosen] : nullptr;
+const CellIkSolution* IkSolutionsTool::solution() const {
+  return m_chosen < solutions().size() ? &m_solutions[m_chosen] : nullptr;
 }
 
-bool ArmWaysTool::isThere() const {
-  const CellWay* const chosen = way();
+bool IkSolutionsTool::isThere() const {
+  const CellIkSolution* const chosen = solution();
   if (!chosen) return true;
   return (chosen->arm.values - m_scene->planned(m_document.joints())).cwiseAbs().maxCoeff() < tolerance::kStillJoint;
 }
 
-ToolReply ArmWaysTool::pointer(const PointerEvent& event) {
+ToolReply IkSolutionsTool::pointer(const PointerEvent& event) {
   if (event.kind == PointerEvent::Kind::Hover || event.kind == PointerEvent::Kind::Leave) return ToolReply::Used;
   if (!event.device || event.kind != PointerEvent::Kind::Press) return ToolReply::Ignored;  // the camera's
   return perform(event.button == PointerButton::Second ? "commit" : "next");
 }
 
-ToolReply ArmWaysTool::choose(std::size_t index) {
-  if (ways().empty()) return ToolReply::Ignored;
-  m_chosen = index % m_ways.size();
+ToolReply IkSolutionsTool::choose(std::size_t index) {
+  if (solutions().empty()) return ToolReply::Ignored;
+  m_chosen = index % m_solutions.size();
   return ToolReply::Used;
 }
 
-ToolReply ArmWaysTool::commit() {
-  const CellWay* const chosen = way();
+ToolReply IkSolutionsTool::commit() {
+  const CellIkSolution* const chosen = solution();
   if (!chosen || !chosen->isWithinLimits() || isThere()) return ToolReply::Ignored;
   auto edit = m_document.jointEdit(m_scene->whole(chosen->arm.values));
   if (!edit) return ToolReply::Ignored;
   const Pose now = toolPose(m_document.robot(), *m_document.plans(), m_document.joints());
   const QString text = now.isApprox(m_pose, 1e-9)
-                           ? QCoreApplication::translate("ArmWaysTool", "Change the configuration of the arm")
-                           : QCoreApplication::translate("ArmWaysTool", "Move the tool");
+                           ? QCoreApplication::translate("IkSolutionsTool", "Change the configuration of the arm")
+                           : QCoreApplication::translate("IkSolutionsTool", "Move the tool");
   m_document.commit(text, std::move(edit));
   return ToolReply::Used;
 }
 
-ToolReply ArmWaysTool::perform(std::string_view action) {
+ToolReply IkSolutionsTool::perform(std::string_view action) {
   if (action == "next") return choose(m_chosen + 1);
-  if (action == "previous") return choose(m_chosen + std::max<std::size_t>(1, ways().size()) - 1);
+  if (action == "previous") return choose(m_chosen + std::max<std::size_t>(1, solutions().size()) - 1);
   if (action == "commit") return commit();
   if (action != "revert") return ToolReply::Ignored;
-  if (isThere() && way()) return ToolReply::Finished;
+  if (isThere() && solution()) return ToolReply::Finished;
   const bool wasElsewhere =
       !m_pose.isApprox(toolPose(m_document.robot(), *m_document.plans(), m_document.joints()), 1e-9);
   const bool wasOther = m_chosen > 0;
@@ -103,14 +103,14 @@ ToolReply ArmWaysTool::perform(std::string_view action) {
   return wasElsewhere || wasOther ? ToolReply::Used : ToolReply::Finished;
 }
 
-std::vector<ToolAction> ArmWaysTool::actions() const {
-  const bool isAny = ways().size() > 1;
-  const CellWay* const chosen = way();
+std::vector<ToolAction> IkSolutionsTool::actions() const {
+  const bool isAny = solutions().size() > 1;
+  const CellIkSolution* const chosen = solution();
   const bool isPossible = chosen && chosen->isWithinLimits() && !isThere();
   std::vector<ToolAction> all{
-      actionOf(kWaysKeys, "next", isAny), actionOf(kWaysKeys, "previous", isAny),
-      actionOf(kWaysKeys, "commit", isPossible),
-      actionOf(kWaysKeys, "revert", true, isThere() && chosen ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr)};
+      actionOf(kIkSolutionsKeys, "next", isAny), actionOf(kIkSolutionsKeys, "previous", isAny),
+      actionOf(kIkSolutionsKeys, "commit", isPossible),
+      actionOf(kIkSolutionsKeys, "revert", true, isThere() && chosen ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr)};
   if (!isPossible) {
     all[2].reason = !m_scene  ? QT_TRANSLATE_NOOP("Tool", "the cell is being prepared")
                     : !chosen ? QT_TRANSLATE_NOOP("Tool", "this pose is out of reach")
@@ -122,11 +122,11 @@ std::vector<ToolAction> ArmWaysTool::actions() const {
 }
 
 // The robot as it would stand, and the pose that is looked at.
-ToolPreview ArmWaysTool::preview() const {
+ToolPreview IkSolutionsTool::preview() const {
   ToolPreview preview;
   for (int axis = 0; axis < 3; ++axis)
     preview.lines.push_back({m_pose.translation(), m_pose * Vec3(kPoseAxis * Vec3::Unit(axis))});
-  const CellWay* const chosen = way();
+  const CellIkSolution* const chosen = solution();
   if (!chosen || isThere()) return preview;
   const JointValues joints = m_scene->whole(chosen->arm.values);
   auto shown = std::make_shared<DisplayModel>(displayOf(m_document.robot(), joints, m_document.bodies()));
@@ -135,9 +135,10 @@ ToolPreview ArmWaysTool::preview() const {
   return preview;
 }
 
-std::vector<Property> ArmWaysTool::settings() const {
+std::vector<Property> IkSolutionsTool::settings() const {
   std::vector<std::string> rows;
-  for (std::size_t i = 0; i < ways().size(); ++i) rows.push_back(wayText(*m_scene, m_ways[i], i + 1).toStdString());
+  for (std::size_t i = 0; i < solutions().size(); ++i)
+    rows.push_back(ikSolutionText(*m_scene, m_solutions[i], i + 1).toStdString());
   const bool isOut = m_scene && rows.empty();
   if (rows.empty()) rows.emplace_back(QT_TRANSLATE_NOOP("Property", "none"));
   std::vector<Property> all{choiceSetting("way", QT_TRANSLATE_NOOP("Property", "Configuration of the arm"),
@@ -150,13 +151,13 @@ std::vector<Property> ArmWaysTool::settings() const {
   return all;
 }
 
-void ArmWaysTool::setSetting(std::string_view id, const PropertyValue& value) {
+void IkSolutionsTool::setSetting(std::string_view id, const PropertyValue& value) {
   const auto* const number = std::get_if<double>(&value);
   if (id == "way" && number && *number >= 0.0) {
     choose(static_cast<std::size_t>(*number));
   } else if (const auto changed = changedPose(m_pose, id, value)) {
     m_pose = *changed;
-    forgetWays();
+    forgetSolutions();
   }
 }
 

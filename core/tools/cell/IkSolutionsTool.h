@@ -10,20 +10,20 @@
 
 namespace handwheel {
 
-// Services that ArmWaysTool uses.
-struct ArmWaysServices {
+// Services that IkSolutionsTool uses.
+struct IkSolutionsServices {
   // The cell as it is now, prepared for planning; null while it is being prepared.
   std::function<std::shared_ptr<const CellScene>()> scene;
   // Marks what collides where the robot stands.
   std::function<void(DisplayModel& shown, const JointValues& joints)> mark;
 };
 
-// Tool that shows all ways in which the arm brings its tool to a pose: where it is, or where a person types it. One is
-// chosen from a list and shown; committing moves the robot there. Of a device the first button goes to the next way,
-// the second commits.
-class ArmWaysTool : public Tool {
+// Tool that shows all solutions of the inverse kinematics for a pose of the arm's tool: where it is, or where a person
+// types it. One is chosen from a list and shown; committing moves the robot there. Of a device the first button goes to
+// the next solution, the second commits.
+class IkSolutionsTool : public Tool {
  public:
-  ArmWaysTool(RobotCellDocument& document, ArmWaysServices services);
+  IkSolutionsTool(RobotCellDocument& document, IkSolutionsServices services);
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "ways"; }
@@ -40,20 +40,20 @@ class ArmWaysTool : public Tool {
   std::size_t chosen() const { return m_chosen; }
 
  private:
-  const std::vector<CellWay>& ways() const;
-  const CellWay* way() const;  // the chosen one; null: there is none
-  bool isThere() const;        // the robot stands so
-  ToolReply choose(std::size_t way);
+  const std::vector<CellIkSolution>& solutions() const;
+  const CellIkSolution* solution() const;  // the chosen one; null: there is none
+  bool isThere() const;                    // the robot stands so
+  ToolReply choose(std::size_t solution);
   ToolReply commit();
-  void forgetWays();
+  void forgetSolutions();
 
   RobotCellDocument& m_document;
-  ArmWaysServices m_services;
+  IkSolutionsServices m_services;
   Pose m_pose;  // of the tool's centre point, that is looked at
   std::size_t m_chosen = 0;
-  // The ways to m_pose, for m_scene.
+  // The solutions to m_pose, for m_scene.
   mutable std::shared_ptr<const CellScene> m_scene;
-  mutable std::vector<CellWay> m_ways;
+  mutable std::vector<CellIkSolution> m_solutions;
 };
 
 }  // namespace handwheel
