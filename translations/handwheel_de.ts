@@ -4513,7 +4513,7 @@
     </message>
 </context>
 <context>
-    <name>LeadTool</name>
+    <name>HandGuidingTool</name>
     <message>
         <source>Lead the robot</source>
         <translation>Roboter führen</translation>

@@ -4512,7 +4512,7 @@
     </message>
 </context>
 <context>
-    <name>LeadTool</name>
+    <name>HandGuidingTool</name>
     <message>
         <source>Lead the robot</source>
         <translation>引导机器人</translation>

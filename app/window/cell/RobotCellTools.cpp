@@ -42,9 +42,9 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                             tr("Lead the robot's tool by hand; the arm follows without collisions"),
                             QStringLiteral("lead"),
                             QKeySequence(Qt::SHIFT | Qt::Key_J),
-                            [this] { return leadTool(); },
+                            [this] { return handGuidingTool(); },
                             "lead",
-                            LeadTool::keys()};
+                            HandGuidingTool::keys()};
   const ToolDescriptor ways{
       QStringLiteral("armWaysTool"),
       tr("&Choose the arm's configuration"),
@@ -93,19 +93,19 @@ std::unique_ptr<Tool> RobotCellUi::processTool() {
   return std::make_unique<ProcessTool>(cell, std::move(services));
 }
 
-std::unique_ptr<Tool> RobotCellUi::leadTool() {
-  LeadServices services;
+std::unique_ptr<Tool> RobotCellUi::handGuidingTool() {
+  HandGuidingServices services;
   services.scene = [this] { return m_collisions.scene(); };
   services.mark = [this](DisplayModel& shown, const JointValues& joints) { m_collisions.mark(shown, joints); };
   services.addPlace = [this] { m_paths.addPlace(); };
   services.time = [this] { return 1e-3 * static_cast<double>(m_clock.elapsed()); };
   services.tolerance = parts().fidelity.values().of(proximityToleranceSetting());
   services.ikTolerance = parts().fidelity.values().of(ikToleranceSetting());
-  services.tries = &m_tries[document()];
+  services.trials = &m_trials[document()];
   services.guide = [this](const std::string& path) {
     return m_guides.of(path, static_cast<const RobotCellDocument&>(document()->document).plans());
   };
-  return std::make_unique<LeadTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
+  return std::make_unique<HandGuidingTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
 }
 
 std::unique_ptr<Tool> RobotCellUi::ikSolutionsTool() {

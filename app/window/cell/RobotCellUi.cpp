@@ -235,7 +235,7 @@ DisplayModel RobotCellUi::displayed(const Document& document) const {
 }
 
 void RobotCellUi::forget(DocumentTab* document) {
-  m_tries.erase(document);
+  m_trials.erase(document);
   m_said.erase(&document->document);
   m_paths.forget(document);
   parts().jobs.cancelOf(document);

@@ -3,7 +3,7 @@
 #include "base/NumberText.h"
 #include "document/cell/CellArms.h"
 #include "tools/ToolProperty.h"
-#include "tools/cell/LeadState.h"
+#include "tools/cell/HandGuidingState.h"
 #include "tools/cell/path/PathCheck.h"
 
 #include <QtGlobal>
@@ -31,7 +31,7 @@ Property shownLength(const char* id, const char* label, double value) {
 
 }  // namespace
 
-std::vector<std::string> LeadTool::pathNames() const {
+std::vector<std::string> HandGuidingTool::pathNames() const {
   std::vector<std::string> names;
   for (const RobotPath& path : m_document.plans()->paths) {
     if (isSameArm(m_document.robot(), path.arm, m_document.plans()->arm)) names.push_back(path.name);
@@ -39,11 +39,11 @@ std::vector<std::string> LeadTool::pathNames() const {
   return names;
 }
 
-std::shared_ptr<const GuideCurve> LeadTool::guide() const {
+std::shared_ptr<const GuideCurve> HandGuidingTool::guide() const {
   return m_path.empty() || !m_services.guide ? nullptr : m_services.guide(m_path);
 }
 
-std::vector<Property> LeadTool::settings() const {
+std::vector<Property> HandGuidingTool::settings() const {
   std::vector<Property> all{
       choiceSetting("way", QT_TRANSLATE_NOOP("Property", "The hand leads"), static_cast<int>(m_way),
                     {QT_TRANSLATE_NOOP("Property", "The tool"), QT_TRANSLATE_NOOP("Property", "Joint by joint")}),
@@ -66,30 +66,30 @@ std::vector<Property> LeadTool::settings() const {
 }
 
 // Where the robot is held back, and the best try of each kind along the path.
-void LeadTool::addFigures(std::vector<Property>& all) const {
-  if (m_lead && m_lead->hasMoved) {
-    if (std::isfinite(m_lead->felt.distance)) {
-      all.push_back(
-          shownLength("clearance", QT_TRANSLATE_NOOP("Property", "Clearance"), std::max(0.0, m_lead->felt.distance)));
+void HandGuidingTool::addFigures(std::vector<Property>& all) const {
+  if (m_guidance && m_guidance->hasMoved) {
+    if (std::isfinite(m_guidance->felt.distance)) {
+      all.push_back(shownLength("clearance", QT_TRANSLATE_NOOP("Property", "Clearance"),
+                                std::max(0.0, m_guidance->felt.distance)));
     }
     all.push_back(
-        shownLength("behind", QT_TRANSLATE_NOOP("Property", "Distance behind the hand"), m_lead->step.behind));
-    if (m_lead->step.isBlocked)
+        shownLength("behind", QT_TRANSLATE_NOOP("Property", "Distance behind the hand"), m_guidance->step.behind));
+    if (m_guidance->step.isBlocked)
       all.back().problem = QT_TRANSLATE_NOOP("Property", "something is in the way");
-    else if (m_lead->step.isAtLimit && m_lead->step.behind > 1.0)
+    else if (m_guidance->step.isAtLimit && m_guidance->step.behind > 1.0)
       all.back().problem = QT_TRANSLATE_NOOP("Property", "a joint is at its limit");
-    if (m_lead->following && m_lead->following->hasBegun()) {
+    if (m_guidance->following && m_guidance->following->hasBegun()) {
       all.push_back(
-          shownLength("deviation", QT_TRANSLATE_NOOP("Property", "Deviation"), m_lead->following->deviation()));
+          shownLength("deviation", QT_TRANSLATE_NOOP("Property", "Deviation"), m_guidance->following->deviation()));
     }
   }
-  if (!m_services.tries || m_path.empty()) return;
+  if (!m_services.trials || m_path.empty()) return;
   static constexpr const char* kHelps[] = {QT_TRANSLATE_NOOP("Property", "By eye"),
                                            QT_TRANSLATE_NOOP("Property", "With force"),
                                            QT_TRANSLATE_NOOP("Property", "With force and fixture")};
   for (int help = 0; help < 3; ++help) {
-    const LeadTry* best = nullptr;
-    for (const LeadTry& each : *m_services.tries) {
+    const HandGuidingTrial* best = nullptr;
+    for (const HandGuidingTrial& each : *m_services.trials) {
       if (each.path != m_path || static_cast<int>(each.help) != help || !each.figures.isComplete()) continue;
       if (!best || each.figures.rms < best->figures.rms) best = &each;
     }
@@ -106,7 +106,7 @@ void LeadTool::addFigures(std::vector<Property>& all) const {
   }
 }
 
-void LeadTool::setSetting(std::string_view id, const PropertyValue& value) {
+void HandGuidingTool::setSetting(std::string_view id, const PropertyValue& value) {
   if (id == "way") assignChoice(m_way, value, 2);
   if (id == "scale") assignNumber(m_scale, value, kScales);
   if (id == "turns") assignSwitch(m_turns, value);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tools/cell/LeadTool.h"
+#include "tools/cell/HandGuidingTool.h"
 
 namespace handwheel {
 
-// What LeadTool keeps from press to release.
-struct LeadTool::Lead {
+// What HandGuidingTool keeps from press to release.
+struct HandGuidingTool::Guidance {
   std::shared_ptr<const CellScene> scene;  // what follows refers to it
   Teleoperation robot;
   ApproachForce approach;

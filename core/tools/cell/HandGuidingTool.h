@@ -14,15 +14,15 @@
 namespace handwheel {
 
 // How the tool was led along a path by hand, and with which help (He 2008, chapter 6: the three are compared).
-struct LeadTry {
+struct HandGuidingTrial {
   enum class Help { Eyes, Force, Fixture };  // a fixture has force, too
   std::string path;
   Help help = Help::Eyes;
   FollowingFigures figures;
 };
 
-// Services that LeadTool uses.
-struct LeadServices {
+// Services that HandGuidingTool uses.
+struct HandGuidingServices {
   // The cell as it is now, prepared for planning; null while it is being prepared.
   std::function<std::shared_ptr<const CellScene>()> scene;
   // Marks what collides where the robot stands.
@@ -35,16 +35,16 @@ struct LeadServices {
   std::function<std::shared_ptr<const GuideCurve>(const std::string& path)> guide;
   double tolerance = DistanceForceSettings().tolerance;    // mm, of distances that are felt
   double ikTolerance = TeleoperationSettings().tolerance;  // m, rad
-  std::vector<LeadTry>* tries = nullptr;                   // what was tried in this document; outlives the tool
+  std::vector<HandGuidingTrial>* trials = nullptr;         // what was tried in this document; outlives the tool
 };
 
 // Tool that leads the tool of a robot by hand, and the arm follows: never through anything, nor beyond a limit. The
 // hand takes over wherever it is, and feels what holds the robot back and what it comes near to. With the mouse the
 // tool moves in the plane of the view, or, with Shift, turns. A path of the cell can be followed, with a virtual
 // fixture that draws the tool to it; how well that went is measured. Letting go commits one edit.
-class LeadTool : public Tool {
+class HandGuidingTool : public Tool {
  public:
-  LeadTool(RobotCellDocument& document, LeadServices services);
+  HandGuidingTool(RobotCellDocument& document, HandGuidingServices services);
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "lead"; }
@@ -57,7 +57,7 @@ class LeadTool : public Tool {
   std::vector<DeviceSpring> forces() const override;
   void documentChanged() override;
 
-  bool isLeading() const { return m_lead != nullptr; }
+  bool isLeading() const { return m_guidance != nullptr; }
   // The joint values: those that the robot is led to, otherwise those of the document.
   JointValues joints() const;
   // The tool's centre point there, in the frame of the base; none while the cell is not prepared.
@@ -67,7 +67,7 @@ class LeadTool : public Tool {
   enum class Way { Tool, Joints };  // what follows the hand
 
   // From press to release.
-  struct Lead;
+  struct Guidance;
 
   ToolReply press(const PointerEvent& event);
   void begin(const PointerEvent& event);
@@ -81,9 +81,9 @@ class LeadTool : public Tool {
   void addFigures(std::vector<Property>& all) const;
 
   RobotCellDocument& m_document;
-  LeadServices m_services;
-  std::shared_ptr<Lead> m_lead;  // null: nothing is led
-  std::string m_path;            // that is to be followed; empty: none
+  HandGuidingServices m_services;
+  std::shared_ptr<Guidance> m_guidance;  // null: nothing is led
+  std::string m_path;                    // that is to be followed; empty: none
   Way m_way = Way::Tool;
   double m_scale = 1.0;         // mm of the tool to a mm of the hand
   bool m_turns = true;          // the tool turns with the hand

@@ -11,9 +11,9 @@ using namespace handwheel::test;
 namespace {
 
 // A window with the sample cell and the tool that leads the robot by hand.
-class LeadWindow : public WindowDriver {
+class HandGuidingWindow : public WindowDriver {
  public:
-  LeadWindow() {
+  HandGuidingWindow() {
     choose("openCellSample");
     if (!settle()) qFatal("the sample does not open");
     choose("leadTool");
@@ -48,13 +48,13 @@ class LeadWindow : public WindowDriver {
 }  // namespace
 
 // A person leads the robot of the sample cell with the mouse.
-class CellLeadWindowTest : public QObject {
+class HandGuidingWindowTest : public QObject {
   Q_OBJECT
 
  private slots:
   // A drag is one undo step, and Space makes a place of where the robot is: the first begins a path.
   void placesAreTaught() {
-    LeadWindow driver;
+    HandGuidingWindow driver;
     const QStringList before = driver.joints();
     QCOMPARE(driver.paths()->childCount(), 1);
     driver.drag({0, -60});
@@ -81,7 +81,7 @@ class CellLeadWindowTest : public QObject {
 
   // Straight down for far more than there is room: the robot stops above the table and is never red.
   void theTableIsInTheWay() {
-    LeadWindow driver;
+    HandGuidingWindow driver;
     driver.view()->setStandardView(StandardView::Front);
     driver.view()->setCamera(driver.view()->camera());
     const auto height = [&] {
@@ -96,5 +96,5 @@ class CellLeadWindowTest : public QObject {
   }
 };
 
-HANDWHEEL_WINDOW_TEST(CellLeadWindowTest)
-#include "CellLeadWindowTest.moc"
+HANDWHEEL_WINDOW_TEST(HandGuidingWindowTest)
+#include "HandGuidingWindowTest.moc"

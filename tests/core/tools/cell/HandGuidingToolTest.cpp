@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/cell/LeadTool.h"
+#include "tools/cell/HandGuidingTool.h"
 
 #include "TestClass.h"
 #include "ToolEvents.h"
@@ -20,9 +20,9 @@ using namespace handwheel::test;
 namespace {
 
 // An IRB 120 with a wall at x = 420 mm, whose tool is led.
-class LeadBench {
+class HandGuidingBench {
  public:
-  LeadBench() {
+  HandGuidingBench() {
     auto cell = std::make_shared<RobotCellSnapshot>(*cellOf(*libraryTable("irb120")));
     cell->joints = start();
     OpenedFile opened;
@@ -44,12 +44,12 @@ class LeadBench {
     return values;
   }
   RobotCellDocument& document() { return *m_document; }
-  LeadTool tool() {
-    LeadServices services;
+  HandGuidingTool tool() {
+    HandGuidingServices services;
     services.scene = [this] { return isUnderWay ? nullptr : m_scene; };
     services.addPlace = [this] { ++places; };
     services.time = [this] { return time; };
-    services.tries = &tries;
+    services.trials = &trials;
     services.guide = [this](const std::string& name) {
       const RobotPath* const path = isUnderWay || guideComesAt > time ? nullptr : document().plans()->path(name);
       return path ? std::make_shared<const GuideCurve>(toolCurve(*m_scene, *document().plans(), *path)) : nullptr;
@@ -72,7 +72,7 @@ class LeadBench {
   int places = 0;
   bool isUnderWay = false;  // the cell is being prepared
   double time = 0.0, guideComesAt = 0.0;
-  std::vector<LeadTry> tries;
+  std::vector<HandGuidingTrial> trials;
 
  private:
   RobotCellKind m_kind;
@@ -91,16 +91,16 @@ Pose moved(const Vec3& by) {
   return Pose(Eigen::Translation3d(by));
 }
 
-// Turns the tool along the path of LeadBench::addTurn(), beside it by a wave of so many mm, with a device; a step is
-// 20 ms.
-void followTurn(LeadBench& bench, LeadTool& tool, double angle, double wave) {
+// Turns the tool along the path of HandGuidingBench::addTurn(), beside it by a wave of so many mm, with a device; a
+// step is 20 ms.
+void followTurn(HandGuidingBench& bench, HandGuidingTool& tool, double angle, double wave) {
   constexpr int kSteps = 50;
   const Pose begin = bench.toolPose();
   const Pose hand = moved({7, 8, 9});
   tool.pointer(byHand(Kind::Press, hand));
   for (int i = 1; i <= kSteps; ++i) {
     bench.time += 0.02;
-    JointValues joints = LeadBench::start();
+    JointValues joints = HandGuidingBench::start();
     joints[0] += angle * i / kSteps;
     Vec3 way = bench.toolPose(joints).translation() - begin.translation();
     way.z() += wave * std::sin(M_PI * i / 5.0);
@@ -114,14 +114,14 @@ void followTurn(LeadBench& bench, LeadTool& tool, double angle, double wave) {
 }  // namespace
 
 // Leads the tool of a robot by hand.
-class LeadToolTest : public QObject {
+class HandGuidingToolTest : public QObject {
   Q_OBJECT
 
  private slots:
   // In the plane of the view, as far as the pointer: the tool keeps its turn, and undo brings the joints back.
   void theMouseMovesTheTool() {
-    LeadBench bench;
-    LeadTool tool = bench.tool();
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
     const Pose before = bench.toolPose();
     const Vec3 at = before.translation();
     const int steps = bench.steps();
@@ -136,12 +136,12 @@ class LeadToolTest : public QObject {
     QVERIFY((bench.toolPose().translation() - at - Vec3(-30.0, 50.0, 0.0)).norm() < 0.05);
     QVERIFY((bench.toolPose().linear() - before.linear()).norm() < 1e-3);
     bench.document().history()->undo();
-    QVERIFY(bench.document().joints() == LeadBench::start());
+    QVERIFY(bench.document().joints() == HandGuidingBench::start());
   }
 
   void aClickChangesNothing() {
-    LeadBench bench;
-    LeadTool tool = bench.tool();
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
     const int steps = bench.steps();
     tool.pointer(above(Kind::Press, 300, 50));
     tool.pointer(above(Kind::Release, 300, 50));
@@ -150,14 +150,14 @@ class LeadToolTest : public QObject {
     tool.pointer(above(Kind::Drag, 290, 50));
     QCOMPARE(tool.perform("revert"), ToolReply::Used);
     QCOMPARE(bench.steps(), steps);
-    QVERIFY(tool.joints() == LeadBench::start());
+    QVERIFY(tool.joints() == HandGuidingBench::start());
     QCOMPARE(tool.perform("revert"), ToolReply::Finished);
   }
 
   // With Shift the tool turns, and stays where it is.
   void shiftTurns() {
-    LeadBench bench;
-    LeadTool tool = bench.tool();
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
     const Pose before = bench.toolPose();
     tool.pointer(above(Kind::Press, 300, 50, kShift));
     tool.pointer(above(Kind::Drag, 300.4, 50, kShift));  // 40 pixels to the right: about the axis that points up there
@@ -170,8 +170,8 @@ class LeadToolTest : public QObject {
 
   // However far the hand goes, the robot stays before the wall, and the settings say why.
   void neverThroughAWall() {
-    LeadBench bench;
-    LeadTool tool = bench.tool();
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
     const Vec3 at = bench.toolPose().translation();
     tool.pointer(above(Kind::Press, at.x(), at.y()));
     for (int i = 1; i <= 10; ++i) tool.pointer(above(Kind::Drag, at.x() + 30.0 * i, at.y()));
@@ -185,8 +185,8 @@ class LeadToolTest : public QObject {
 
   // A device leads from where it is, by its own way times the scale, and turns the tool. Nothing holds it in the open.
   void aDeviceMovesAndTurns() {
-    LeadBench bench;
-    LeadTool tool = bench.tool();
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
     tool.setSetting("scale", PropertyValue(2.0));
     const Pose before = bench.toolPose();
     Pose hand = moved({50, 60, 70});
@@ -207,8 +207,8 @@ class LeadToolTest : public QObject {
 
   // Where the robot is held back, the spring draws the hand back to where it would be.
   void aDeviceFeelsTheWall() {
-    LeadBench bench;
-    LeadTool tool = bench.tool();
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
     Pose hand = moved({0, 0, 0});
     tool.pointer(byHand(Kind::Press, hand));
     for (int i = 1; i <= 30; ++i) tool.pointer(byHand(Kind::Drag, moved({10.0 * i, 0, 0})));
@@ -222,8 +222,8 @@ class LeadToolTest : public QObject {
 
   // The second button of a device adds a place and goes on leading.
   void aDeviceAddsPlaces() {
-    LeadBench bench;
-    LeadTool tool = bench.tool();
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
     tool.pointer(byHand(Kind::Press, moved({0, 0, 0})));
     tool.pointer(byHand(Kind::Drag, moved({-10, 0, 0})));
     PointerEvent second = byHand(Kind::Press, moved({-10, 0, 0}));
@@ -237,34 +237,34 @@ class LeadToolTest : public QObject {
 
   // Joint by joint: 100 mm of the hand are half of a joint's range.
   void jointByJoint() {
-    LeadBench bench;
-    LeadTool tool = bench.tool();
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
     tool.setSetting("way", PropertyValue(1.0));
     tool.pointer(byHand(Kind::Press, moved({0, 0, 0})));
     tool.pointer(byHand(Kind::Release, moved({-10, 0, 0})));
     const double range = 330.0 / 180.0 * M_PI;  // of the first joint of an IRB 120
     QVERIFY(std::abs(bench.document().joints()[0] - (0.2 - 0.1 * 0.5 * range)) < 1e-6);
-    QVERIFY((bench.document().joints().tail(5) - LeadBench::start().tail(5)).norm() < 1e-12);
+    QVERIFY((bench.document().joints().tail(5) - HandGuidingBench::start().tail(5)).norm() < 1e-12);
   }
 
   // What changes below the tool ends the move: nothing of it stays.
   void anUndoInBetween() {
-    LeadBench bench;
-    LeadTool tool = bench.tool();
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
     tool.pointer(above(Kind::Press, 300, 50));
     tool.pointer(above(Kind::Drag, 280, 50));
     bench.document().history()->undo();
     tool.documentChanged();
     QVERIFY(!tool.isLeading());
     QCOMPARE(tool.pointer(above(Kind::Release, 280, 50)), ToolReply::Ignored);
-    QVERIFY(bench.document().joints() == LeadBench::start());
+    QVERIFY(bench.document().joints() == HandGuidingBench::start());
   }
 
   void whileTheCellIsPrepared() {
-    LeadBench bench;
-    LeadServices services;
+    HandGuidingBench bench;
+    HandGuidingServices services;
     services.scene = [] { return std::shared_ptr<const CellScene>(); };
-    LeadTool tool(bench.document(), std::move(services));
+    HandGuidingTool tool(bench.document(), std::move(services));
     QCOMPARE(tool.pointer(above(Kind::Press, 300, 50)), ToolReply::Ignored);
     QVERIFY(!isEnabled(tool, "place"));
     QVERIFY(tool.preview().lines.empty());
@@ -273,9 +273,9 @@ class LeadToolTest : public QObject {
   // A hand that waves by 6 mm beside a path: with the fixture the tool is nearer to it, by the cube of the share of the
   // snap distance; each try is kept with its help.
   void aPathIsFollowed() {
-    LeadBench bench;
+    HandGuidingBench bench;
     bench.addTurn(-0.6);
-    LeadTool tool = bench.tool();
+    HandGuidingTool tool = bench.tool();
     const auto settings = tool.settings();
     const Property* paths = propertyNamed(settings, "path");
     QVERIFY(paths && paths->choices.size() == 2);
@@ -286,50 +286,51 @@ class LeadToolTest : public QObject {
       bench.document().history()->undo();
       tool.documentChanged();
     }
-    QCOMPARE(bench.tries.size(), std::size_t{2});
-    QVERIFY(bench.tries[0].help == LeadTry::Help::Force && bench.tries[1].help == LeadTry::Help::Fixture);
-    QVERIFY(bench.tries[0].figures.isComplete() && bench.tries[1].figures.isComplete());
+    QCOMPARE(bench.trials.size(), std::size_t{2});
+    QVERIFY(bench.trials[0].help == HandGuidingTrial::Help::Force &&
+            bench.trials[1].help == HandGuidingTrial::Help::Fixture);
+    QVERIFY(bench.trials[0].figures.isComplete() && bench.trials[1].figures.isComplete());
     // The largest value of the wave in steps of 36 degrees, and what becomes of it.
     const double largest = 6.0 * std::sin(0.4 * M_PI);
-    QVERIFY(std::abs(bench.tries[0].figures.most - largest) < 0.2);
-    QVERIFY(std::abs(bench.tries[1].figures.most - 12.0 * std::pow(largest / 12.0, 3.0)) < 0.2);
-    QVERIFY(bench.tries[1].figures.rms < 0.3 * bench.tries[0].figures.rms);
-    QVERIFY(std::abs(bench.tries[0].figures.seconds - 1.0) < 0.1);
+    QVERIFY(std::abs(bench.trials[0].figures.most - largest) < 0.2);
+    QVERIFY(std::abs(bench.trials[1].figures.most - 12.0 * std::pow(largest / 12.0, 3.0)) < 0.2);
+    QVERIFY(bench.trials[1].figures.rms < 0.3 * bench.trials[0].figures.rms);
+    QVERIFY(std::abs(bench.trials[0].figures.seconds - 1.0) < 0.1);
     const auto shown = tool.settings();
     QVERIFY(propertyNamed(shown, "try.1") && propertyNamed(shown, "try.2") && !propertyNamed(shown, "try.0"));
   }
 
   // A path that was chosen is followed also when the cell has been prepared anew since.
   void thePathOutlivesThePreparation() {
-    LeadBench bench;
+    HandGuidingBench bench;
     bench.addTurn(-0.6);
-    LeadTool tool = bench.tool();
+    HandGuidingTool tool = bench.tool();
     tool.setSetting("path", PropertyValue(1.0));
     bench.isUnderWay = true;
     tool.documentChanged();
     bench.isUnderWay = false;
     followTurn(bench, tool, -0.6, 6.0);
-    QCOMPARE(bench.tries.size(), std::size_t{1});
+    QCOMPARE(bench.trials.size(), std::size_t{1});
   }
 
   // A hand that presses before the way along the path has been found is drawn to it from then on.
   void theGuideComesWhileLeading() {
-    LeadBench bench;
+    HandGuidingBench bench;
     bench.addTurn(-0.6);
-    LeadTool tool = bench.tool();
+    HandGuidingTool tool = bench.tool();
     tool.setSetting("path", PropertyValue(1.0));
     tool.setSetting("snap", PropertyValue(12.0));
     bench.guideComesAt = 0.01;  // after the press, which is at 0
     followTurn(bench, tool, -0.6, 6.0);
-    QCOMPARE(bench.tries.size(), std::size_t{1});
-    QVERIFY(bench.tries[0].figures.isComplete());
-    QVERIFY(std::abs(bench.tries[0].figures.most - 12.0 * std::pow(0.5 * std::sin(0.4 * M_PI), 3.0)) < 0.2);
+    QCOMPARE(bench.trials.size(), std::size_t{1});
+    QVERIFY(bench.trials[0].figures.isComplete());
+    QVERIFY(std::abs(bench.trials[0].figures.most - 12.0 * std::pow(0.5 * std::sin(0.4 * M_PI), 3.0)) < 0.2);
   }
 
   // NaN and leaps from a device.
   void anyHand() {
-    LeadBench bench;
-    LeadTool tool = bench.tool();
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
     tool.pointer(byHand(Kind::Press, moved({0, 0, 0})));
     for (const double value : {std::nan(""), 1e300, -1e9, std::numeric_limits<double>::infinity(), 0.0}) {
       tool.pointer(byHand(Kind::Drag, moved({value, 0, value})));
@@ -341,5 +342,5 @@ class LeadToolTest : public QObject {
   }
 };
 
-HANDWHEEL_TEST(LeadToolTest)
-#include "LeadToolTest.moc"
+HANDWHEEL_TEST(HandGuidingToolTest)
+#include "HandGuidingToolTest.moc"
