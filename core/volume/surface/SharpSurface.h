@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The surface of a volume with its sharp edges: that of surfaceOf(), but in cells with an edge or corner (CellFeature)
+// The surface of a volume with its sharp edges: that of surfaceOf(), but in cells with an edge or corner (SharpFeature)
 // the polygon becomes a fan around a point on it, and such points are joined across the faces of cells (Kobbelt et al.,
 // "Feature sensitive surface extraction", 2001). So it stays closed, manifold and oriented by construction. Where
 // triangles would meet others, their cells keep the polygons of marching cubes: free of self-intersections, as those

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// The surface of a volume: triangles of marching cubes (CellPolygons) through the cells of its samples, points shared.
-// Closed, manifold, oriented and free of self-intersections, as long as the coordinates tell voxels apart by a
+// The surface of a volume: triangles of marching cubes (MarchingCubesTable) through the cells of its samples, points
+// shared. Closed, manifold, oriented and free of self-intersections, as long as the coordinates tell voxels apart by a
 // thousandth. O(blocks), on all threads of the arena; the same for any number of them. Empty when cancelled.
 TriangleSoup surfaceOf(const SparseVolume& volume, Progress progress = {});
 // The blocks in whose cells the surface can be: those with samples, and those whose high sides touch them.

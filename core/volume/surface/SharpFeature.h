@@ -10,7 +10,7 @@
 namespace handwheel {
 
 // A sharp edge or corner of a volume in or beside a cell between eight samples. In voxels.
-struct CellFeature {
+struct SharpFeature {
   struct Plane {
     Vec3 foot;     // on the surface
     Vec3 inwards;  // of length 1
@@ -29,6 +29,6 @@ struct CellFeature {
 // contouring of Hermite data", 2002). The planes are those of the samples within two voxels: where depths are distances
 // each sample knows the nearest place of the surface, also where the mean of two samples beside an edge does not. None
 // where the surface is smooth, or where depths are no distances.
-std::optional<CellFeature> featureOf(const SparseVolume& volume, const VoxelIndex& cell);
+std::optional<SharpFeature> featureOf(const SparseVolume& volume, const VoxelIndex& cell);
 
 }  // namespace handwheel

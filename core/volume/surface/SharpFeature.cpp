@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/surface/CellFeature.h"
+#include "volume/surface/SharpFeature.h"
 
 #include "volume/VolumeReader.h"
 
@@ -26,8 +26,8 @@ constexpr double kLeastShare = 0.1;  // of the largest eigenvalue, that counts a
 // The nearest places of the surface that a sample knows: those of the planes that explain its depth and those of the
 // samples towards one of the eight sides. Beside an edge these are on one side of it only, and half way between two
 // planes there are two.
-std::vector<CellFeature::Plane> planesAt(const VolumeReader& reader, const VoxelIndex& at) {
-  std::vector<CellFeature::Plane> planes;
+std::vector<SharpFeature::Plane> planesAt(const VolumeReader& reader, const VoxelIndex& at) {
+  std::vector<SharpFeature::Plane> planes;
   const auto depthAt = [&](const VoxelIndex& voxel) { return reader.sample(voxel) / VolumeBlock::kUnit; };
   const double depth = depthAt(at);
   if (std::abs(depth) > kDeepest) return planes;
@@ -44,7 +44,7 @@ std::vector<CellFeature::Plane> planesAt(const VolumeReader& reader, const Voxel
     }
     const Vec3 inwards = slope / steep;
     if (isPlane && std::none_of(planes.begin(), planes.end(),
-                                [&](const CellFeature::Plane& plane) { return plane.inwards.dot(inwards) > kSame; }))
+                                [&](const SharpFeature::Plane& plane) { return plane.inwards.dot(inwards) > kSame; }))
       planes.push_back({at.cast<double>() - depth * inwards, inwards});
   }
   return planes;
@@ -81,10 +81,10 @@ Vec3 inCell(const Vec3& nearest, const Vec3& along, const Vec3& centre) {
 }
 
 // The place that is nearest to all planes; where they leave a direction open, in the cell or beside its centre.
-Vec3 nearestToAll(const std::vector<CellFeature::Plane>& planes, const Vec3& centre) {
+Vec3 nearestToAll(const std::vector<SharpFeature::Plane>& planes, const Vec3& centre) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Vec3 right = Vec3::Zero();
-  for (const CellFeature::Plane& plane : planes) {
+  for (const SharpFeature::Plane& plane : planes) {
     sum += plane.inwards * plane.inwards.transpose();
     right += plane.inwards * plane.inwards.dot(plane.foot - centre);
   }
@@ -101,16 +101,16 @@ Vec3 nearestToAll(const std::vector<CellFeature::Plane>& planes, const Vec3& cen
 }
 
 // The feature of planes, some of which are no smooth surface and all of which pass nearly through one place.
-std::optional<CellFeature> featureOfPlanes(std::vector<CellFeature::Plane> planes, const Vec3& centre) {
+std::optional<SharpFeature> featureOfPlanes(std::vector<SharpFeature::Plane> planes, const Vec3& centre) {
   if (planes.size() < kLeastPlanes) return std::nullopt;
   const Vec3 some = planes.front().inwards;
   if (std::none_of(planes.begin(), planes.end(),
-                   [&](const CellFeature::Plane& plane) { return plane.inwards.dot(some) < kSharp; }))
+                   [&](const SharpFeature::Plane& plane) { return plane.inwards.dot(some) < kSharp; }))
     return std::nullopt;
-  CellFeature feature{nearestToAll(planes, centre), std::move(planes), true};
+  SharpFeature feature{nearestToAll(planes, centre), std::move(planes), true};
   Vec3 away = Vec3::Zero(), inwards = Vec3::Zero();
   double squares = 0.0;
-  for (const CellFeature::Plane& plane : feature.planes) {
+  for (const SharpFeature::Plane& plane : feature.planes) {
     squares += std::pow(plane.inwards.dot(feature.point - plane.foot), 2.0);
     away += plane.foot - feature.point;
     inwards += plane.inwards;
@@ -122,7 +122,7 @@ std::optional<CellFeature> featureOfPlanes(std::vector<CellFeature::Plane> plane
 
 }  // namespace
 
-std::optional<double> CellFeature::crossing(const VoxelIndex& from, int axis, bool isInside) const {
+std::optional<double> SharpFeature::crossing(const VoxelIndex& from, int axis, bool isInside) const {
   std::optional<double> share;
   for (const Plane& plane : planes) {
     const double rise = plane.inwards[axis];
@@ -135,20 +135,20 @@ std::optional<double> CellFeature::crossing(const VoxelIndex& from, int axis, bo
   return share;
 }
 
-std::optional<CellFeature> featureOf(const SparseVolume& volume, const VoxelIndex& cell) {
+std::optional<SharpFeature> featureOf(const SparseVolume& volume, const VoxelIndex& cell) {
   const VolumeReader reader(volume);
   if (isSmooth(reader, cell)) return std::nullopt;
   const Vec3 centre = cell.cast<double>() + Vec3::Constant(0.5);
-  std::vector<CellFeature::Plane> all;
+  std::vector<SharpFeature::Plane> all;
   for (int z = -2; z < 4; ++z)
     for (int y = -2; y < 4; ++y)
       for (int x = -2; x < 4; ++x)
-        for (const CellFeature::Plane& plane : planesAt(reader, cell + VoxelIndex(x, y, z))) all.push_back(plane);
+        for (const SharpFeature::Plane& plane : planesAt(reader, cell + VoxelIndex(x, y, z))) all.push_back(plane);
   // Beside a corner of three planes the nearest two have their edge in the cell.
-  std::optional<CellFeature> best;
+  std::optional<SharpFeature> best;
   for (const double reach : kReaches) {
-    std::vector<CellFeature::Plane> near;
-    for (const CellFeature::Plane& plane : all)
+    std::vector<SharpFeature::Plane> near;
+    for (const SharpFeature::Plane& plane : all)
       if ((plane.foot - centre).norm() < reach) near.push_back(plane);
     const auto feature = featureOfPlanes(std::move(near), centre);
     if (!feature) continue;

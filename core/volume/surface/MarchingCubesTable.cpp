@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/surface/CellPolygons.h"
+#include "volume/surface/MarchingCubesTable.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +9,7 @@ namespace handwheel {
 namespace {
 
 using Polygon = std::vector<int>;  // edges
-using Triangles = std::vector<CellPolygons::EdgeTriangle>;
+using Triangles = std::vector<MarchingCubesTable::EdgeTriangle>;
 
 int edgeBetween(int a, int b) {
   for (int e = 0; e < 12; ++e)
@@ -105,9 +105,9 @@ std::array<int, 2> cornersOfCellEdge(int edge) {
   return {low, low | 1 << axis};
 }
 
-const CellPolygons& CellPolygons::table() {
-  static const CellPolygons made = [] {
-    CellPolygons table;
+const MarchingCubesTable& MarchingCubesTable::table() {
+  static const MarchingCubesTable made = [] {
+    MarchingCubesTable table;
     for (int inside = 0; inside < 256; ++inside)
       for (const Polygon& polygon : polygonsOf(inside))
         for (const auto& t : fanOf(polygon)) table.triangles[static_cast<std::size_t>(inside)].push_back(t);

@@ -15,13 +15,13 @@ namespace handwheel {
 //
 // Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2). Edge e is along axis e / 4, from the corner whose other two
 // coordinates, in the order of the axes, are e & 1 and e >> 1 & 1.
-struct CellPolygons {
+struct MarchingCubesTable {
   using EdgeTriangle = std::array<std::uint8_t, 3>;  // edges with its corners; counter-clockwise from outside
 
   std::array<std::vector<EdgeTriangle>, 256> triangles;  // by the corners inside: bit c is corner c
 
   // Made once. Thread-safe.
-  static const CellPolygons& table();
+  static const MarchingCubesTable& table();
 };
 
 // Where the surface crosses an edge with these depths at its ends, as a share of it: away from the ends, so that
