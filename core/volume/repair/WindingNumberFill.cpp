@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/repair/Membranes.h"
+#include "volume/repair/WindingNumberFill.h"
 
 #include <tbb/parallel_for.h>
 
@@ -69,14 +69,15 @@ void forBlocksOf(const TriangleSoup& soup, const Triangle& t, Visit visit) {
 
 }  // namespace
 
-std::uint64_t Membranes::keyOf(const VoxelIndex& block) {
+std::uint64_t WindingNumberFill::keyOf(const VoxelIndex& block) {
   std::uint64_t key = 0;
   for (int k = 0; k < 3; ++k) key = key << 21 | (static_cast<std::uint32_t>(block[k]) & 0x1fffff);
   return key;
 }
 
 // The turns of cones are harmonic beside them, so blocks with many hang together with those of the cones.
-Membranes::Membranes(const TriangleSoup& closed, std::span<const std::uint32_t> cones, const Progress& progress)
+WindingNumberFill::WindingNumberFill(const TriangleSoup& closed, std::span<const std::uint32_t> cones,
+                                     const Progress& progress)
     : m_cones(closed, cones) {
   std::vector<VoxelIndex> wave;
   const auto add = [&](const VoxelIndex& block) {
@@ -105,7 +106,7 @@ Membranes::Membranes(const TriangleSoup& closed, std::span<const std::uint32_t> 
 // Over a flat round hole the turns are (1 - h / √(h² + r²)) / 2 in the middle at the height h: kLook up to a fifth of
 // the radius, and less towards the edge: a spindle of a third of r³ above and as much below, in terms of the area.
 // Around the cones there is a block more on either side.
-double Membranes::predictedBlocks(const TriangleSoup& closed, std::span<const std::uint32_t> cones) {
+double WindingNumberFill::predictedBlocks(const TriangleSoup& closed, std::span<const std::uint32_t> cones) {
   constexpr double kSpindle = 0.115, kAround = 3.0 + 1.5;  // blocks across a cone: its own, and those beside it
   double blocks = 0.0;
   for (std::size_t i = 0; i < cones.size();) {
@@ -121,12 +122,12 @@ double Membranes::predictedBlocks(const TriangleSoup& closed, std::span<const st
   return blocks;
 }
 
-bool Membranes::isNear(const VoxelIndex& block) const {
+bool WindingNumberFill::isNear(const VoxelIndex& block) const {
   const auto found = m_near.find(keyOf(block));
   return found != m_near.end() && found->second;
 }
 
-Membranes::Samples Membranes::samples(const VoxelIndex& block, const SurfaceRows& rows) const {
+WindingNumberFill::Samples WindingNumberFill::samples(const VoxelIndex& block, const ScanlineCrossings& rows) const {
   Samples made;
   const VoxelIndex first = kBlock * block;
   constexpr int kSide = kBlock + 2;

@@ -16,7 +16,7 @@ namespace handwheel {
 // Where a closed surface crosses the rows of voxel centres along x, and the winding numbers that follow: how often it
 // goes round each voxel. Crossings are decided exactly, a row through an edge or corner as if it were shifted by
 // something infinitely small, so the number outside is 0 on either end of every row.
-class SurfaceRows {
+class ScanlineCrossings {
  public:
   struct Crossing {
     double x;  // in voxels
@@ -28,7 +28,7 @@ class SurfaceRows {
 
   // Points in voxels: a voxel's centre has whole coordinates. Each edge of the surface is passed equally often both
   // ways (closeBoundaries()). O(n + area), on all threads of the arena. Nothing once cancelled.
-  SurfaceRows(const TriangleSoup& closed, Progress progress = {});
+  ScanlineCrossings(const TriangleSoup& closed, Progress progress = {});
 
   // The crossings of a row, by x.
   std::span<const Crossing> row(int y, int z) const;

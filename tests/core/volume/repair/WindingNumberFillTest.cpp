@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/repair/Membranes.h"
+#include "volume/repair/WindingNumberFill.h"
 
 #include "MeshShapes.h"
 #include "TestClass.h"
@@ -30,7 +30,7 @@ TriangleSoup bowl(double radius, double height) {
 
 }  // namespace
 
-class MembranesTest : public QObject {
+class WindingNumberFillTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -47,8 +47,8 @@ class MembranesTest : public QObject {
     TriangleSoup closed = bowl(radius, height);
     const BoundaryCaps caps = closeBoundaries(closed, 4.0);
     QVERIFY(!caps.wide.empty());
-    const double foretold = Membranes::predictedBlocks(closed, caps.wide);
-    const auto found = static_cast<double>(Membranes(closed, caps.wide, {}).blocks().size());
+    const double foretold = WindingNumberFill::predictedBlocks(closed, caps.wide);
+    const auto found = static_cast<double>(WindingNumberFill(closed, caps.wide, {}).blocks().size());
     QVERIFY2(found < 2.0 * foretold && foretold < 2.0 * found,
              qPrintable(QString("%1 for %2").arg(foretold).arg(found)));
   }
@@ -61,11 +61,11 @@ class MembranesTest : public QObject {
     QCOMPARE(made.error().arguments.size(), std::size_t{3});
     TriangleSoup closed = bowl(50'000.0, 0.0);
     const BoundaryCaps caps = closeBoundaries(closed, 4.0);
-    const double bytes = Membranes::predictedBlocks(closed, caps.wide) * Membranes::kBytes;
+    const double bytes = WindingNumberFill::predictedBlocks(closed, caps.wide) * WindingNumberFill::kBytes;
     QVERIFY(bytes > 1e12);
     QVERIFY(std::stod(made.error().arguments[1]) > 1e-6 * bytes);
   }
 };
 
-HANDWHEEL_TEST(MembranesTest)
-#include "MembranesTest.moc"
+HANDWHEEL_TEST(WindingNumberFillTest)
+#include "WindingNumberFillTest.moc"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/surface/SurfaceRows.h"
+#include "volume/surface/ScanlineCrossings.h"
 
 #include "MeshShapes.h"
 #include "SolidAngles.h"
@@ -48,7 +48,7 @@ bool isOn(const TriangleSoup& soup, const Vec3& p) {
 
 }  // namespace
 
-class SurfaceRowsTest : public QObject {
+class ScanlineCrossingsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -80,7 +80,7 @@ class SurfaceRowsTest : public QObject {
     QVERIFY(rc::check([] {
       TriangleSoup soup = anySoup();
       closeBoundaries(soup, 1e9);
-      const SurfaceRows rows(soup);
+      const ScanlineCrossings rows(soup);
       for (int i = 0; i < 9 * 9 * 9; ++i) {
         const VoxelIndex at(i % 9, i / 9 % 9, i / 81);
         const Vec3 p = at.cast<double>();
@@ -102,9 +102,9 @@ class SurfaceRowsTest : public QObject {
     const std::size_t outer = balls.triangles.size();
     append(balls, moved(icosphere(2), Vec3(0.1, 0.2, 0.3), 8.0));
     append(balls, moved(icosphere(2), Vec3(50.1, 0.2, 0.3), 8.0));
-    const SurfaceRows rows(balls);
+    const ScanlineCrossings rows(balls);
     QVERIFY(!rows.isSimple());
-    const SurfaceRows::Bounding found = rows.boundingBy([](const Vec3&, int whole) { return whole; });
+    const ScanlineCrossings::Bounding found = rows.boundingBy([](const Vec3&, int whole) { return whole; });
     // Flat faces lie up to a thirtieth of the radius within.
     for (const auto& [place, triangle] : found.places)
       QVERIFY(std::min(std::abs((place - Vec3(0.1, 0.2, 0.3)).norm() - 19.7),
@@ -120,5 +120,5 @@ class SurfaceRowsTest : public QObject {
   }
 };
 
-HANDWHEEL_TEST(SurfaceRowsTest)
-#include "SurfaceRowsTest.moc"
+HANDWHEEL_TEST(ScanlineCrossingsTest)
+#include "ScanlineCrossingsTest.moc"

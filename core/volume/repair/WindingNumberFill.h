@@ -5,7 +5,7 @@
 #include "base/Progress.h"
 #include "volume/SparseVolume.h"
 #include "volume/repair/SolidAngleTree.h"
-#include "volume/surface/SurfaceRows.h"
+#include "volume/surface/ScanlineCrossings.h"
 
 #include <array>
 #include <span>
@@ -14,16 +14,16 @@
 
 namespace handwheel {
 
-// What closes wide bent holes of a surface: where its generalised winding number, the sum of its solid angles, passes a
-// half. That is smooth over a hole, meets the surface at its edge, and is the plane of a hole with a flat edge; what is
-// left of the surface shapes it, and not the middle of the hole alone.
+// Closes wide bent holes of a surface with membranes: where its generalised winding number, the sum of its solid
+// angles, passes a half. That is smooth over a hole, meets the surface at its edge, and is the plane of a hole with a
+// flat edge; what is left of the surface shapes it, and not the middle of the hole alone.
 //
-// The winding number is the whole one of the surface that cones close (SurfaceRows), less the solid angle of the cones.
-// So it differs from that, and is looked at, only in the blocks around the cones.
-class Membranes {
+// The winding number is the whole one of the surface that cones close (ScanlineCrossings), less the solid angle of the
+// cones. So it differs from that, and is looked at, only in the blocks around the cones.
+class WindingNumberFill {
  public:
   // closed: in voxels. cones: of its triangles, those over the wide holes. Nothing once cancelled.
-  Membranes(const TriangleSoup& closed, std::span<const std::uint32_t> cones, const Progress& progress);
+  WindingNumberFill(const TriangleSoup& closed, std::span<const std::uint32_t> cones, const Progress& progress);
 
   // How many blocks there are going to be, within a factor of two, as far as one hole does not shadow another. O(n).
   static double predictedBlocks(const TriangleSoup& closed, std::span<const std::uint32_t> cones);
@@ -42,7 +42,7 @@ class Membranes {
   };
   static constexpr float kNone = 1e9F;
   // Of one of the blocks.
-  Samples samples(const VoxelIndex& block, const SurfaceRows& rows) const;
+  Samples samples(const VoxelIndex& block, const ScanlineCrossings& rows) const;
 
  private:
   static std::uint64_t keyOf(const VoxelIndex& block);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "volume/surface/SurfaceRows.h"
+#include "volume/surface/ScanlineCrossings.h"
 
 #include "proximity/ExactOrientation.h"
 
@@ -20,7 +20,7 @@ constexpr std::size_t kRowsAtOnce = 1024;
 
 struct Found {
   int y, z;
-  SurfaceRows::Crossing crossing;
+  ScanlineCrossings::Crossing crossing;
 };
 
 Vec2 seenAlongX(const Vec3& p) {
@@ -80,7 +80,8 @@ void forEachCrossing(const std::array<Vec3, 3>& corners, const Progress& progres
 
 }  // namespace
 
-SurfaceRows::SurfaceRows(const TriangleSoup& closed, Progress progress) : m_crossed(closed.triangles.size(), false) {
+ScanlineCrossings::ScanlineCrossings(const TriangleSoup& closed, Progress progress)
+    : m_crossed(closed.triangles.size(), false) {
   tbb::enumerable_thread_specific<std::vector<Found>> found;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, closed.triangles.size()),
                     [&](const tbb::blocked_range<std::size_t>& range) {
@@ -131,7 +132,7 @@ SurfaceRows::SurfaceRows(const TriangleSoup& closed, Progress progress) : m_cros
   }
 }
 
-SurfaceRows::Bounding SurfaceRows::boundingBy(const Turns& turns) const {
+ScanlineCrossings::Bounding ScanlineCrossings::boundingBy(const Turns& turns) const {
   Bounding found{std::vector<bool>(m_crossed.size(), false), {}};
   if (m_range.isEmpty()) return found;
   const auto width = static_cast<std::size_t>(m_range.sizes().x() + 1);
@@ -157,7 +158,7 @@ SurfaceRows::Bounding SurfaceRows::boundingBy(const Turns& turns) const {
   return found;
 }
 
-std::span<const SurfaceRows::Crossing> SurfaceRows::row(int y, int z) const {
+std::span<const ScanlineCrossings::Crossing> ScanlineCrossings::row(int y, int z) const {
   if (!m_range.contains(Eigen::Vector2i(y, z))) return {};
   const auto width = static_cast<std::size_t>(m_range.sizes().x() + 1);
   const std::size_t row =
@@ -165,7 +166,7 @@ std::span<const SurfaceRows::Crossing> SurfaceRows::row(int y, int z) const {
   return std::span(m_crossings).subspan(m_begin[row], m_begin[row + 1] - m_begin[row]);
 }
 
-int SurfaceRows::winding(const VoxelIndex& voxel) const {
+int ScanlineCrossings::winding(const VoxelIndex& voxel) const {
   const std::span<const Crossing> crossings = row(voxel.y(), voxel.z());
   const double x = voxel.x();
   const auto after =
