@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/contact/ContactSeams.h"
+#include "haptics/contact/ContactGaps.h"
 
 #include "MeshShapes.h"
 #include "TestClass.h"
@@ -47,13 +47,13 @@ int fallsIn(const TriangleSoup& s, double scale = 1.0) {
 }
 
 TriangleSoup closed(TriangleSoup s) {
-  closeSeams(s.points, s.triangles);
+  closeContactGaps(s.points, s.triangles);
   return s;
 }
 
 }  // namespace
 
-class ContactSeamsTest : public QObject {
+class ContactGapsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -93,7 +93,7 @@ class ContactSeamsTest : public QObject {
     for (Vec3& p : s.points) p += Vec3(off(random), off(random), off(random));
     const std::size_t triangles = s.triangles.size();
     const std::vector<Vec3> before = s.points;
-    closeSeams(s.points, s.triangles);
+    closeContactGaps(s.points, s.triangles);
     QCOMPARE(s.triangles.size(), triangles);  // nothing is left open
     for (const Triangle& t : s.triangles)
       for (const std::uint32_t v : t) QVERIFY((s.points[v] - before[v]).norm() < 4e-5);
@@ -109,7 +109,7 @@ class ContactSeamsTest : public QObject {
 
   void bearsTheExtremes() {
     TriangleSoup nothing;
-    closeSeams(nothing.points, nothing.triangles);
+    closeContactGaps(nothing.points, nothing.triangles);
     QVERIFY(nothing.triangles.empty());
     TriangleSoup one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 0, 1}}};
     one = closed(one);
@@ -123,5 +123,5 @@ class ContactSeamsTest : public QObject {
   }
 };
 
-HANDWHEEL_TEST(ContactSeamsTest)
-#include "ContactSeamsTest.moc"
+HANDWHEEL_TEST(ContactGapsTest)
+#include "ContactGapsTest.moc"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/contact/ContactSeams.h"
+#include "haptics/contact/ContactGaps.h"
 
 #include "base/Tolerance.h"
 #include "proximity/ClosestPoint.h"
@@ -51,7 +51,7 @@ class CornerMerging {
       : m_points(points), m_cell(tolerance) {
     std::unordered_map<std::uint32_t, double> reach;
     for (const Edge& e : open) {
-      const double own = std::min(tolerance, tolerance::kContactSeamEdge * (points[e.from] - points[e.to]).norm());
+      const double own = std::min(tolerance, tolerance::kContactGapEdge * (points[e.from] - points[e.to]).norm());
       for (const std::uint32_t v : {e.from, e.to}) {
         const auto [entry, fresh] = reach.try_emplace(v, own);
         if (!fresh) entry->second = std::min(entry->second, own);
@@ -116,18 +116,18 @@ class CornerMerging {
   std::unordered_map<std::uint32_t, std::uint32_t> m_stands;
 };
 
-// Where another open edge comes within a seam of a corner.
+// Where another open edge comes within a gap of a corner.
 struct Across {
   std::uint32_t edge = kNone;   // none comes so near
   std::uint32_t point = kNone;  // its nearest point
 };
 
-// Strips of triangles across the seams. Each hangs on an open edge and on the border opposite, along all of its
+// Strips of triangles across the gaps. Each hangs on an open edge and on the border opposite, along all of its
 // corners, so that together they leave no slit: what only comes near the border opposite would dive below it.
 class Strips {
  public:
-  Strips(std::vector<Vec3>& points, const std::vector<Edge>& open, double seam)
-      : m_points(points), m_open(open), m_seam(seam) {
+  Strips(std::vector<Vec3>& points, const std::vector<Edge>& open, double gap)
+      : m_points(points), m_open(open), m_gap(gap) {
     std::vector<Triangle> segments;
     for (std::uint32_t i = 0; i < open.size(); ++i) {
       segments.push_back({open[i].from, open[i].to, open[i].to});
@@ -175,9 +175,9 @@ class Strips {
     const auto [entry, isFresh] = m_across.try_emplace(v);
     Across& known = entry->second;
     if (!isFresh) return known;
-    const Vec3 p = m_points[v], reach = Vec3::Constant(m_seam);
+    const Vec3 p = m_points[v], reach = Vec3::Constant(m_gap);
     Vec3 nearest = p;
-    double least = m_seam;
+    double least = m_gap;
     m_hierarchy.forEachInBox(Box(p - reach, p + reach), [&](std::uint32_t i) {
       const Edge& e = m_open[i];
       if (e.from == v || e.to == v) return true;
@@ -217,12 +217,12 @@ class Strips {
   }
 
   // No setting, but a bound: so the time stays in proportion to the open edges, where a border does not lead from one
-  // place to the other, too. A seam stays open along an edge that has more corners than these on its other side.
+  // place to the other, too. A gap stays open along an edge that has more corners than these on its other side.
   static constexpr int kMostCorners = 64;
 
   std::vector<Vec3>& m_points;
   const std::vector<Edge>& m_open;
-  double m_seam;
+  double m_gap;
   TriangleHierarchy m_hierarchy;
   std::unordered_map<std::uint32_t, std::uint32_t> m_next, m_previous;  // the open edge that leaves, ends at a corner
   std::unordered_map<std::uint32_t, Across> m_across;
@@ -231,7 +231,7 @@ class Strips {
 
 }  // namespace
 
-void closeSeams(std::vector<Vec3>& points, std::vector<Triangle>& triangles, Progress progress) {
+void closeContactGaps(std::vector<Vec3>& points, std::vector<Triangle>& triangles, Progress progress) {
   Box bounds;
   for (const Triangle& t : triangles)
     for (const std::uint32_t v : t)
@@ -245,11 +245,11 @@ void closeSeams(std::vector<Vec3>& points, std::vector<Triangle>& triangles, Pro
   // From the middle of the model, so that far from the origin the cells can be distinguished.
   std::vector<Vec3> local(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) local[i] = points[i] - bounds.center();
-  const CornerMerging merged(local, open, tolerance::kContactSeam * diagonal);
+  const CornerMerging merged(local, open, tolerance::kContactGap * diagonal);
   merged.move(points);
   open = openEdges(open, merged);
   if (progress.cancelled()) return;
-  Strips(points, open, tolerance::kContactSeam * diagonal).addTo(triangles);
+  Strips(points, open, tolerance::kContactGap * diagonal).addTo(triangles);
 }
 
 }  // namespace handwheel
