@@ -31,10 +31,10 @@ struct RepairRun {
   MeshReport before;    // of the input as it was read, when it is inspected
   MeshReport after;     // of the bytes of the output, read again
   RepairReport repair;  // including the faces flipped while building the mesh, and the vertices split by the export
-  std::vector<Vertex> touched;      // vertices of the input that were moved, merged or split
-  bool untouchedIdentical = false;  // measured on the output bytes
-  DocumentFile file;                // with what was lost on reading the input
-  double roundingMove = 0.0;        // mm; the largest move of an input point by rounding to the output's number type
+  std::vector<Vertex> modified;      // vertices of the input that were moved, merged or split
+  bool unmodifiedIdentical = false;  // measured on the output bytes
+  DocumentFile file;                 // with what was lost on reading the input
+  double roundingMove = 0.0;         // mm; the largest move of an input point by rounding to the output's number type
   double seconds = 0.0;
   std::string output;             // the bytes to write
   std::vector<int> unknownLoops;  // to be kept open, but not found: then nothing was repaired

@@ -15,7 +15,7 @@ namespace handwheel {
 std::size_t countReversedFaces(const HalfEdgeMesh& before, const HalfEdgeMesh& after, Progress progress = {});
 
 // The vertices that are elsewhere now, and all at these places, sorted. O(n log n), or O(n) where there are none.
-std::vector<Vertex> touchedVertices(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::vector<Vec3> places,
-                                    Progress progress = {});
+std::vector<Vertex> modifiedVertices(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::vector<Vec3> places,
+                                     Progress progress = {});
 
 }  // namespace handwheel

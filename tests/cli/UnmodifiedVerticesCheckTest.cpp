@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
-#include "cli/mesh/UntouchedCheck.h"
+#include "cli/mesh/UnmodifiedVerticesCheck.h"
 #include "mesh/structure/MeshBuilder.h"
 
 #include <QTest>
@@ -28,18 +28,18 @@ Vertex vertexAt(const HalfEdgeMesh& mesh, const Vec3& place) {
 }  // namespace
 
 // Against mathematics: a file differs from the mesh in one vertex, by the least that a double can.
-class UntouchedCheckTest : public QObject {
+class UnmodifiedVerticesCheckTest : public QObject {
   Q_OBJECT
 
  private slots:
   void oneStepIsSeen() {
     const HalfEdgeMesh mesh = buildMesh(fourFaces()).mesh;
     TriangleSoup file = fourFaces();
-    QVERIFY(untouchedAreIdentical(mesh, mesh, {}, file));
+    QVERIFY(unmodifiedAreIdentical(mesh, mesh, {}, file));
     file.points[1].x() = std::nextafter(1.0, 2.0);
-    QVERIFY(!untouchedAreIdentical(mesh, mesh, {}, file));
-    QVERIFY(untouchedAreIdentical(mesh, mesh, {vertexAt(mesh, {1, 0, 0})}, file));
-    QVERIFY(!untouchedAreIdentical(mesh, mesh, {vertexAt(mesh, {0, 1, 0})}, file));
+    QVERIFY(!unmodifiedAreIdentical(mesh, mesh, {}, file));
+    QVERIFY(unmodifiedAreIdentical(mesh, mesh, {vertexAt(mesh, {1, 0, 0})}, file));
+    QVERIFY(!unmodifiedAreIdentical(mesh, mesh, {vertexAt(mesh, {0, 1, 0})}, file));
   }
 
   // A point of the file that no triangle uses does not stand for a vertex.
@@ -47,9 +47,9 @@ class UntouchedCheckTest : public QObject {
     const HalfEdgeMesh mesh = buildMesh(fourFaces()).mesh;
     TriangleSoup file = fourFaces();
     file.triangles = {{0, 2, 1}};
-    QVERIFY(!untouchedAreIdentical(mesh, mesh, {}, file));
+    QVERIFY(!unmodifiedAreIdentical(mesh, mesh, {}, file));
   }
 };
 
-HANDWHEEL_TEST(UntouchedCheckTest)
-#include "UntouchedCheckTest.moc"
+HANDWHEEL_TEST(UnmodifiedVerticesCheckTest)
+#include "UnmodifiedVerticesCheckTest.moc"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/repair/TouchedVertices.h"
+#include "mesh/repair/ModifiedVertices.h"
 
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/Weld.h"
@@ -23,8 +23,8 @@ std::size_t countReversedFaces(const HalfEdgeMesh& before, const HalfEdgeMesh& a
   return reversed;
 }
 
-std::vector<Vertex> touchedVertices(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::vector<Vec3> places,
-                                    Progress progress) {
+std::vector<Vertex> modifiedVertices(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::vector<Vec3> places,
+                                     Progress progress) {
   for (Vertex v = 0; v < before.vertexSlots(); ++v) {
     if (after.position(v) != before.position(v)) places.push_back(before.position(v));
   }

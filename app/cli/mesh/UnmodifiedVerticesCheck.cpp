@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/mesh/UntouchedCheck.h"
+#include "cli/mesh/UnmodifiedVerticesCheck.h"
 
 #include "mesh/structure/Weld.h"
 
 namespace handwheel {
 
-bool untouchedAreIdentical(const HalfEdgeMesh& before, const HalfEdgeMesh& after, const std::vector<Vertex>& touched,
-                           const TriangleSoup& written) {
+bool unmodifiedAreIdentical(const HalfEdgeMesh& before, const HalfEdgeMesh& after, const std::vector<Vertex>& modified,
+                            const TriangleSoup& written) {
   std::vector<bool> mustBeThere(before.vertexSlots(), false);
   for (Face f = 0; f < before.faceSlots(); ++f) {
     if (!before.isLive(f) || !after.isLive(f)) continue;
     for (Vertex v : before.triangle(f)) mustBeThere[v] = true;
   }
-  for (Vertex v : touched) {
+  for (Vertex v : modified) {
     if (v < mustBeThere.size()) mustBeThere[v] = false;
   }
 
