@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/MeshMessages.h"
 
+#include "document/mesh/ImplausibleUnit.h"
 #include "document/mesh/MeshDocument.h"
-#include "document/mesh/UnitDoubt.h"
 #include "text/ErrorText.h"
 #include "text/NoteText.h"
 #include "window/documents/FileLoader.h"
@@ -69,11 +69,11 @@ Message jobFailedMessage(const Document& document, const QString& job, const Err
 }
 
 std::optional<Message> unitDoubtMessage(const MeshDocument& document) {
-  const auto isDoubtful = [&document] { return isUnitDoubtful(document.file(), document.defects().box); };
+  const auto isDoubtful = [&document] { return isUnitImplausible(document.file(), document.defects().box); };
   if (!isDoubtful()) return std::nullopt;
   return Message{.weight = Message::Weight::Warning,
                  .title = MeshMessagesWords::tr("Is %1 in millimetres?").arg(document.name()),
-                 .detail = noteText(unitDoubt(document.defects().box)),
+                 .detail = noteText(implausibleUnit(document.defects().box)),
                  .advice = MeshMessagesWords::tr("Lengths, such as a wall thickness, depend on it. Change the unit "
                                                  "before you repair."),
                  .actionText = MeshMessagesWords::tr("Change unit…"),

@@ -12,9 +12,9 @@ namespace handwheel {
 inline constexpr double kSmallestLikelySize = 1.0;
 inline constexpr double kLargestLikelySize = 10'000.0;
 
-// Whether the unit of a part is in doubt: its file says none, and its size in millimetres is unlikely.
-bool isUnitDoubtful(const DocumentFile& file, const Box& box);
-// The doubt in words. box: not empty.
-Note unitDoubt(const Box& box);
+// Whether the unit of a part is implausible: its file says none, and its size in millimetres is unlikely.
+bool isUnitImplausible(const DocumentFile& file, const Box& box);
+// That in words. box: not empty.
+Note implausibleUnit(const Box& box);
 
 }  // namespace handwheel

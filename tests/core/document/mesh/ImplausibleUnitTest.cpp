@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/mesh/UnitDoubt.h"
+#include "document/mesh/ImplausibleUnit.h"
 
 #include "TestClass.h"
 #include "document/mesh/MeshKind.h"
@@ -26,7 +26,7 @@ TriangleSoup tetrahedronOf(double size) {
 
 }  // namespace
 
-class UnitDoubtTest : public QObject {
+class ImplausibleUnitTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -52,19 +52,19 @@ class UnitDoubtTest : public QObject {
     DocumentFile file;
     file.hasUnit = false;
     const Box box(Vec3::Zero(), Vec3(x, y, z));
-    QCOMPARE(isUnitDoubtful(file, box), isDoubtful);
+    QCOMPARE(isUnitImplausible(file, box), isDoubtful);
     file.hasUnit = true;
-    QVERIFY(!isUnitDoubtful(file, box));
+    QVERIFY(!isUnitImplausible(file, box));
   }
 
   void nothingHasNoSize() {
     DocumentFile file;
     file.hasUnit = false;
-    QVERIFY(!isUnitDoubtful(file, Box()));
+    QVERIFY(!isUnitImplausible(file, Box()));
   }
 
   void threeDigits() {
-    const Note note = unitDoubt(boxOfSize({0.15625, 12.5, 30'000.0}));
+    const Note note = implausibleUnit(boxOfSize({0.15625, 12.5, 30'000.0}));
     QCOMPARE(note.arguments, (std::vector<std::string>{"0.156", "12.5", "30000"}));
   }
 
@@ -92,5 +92,5 @@ class UnitDoubtTest : public QObject {
   }
 };
 
-HANDWHEEL_TEST(UnitDoubtTest)
-#include "UnitDoubtTest.moc"
+HANDWHEEL_TEST(ImplausibleUnitTest)
+#include "ImplausibleUnitTest.moc"

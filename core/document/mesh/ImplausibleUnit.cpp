@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/mesh/UnitDoubt.h"
+#include "document/mesh/ImplausibleUnit.h"
 
 #include "base/NumberText.h"
 
@@ -19,13 +19,13 @@ std::string sizeText(double size) {
 
 }  // namespace
 
-bool isUnitDoubtful(const DocumentFile& file, const Box& box) {
+bool isUnitImplausible(const DocumentFile& file, const Box& box) {
   if (file.hasUnit || box.isEmpty()) return false;
   const double size = box.sizes().maxCoeff();
   return size < kSmallestLikelySize || size > kLargestLikelySize;
 }
 
-Note unitDoubt(const Box& box) {
+Note implausibleUnit(const Box& box) {
   const Vec3 size = box.sizes();
   return {QT_TRANSLATE_NOOP("Note",
                             "The part measures %1 × %2 × %3 mm, if its numbers are millimetres: the file does not say "
