@@ -7425,7 +7425,7 @@
     </message>
 </context>
 <context>
-    <name>RepairAccount</name>
+    <name>RepairSummary</name>
     <message numerus="yes">
         <source>%Ln hole(s)</source>
         <translation>

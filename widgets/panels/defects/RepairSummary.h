@@ -10,13 +10,13 @@ namespace handwheel {
 
 class Inspection;
 
-// The one account of what a repair or fix did, for card, log and messages. The list of defects shows the same counts.
+// The one summary of what a repair or fix did, for card, log and messages. The list of defects shows the same counts.
 
 // "26 holes", in the grammar of a list; all kinds that may be wrong or left open.
 QString defectPhrase(DefectKind kind, std::size_t count);
 
 // What has changed since Inspection::setBefore(), a phrase each: "26 of 28 holes filled", "new: 2 pieces of debris",
 // then what else was done. Empty where nothing is known to compare with.
-QStringList repairAccount(const Inspection& inspection);
+QStringList defectSummary(const Inspection& inspection);
 
 }  // namespace handwheel
