@@ -10,13 +10,13 @@ namespace handwheel {
 
 // A tool whose gestures take minutes, as a pass with the automatic feed does, so that an autosave must not wait for
 // their end. Window thread.
-class WorkUnderWay {
+class UnfinishedGesture {
  public:
-  virtual ~WorkUnderWay() = default;
+  virtual ~UnfinishedGesture() = default;
 
   // The value of the document as Tool::settle() would leave it. Nothing changes by it, and the work goes on. Null:
   // nothing is under way.
-  virtual SnapshotPointer withWork() = 0;
+  virtual SnapshotPointer withGesture() = 0;
   // What undo takes back now, in the user's words; empty: nothing is under way.
   virtual QString underWay() const = 0;
 };
