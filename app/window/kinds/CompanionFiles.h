@@ -9,18 +9,18 @@ namespace handwheel {
 
 // What the user interface of a kind is, too, that opens files beside its documents with KindUi::take(): such as
 // programs that are to run on them.
-class BesideFiles {
+class CompanionFiles {
  public:
-  virtual ~BesideFiles() = default;
+  virtual ~CompanionFiles() = default;
 
   // What the window says and offers for such a file while no document of this kind is current: a new document of it, or
   // one that is open. None: it is no such file.
   struct Offer {
     QString title, detail, advice, action;
   };
-  virtual std::optional<Offer> besideOffer(const QString& path) const = 0;
+  virtual std::optional<Offer> companionOffer(const QString& path) const = 0;
   // For the dialog that opens files: "Programs (*.ngc)".
-  virtual QString besideFilter() const = 0;
+  virtual QString companionFilter() const = 0;
 };
 
 }  // namespace handwheel
