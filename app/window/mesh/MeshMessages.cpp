@@ -68,9 +68,9 @@ Message jobFailedMessage(const Document& document, const QString& job, const Err
           .about = &document};
 }
 
-std::optional<Message> unitDoubtMessage(const MeshDocument& document) {
-  const auto isDoubtful = [&document] { return isUnitImplausible(document.file(), document.defects().box); };
-  if (!isDoubtful()) return std::nullopt;
+std::optional<Message> implausibleUnitMessage(const MeshDocument& document) {
+  const auto isImplausible = [&document] { return isUnitImplausible(document.file(), document.defects().box); };
+  if (!isImplausible()) return std::nullopt;
   return Message{.weight = Message::Weight::Warning,
                  .title = MeshMessagesWords::tr("Is %1 in millimetres?").arg(document.name()),
                  .detail = noteText(implausibleUnit(document.defects().box)),
@@ -79,7 +79,7 @@ std::optional<Message> unitDoubtMessage(const MeshDocument& document) {
                  .actionText = MeshMessagesWords::tr("Change unit…"),
                  .about = &document,
                  .topic = kOpeningTopic,
-                 .isOver = [isDoubtful] { return !isDoubtful(); }};
+                 .isOver = [isImplausible] { return !isImplausible(); }};
 }
 
 }  // namespace handwheel

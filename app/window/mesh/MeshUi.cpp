@@ -177,7 +177,7 @@ std::unique_ptr<DocumentTab> MeshUi::open(std::unique_ptr<Document> document) {
 }
 
 void MeshUi::opened(DocumentTab& tab) {
-  auto doubt = unitDoubtMessage(static_cast<MeshTab&>(tab).document);
+  auto doubt = implausibleUnitMessage(static_cast<MeshTab&>(tab).document);
   if (!doubt) return;
   doubt->action = [this, &tab] {
     m_parts.tabs.setCurrent(&tab);

@@ -35,7 +35,7 @@ class ImplausibleUnitTest : public QObject {
     QTest::addColumn<double>("x");
     QTest::addColumn<double>("y");
     QTest::addColumn<double>("z");
-    QTest::addColumn<bool>("isDoubtful");
+    QTest::addColumn<bool>("isImplausible");
     QTest::newRow("a bunny in metres") << 0.156 << 0.155 << 0.121 << true;
     QTest::newRow("below a millimetre") << 0.0 << 0.999 << 0.5 << true;
     QTest::newRow("a millimetre") << 0.0 << 1.0 << 0.5 << false;
@@ -48,11 +48,11 @@ class ImplausibleUnitTest : public QObject {
     QFETCH(double, x);
     QFETCH(double, y);
     QFETCH(double, z);
-    QFETCH(bool, isDoubtful);
+    QFETCH(bool, isImplausible);
     DocumentFile file;
     file.hasUnit = false;
     const Box box(Vec3::Zero(), Vec3(x, y, z));
-    QCOMPARE(isUnitImplausible(file, box), isDoubtful);
+    QCOMPARE(isUnitImplausible(file, box), isImplausible);
     file.hasUnit = true;
     QVERIFY(!isUnitImplausible(file, box));
   }
