@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/cell/BodySight.h"
+#include "window/cell/BodyVisibility.h"
 
 #include "document/scene/BodyDisplay.h"
 #include "viewport/Viewport.h"
@@ -18,13 +18,13 @@ constexpr double kSightDepth = 2.0;  // pixels; what is less in front does not c
 
 }  // namespace
 
-BodySight sightOf(const Body& body, const Viewport& view) {
+BodyVisibility visibilityOf(const Body& body, const Viewport& view) {
   const Vec2 size(view.width(), view.height());
   const CameraNavigation navigation(view.camera(), size);
   const std::vector<Vec3>& points = body.geometry->surface()->points;
   const std::size_t step = points.size() / kSightPoints + 1;
   const Box whole = view.bounds();
-  BodySight sight = BodySight::Outside;
+  BodyVisibility visibility = BodyVisibility::Outside;
   for (std::size_t i = 0; i < points.size(); i += step) {
     const Vec3 point = body.pose * points[i];
     if (!navigation.isBeforeEye(point)) continue;
@@ -33,10 +33,11 @@ BodySight sightOf(const Body& body, const Viewport& view) {
     const ViewRay ray = navigation.rayAt(place, whole);
     const Pick first = view.pickAlong(ray.origin, ray.direction);
     const double depth = (point - ray.origin).dot(ray.direction) - kSightDepth * navigation.unitsPerPixelAt(point);
-    if (first.isNothing() || first.distance >= depth || bodyOfPart(partOf(first)) == body.id) return BodySight::Seen;
-    sight = BodySight::Covered;
+    if (first.isNothing() || first.distance >= depth || bodyOfPart(partOf(first)) == body.id)
+      return BodyVisibility::Seen;
+    visibility = BodyVisibility::Covered;
   }
-  return sight;
+  return visibility;
 }
 
 Box boundsOf(const Body& body) {

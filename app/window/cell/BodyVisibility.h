@@ -9,14 +9,14 @@ namespace handwheel {
 class Viewport;
 
 // Whether a body can be seen from where the view looks, or flies to.
-enum class BodySight {
+enum class BodyVisibility {
   Seen,
   Covered,  // by other parts
   Outside,  // of the view, or the body has no surface
 };
 
 // Looks at some points of the surface. Parts that cannot be searched yet cover nothing.
-BodySight sightOf(const Body& body, const Viewport& view);
+BodyVisibility visibilityOf(const Body& body, const Viewport& view);
 
 // The bounds of a body at its place, from those of its shape.
 Box boundsOf(const Body& body);
