@@ -14026,7 +14026,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::RecordingSign</name>
+    <name>handwheel::RecordingIndicator</name>
     <message>
         <source>The device is being recorded. Click to show the recordings</source>
         <translation>Das Gerät wird aufgezeichnet. Klicken, um die Aufzeichnungen zu zeigen</translation>

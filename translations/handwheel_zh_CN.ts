@@ -13937,7 +13937,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::RecordingSign</name>
+    <name>handwheel::RecordingIndicator</name>
     <message>
         <source>The device is being recorded. Click to show the recordings</source>
         <translation>正在录制设备。单击以显示录制内容</translation>

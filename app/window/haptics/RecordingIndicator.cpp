@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/haptics/RecordingSign.h"
+#include "window/haptics/RecordingIndicator.h"
 
 #include "haptics/recording/ForceRecorder.h"
 #include "theme/Icons.h"
@@ -8,7 +8,8 @@
 
 namespace handwheel {
 
-RecordingSign::RecordingSign(HapticSession& session, QWidget* parent) : QToolButton(parent), m_session(session) {
+RecordingIndicator::RecordingIndicator(HapticSession& session, QWidget* parent)
+    : QToolButton(parent), m_session(session) {
   setObjectName(QStringLiteral("recordingSign"));
   setAutoRaise(true);
   setIcon(handwheel::icon(QStringLiteral("record")));
@@ -16,13 +17,13 @@ RecordingSign::RecordingSign(HapticSession& session, QWidget* parent) : QToolBut
   setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   setToolTip(tr("The device is being recorded. Click to show the recordings"));
   hide();
-  connect(&session, &HapticSession::recordingStarted, this, &RecordingSign::refresh);
-  connect(&session, &HapticSession::recorded, this, &RecordingSign::refresh);
-  connect(&session, &HapticSession::sampled, this, &RecordingSign::refresh);
+  connect(&session, &HapticSession::recordingStarted, this, &RecordingIndicator::refresh);
+  connect(&session, &HapticSession::recorded, this, &RecordingIndicator::refresh);
+  connect(&session, &HapticSession::sampled, this, &RecordingIndicator::refresh);
 }
 
 // Sixty times a second: the text changes once in that time.
-void RecordingSign::refresh() {
+void RecordingIndicator::refresh() {
   const ForceRecorder* const recorder = m_session.recorder();
   if (isHidden() != (recorder == nullptr)) setVisible(recorder != nullptr);
   if (!recorder) return;

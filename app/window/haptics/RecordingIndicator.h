@@ -9,11 +9,11 @@ namespace handwheel {
 class HapticSession;
 
 // A status bar button that shows for how long the device is being recorded. Hidden while nothing is recorded.
-class RecordingSign : public QToolButton {
+class RecordingIndicator : public QToolButton {
   Q_OBJECT
 
  public:
-  explicit RecordingSign(HapticSession& session, QWidget* parent = nullptr);  // the session outlives it
+  explicit RecordingIndicator(HapticSession& session, QWidget* parent = nullptr);  // the session outlives it
 
  private:
   void refresh();
