@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/LiftedActor.h"
+#include "viewport/DepthOffsetActor.h"
 
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
@@ -19,7 +19,7 @@ void setOverlayMaterial(vtkProperty* property) {
   property->SetSpecular(0.0);
 }
 
-LiftedActor::LiftedActor(LayerProps& props, double lift) : m_props(props), m_lift(lift) {
+DepthOffsetActor::DepthOffsetActor(LayerProps& props, double lift) : m_props(props), m_lift(lift) {
   m_actor->SetMapper(m_mapper);
   m_actor->SetVisibility(false);
   m_actor->PickableOff();
@@ -27,19 +27,19 @@ LiftedActor::LiftedActor(LayerProps& props, double lift) : m_props(props), m_lif
   m_props.add(m_actor);
 }
 
-void LiftedActor::setData(vtkPolyData* data) {
+void DepthOffsetActor::setData(vtkPolyData* data) {
   m_mapper->SetInputData(data);
   m_props.show(m_actor, true);
 }
 
-void LiftedActor::drawOverAll() {
+void DepthOffsetActor::drawOverAll() {
   const std::string depth = std::to_string(1e-4 / (1.0 + m_lift));
   // The last of all: lines as tubes have set a depth of their own by then.
   m_actor->GetShaderProperty()->AddFragmentShaderReplacement(
       "//VTK::Coincident::Impl", true, "//VTK::Coincident::Impl\n  gl_FragDepth = " + depth + ";\n", false);
 }
 
-void LiftedActor::prepare(const LayerFrame& frame) {
+void DepthOffsetActor::prepare(const LayerFrame& frame) {
   if (!m_actor->GetVisibility()) return;
   const Vec3 shift = m_lift * frame.shiftPerPixel;
   const double scale = 1.0 - m_lift * frame.shrinkPerPixel;
@@ -50,7 +50,7 @@ void LiftedActor::prepare(const LayerFrame& frame) {
 }
 
 // The plane is lifted with the actor: else one that lies just behind it would be cut away.
-void LiftedActor::clip(const ClipPlane& plane, const Vec3& shift, double scale) {
+void DepthOffsetActor::clip(const ClipPlane& plane, const Vec3& shift, double scale) {
   const bool isClipped = m_mapper->GetNumberOfClippingPlanes() > 0;
   if (isClipped != plane.on) plane.on ? m_mapper->AddClippingPlane(m_plane) : m_mapper->RemoveAllClippingPlanes();
   if (!plane.on) return;

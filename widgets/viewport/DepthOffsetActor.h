@@ -22,10 +22,10 @@ void setOverlayMaterial(vtkProperty* property);
 
 // An actor over the model, coloured by point data. It is offset towards the viewer by the length of some pixels, which
 // changes only its depth.
-class LiftedActor {
+class DepthOffsetActor {
  public:
   // lift: logical pixels towards the viewer; a higher actor hides a lower one.
-  LiftedActor(LayerProps& props, double lift);
+  DepthOffsetActor(LayerProps& props, double lift);
 
   void setData(vtkPolyData* data);
   // Hides it behind nothing; of those drawn so, a higher one hides a lower one. To be called before it is drawn.
@@ -59,13 +59,13 @@ class StrokeActors {
   StrokeActors(LayerProps& props, double lift, double width);
 
   void set(const std::vector<Stroke>& strokes, const Vec3& origin);
-  void drawOverAll();  // as LiftedActor
+  void drawOverAll();  // as DepthOffsetActor
   void hide();
   void prepare(const LayerFrame& frame);
 
  private:
-  LiftedActor m_segments;
-  LiftedActor m_dots;
+  DepthOffsetActor m_segments;
+  DepthOffsetActor m_dots;
   double m_width;
 };
 
