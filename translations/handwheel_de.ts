@@ -5201,7 +5201,7 @@
     </message>
 </context>
 <context>
-    <name>PathRemark</name>
+    <name>PathStatus</name>
     <message>
         <source>not verified since a robot was moved, added or removed</source>
         <translation>nicht geprüft, seit ein Roboter bewegt, hinzugefügt oder entfernt wurde</translation>

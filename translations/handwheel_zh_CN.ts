@@ -5193,7 +5193,7 @@
     </message>
 </context>
 <context>
-    <name>PathRemark</name>
+    <name>PathStatus</name>
     <message>
         <source>not verified since a robot was moved, added or removed</source>
         <translation>移动、添加或移除机器人后尚未验证</translation>

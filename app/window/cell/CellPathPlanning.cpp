@@ -7,7 +7,7 @@
 #include "panels/LogModel.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
-#include "window/cell/PathRemark.h"
+#include "window/cell/PathStatus.h"
 #include "window/cell/PlanDialog.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
@@ -39,8 +39,8 @@ void CellPaths::verifyAgain() {
 void CellPaths::reportVerified(const PathResult& result) {
   const PathChecks::State state{&result, BasisChange::Nothing, false};
   const QString name = QString::fromStdString(result.basis.path.name);
-  const PathRemark remark = remarkOf(state, result.basis.path, cell().displayUnit(), QLocale());
-  const QString title = tr("%1 was verified: %2").arg(name, remark.summary);
+  const PathStatus status = pathStatusOf(state, result.basis.path, cell().displayUnit(), QLocale());
+  const QString title = tr("%1 was verified: %2").arg(name, status.summary);
   const bool isFree = result.found && result.found->isCertified;
   QStringList details = isFree || !result.found ? QStringList() : collisionsOf(*result.found);
   if (!result.problem.isEmpty()) details += result.problem;
@@ -61,11 +61,11 @@ void CellPaths::reportAllVerified() {
   int proven = 0;
   QStringList others;
   for (const RobotPath& each : plans().paths) {
-    const PathRemark remark = remarkOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
-    if (remark.isFree)
+    const PathStatus status = pathStatusOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
+    if (status.isFree)
       ++proven;
     else
-      others += tr("%1: %2").arg(QString::fromStdString(each.name), remark.summary);
+      others += tr("%1: %2").arg(QString::fromStdString(each.name), status.summary);
   }
   const auto failed = static_cast<int>(others.size());
   QString title = tr("%Ln path(s) proven", nullptr, proven);

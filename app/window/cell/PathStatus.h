@@ -10,14 +10,14 @@
 namespace handwheel {
 
 // What is said of a path: in the list, in a sentence, and in full. Never empty. Any thread.
-struct PathRemark {
+struct PathStatus {
   QString text;     // short enough for a column: "free, 12.3 mm, 14:05"
   QString summary;  // "free of collisions (14:05, clearance 12.3 mm)"
   QString details;  // sentences, a line each
   QString icon;     // its name; empty: none
   bool isFree = false;
 };
-PathRemark remarkOf(const PathChecks::State& state, const RobotPath& path, LengthUnit unit, const QLocale& locale);
+PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, LengthUnit unit, const QLocale& locale);
 
 // "12.3 mm": the least clearance that was found; "> 1000 mm" where everything is further away than is measured.
 QString clearanceText(double least, LengthUnit unit, const QLocale& locale);

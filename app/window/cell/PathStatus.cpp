@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/cell/PathRemark.h"
+#include "window/cell/PathStatus.h"
 
 #include "controls/QuantityText.h"
 
@@ -12,7 +12,7 @@ namespace handwheel {
 namespace {
 
 class Words {
-  Q_DECLARE_TR_FUNCTIONS(PathRemark)
+  Q_DECLARE_TR_FUNCTIONS(PathStatus)
 
  public:
   Words(LengthUnit unit, const QLocale& locale) : m_unit(unit), m_locale(locale) {}
@@ -123,10 +123,10 @@ QString clearanceText(double least, LengthUnit unit, const QLocale& locale) {
   return locale.toString(shown, 'f', digits) + QLatin1Char(' ') + unitSymbol(Quantity::Length, unit);
 }
 
-PathRemark remarkOf(const PathChecks::State& state, const RobotPath& path, LengthUnit unit, const QLocale& locale) {
+PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, LengthUnit unit, const QLocale& locale) {
   const Words words(unit, locale);
   const auto plain = [](const QString& text, const QString& details, const char* icon) {
-    return PathRemark{text, text, details, QLatin1String(icon), false};
+    return PathStatus{text, text, details, QLatin1String(icon), false};
   };
   if (path.places.size() < 2)
     return plain(Words::tr("too few places"), Words::tr("A path needs at least two places."), "info");
