@@ -39,7 +39,7 @@ double loudest(const std::vector<float>& samples) {
 }  // namespace
 
 void SoundStreamTest::givesTheVoice() {
-  MachineVoice voice(44100.0);
+  MachineSoundSynthesizer voice(44100.0);
   voice.set(kCut);
   std::vector<float> wanted(1000);
   voice.render(wanted);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sound/MachineVoice.h"
+#include "sound/MachineSoundSynthesizer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ void wrap(double& phase) {
 
 }  // namespace
 
-MachineVoice::MachineVoice(double sampleRate)
+MachineSoundSynthesizer::MachineSoundSynthesizer(double sampleRate)
     : m_rate(within(sampleRate, kLeastRate, kLargestRate)),
       m_share(1.0 - std::exp(-static_cast<double>(kPiece) / (kGlide * m_rate))),
       m_noise(m_rate),
@@ -55,7 +55,7 @@ MachineVoice::MachineVoice(double sampleRate)
   m_value = m_target;
 }
 
-void MachineVoice::set(const MachineSoundState& state) noexcept {
+void MachineSoundSynthesizer::set(const MachineSoundState& state) noexcept {
   const double spindle =
       std::isfinite(state.spindleSpeed) ? std::min(std::abs(state.spindleSpeed), kLargestSpeed) : 0.0;
   const double wear = within(state.wear, 0.0, 1.0), chatter = within(state.chatter, 0.0, 1.0);
@@ -78,7 +78,7 @@ void MachineVoice::set(const MachineSoundState& state) noexcept {
 }
 
 // Exponentially, in straight pieces.
-void MachineVoice::glide() noexcept {
+void MachineSoundSynthesizer::glide() noexcept {
   for (std::size_t part = 0; part < kParts; ++part) {
     const double way = m_target[part] - m_value[part];
     if (std::abs(way) <= kSilence) m_value[part] = m_target[part];
@@ -89,7 +89,7 @@ void MachineVoice::glide() noexcept {
 }
 
 // Partials 1, 2, … of a tone, each weaker by a factor; at most 1. Those beyond the sample rate are left out gradually.
-double MachineVoice::tone(double& phase, double frequency, int partials, double fall) noexcept {
+double MachineSoundSynthesizer::tone(double& phase, double frequency, int partials, double fall) noexcept {
   phase += frequency / m_rate;
   wrap(phase);
   double sum = 0.0, level = 1.0, levels = 0.0;
@@ -101,7 +101,7 @@ double MachineVoice::tone(double& phase, double frequency, int partials, double 
   return sum / levels;
 }
 
-double MachineVoice::next() noexcept {
+double MachineSoundSynthesizer::next() noexcept {
   if (m_left == 0) glide();
   --m_left;
   for (std::size_t part = 0; part < kParts; ++part) m_value[part] += m_step[part];
@@ -119,7 +119,7 @@ double MachineVoice::next() noexcept {
   return std::tanh(sum);
 }
 
-void MachineVoice::render(std::span<float> samples) noexcept {
+void MachineSoundSynthesizer::render(std::span<float> samples) noexcept {
   for (float& sample : samples) sample = static_cast<float>(next());
 }
 

@@ -29,12 +29,12 @@ struct MachineSoundState {
 // thickness, and swells once in a turn; the force makes it louder. Samples are within ±1, phases continuous; changes
 // take some 20 ms, so that nothing clicks. Deterministic: the same states at the same samples give the same sound, in
 // whatever pieces it is asked for. One thread; no lock, no allocation; some 100 ns for a sample.
-class MachineVoice {
+class MachineSoundSynthesizer {
  public:
   static constexpr double kTeeth = 24.0;
   static constexpr double kLeastRate = 8000.0, kLargestRate = 192000.0;  // Hz
 
-  explicit MachineVoice(double sampleRate);
+  explicit MachineSoundSynthesizer(double sampleRate);
 
   void set(const MachineSoundState& state) noexcept;
   void render(std::span<float> samples) noexcept;

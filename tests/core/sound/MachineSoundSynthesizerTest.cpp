@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sound/MachineVoice.h"
+#include "sound/MachineSoundSynthesizer.h"
 
 #include "Spectrum.h"
 #include "TestClass.h"
@@ -18,18 +18,18 @@ namespace {
 constexpr double kRate = 48000.0;
 constexpr double kTenDecibels = 10.0;
 
-std::vector<double> rendered(MachineVoice& voice, double seconds) {
-  std::vector<float> samples(static_cast<std::size_t>(seconds * voice.sampleRate()));
-  voice.render(samples);
+std::vector<double> rendered(MachineSoundSynthesizer& synthesizer, double seconds) {
+  std::vector<float> samples(static_cast<std::size_t>(seconds * synthesizer.sampleRate()));
+  synthesizer.render(samples);
   return {samples.begin(), samples.end()};
 }
 
 // After it has come to rest at a state.
 std::vector<double> steady(const MachineSoundState& state, double seconds) {
-  MachineVoice voice(kRate);
-  voice.set(state);
-  rendered(voice, 0.3);
-  return rendered(voice, seconds);
+  MachineSoundSynthesizer synthesizer(kRate);
+  synthesizer.set(state);
+  rendered(synthesizer, 0.3);
+  return rendered(synthesizer, seconds);
 }
 
 MachineSoundState cutting(double force) {
@@ -38,7 +38,7 @@ MachineSoundState cutting(double force) {
 
 }  // namespace
 
-class MachineVoiceTest : public QObject {
+class MachineSoundSynthesizerTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -59,33 +59,33 @@ class MachineVoiceTest : public QObject {
   void aCrashIsABlow();
 };
 
-void MachineVoiceTest::atRestItIsSilent() {
-  MachineVoice voice(kRate);
-  for (double s : rendered(voice, 0.1)) QCOMPARE(s, 0.0);
-  voice.set(cutting(1000.0));
-  QVERIFY(rootMeanSquare(rendered(voice, 0.5)) > 0.05);
-  voice.set({});
-  rendered(voice, 0.5);  // 33 time constants
-  for (double s : rendered(voice, 0.1)) QVERIFY(std::abs(s) < 1e-6);
+void MachineSoundSynthesizerTest::atRestItIsSilent() {
+  MachineSoundSynthesizer synthesizer(kRate);
+  for (double s : rendered(synthesizer, 0.1)) QCOMPARE(s, 0.0);
+  synthesizer.set(cutting(1000.0));
+  QVERIFY(rootMeanSquare(rendered(synthesizer, 0.5)) > 0.05);
+  synthesizer.set({});
+  rendered(synthesizer, 0.5);  // 33 time constants
+  for (double s : rendered(synthesizer, 0.1)) QVERIFY(std::abs(s) < 1e-6);
 }
 
-void MachineVoiceTest::isBounded() {
+void MachineSoundSynthesizerTest::isBounded() {
   QVERIFY(rc::check("all samples are within one", [] {
     const auto any = [] {
       return *rc::gen::element(0.0, -1.0, 1e-9, 0.5, 1.0, 100.0, 1e4, 1e300, -1e300,
                                std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
     };
-    MachineVoice voice(kRate);
+    MachineSoundSynthesizer synthesizer(kRate);
     for (int change = 0; change < 6; ++change) {
-      voice.set({any(), any(), any(), any(), any(), any(), any()});
-      for (double s : rendered(voice, 0.02)) RC_ASSERT(std::isfinite(s) && std::abs(s) <= 1.0);
+      synthesizer.set({any(), any(), any(), any(), any(), any(), any()});
+      for (double s : rendered(synthesizer, 0.02)) RC_ASSERT(std::isfinite(s) && std::abs(s) <= 1.0);
     }
   }));
 }
 
-void MachineVoiceTest::isTheSameInPieces() {
+void MachineSoundSynthesizerTest::isTheSameInPieces() {
   QVERIFY(rc::check("the pieces it is asked for do not matter", [] {
-    MachineVoice whole(kRate), pieces(kRate);
+    MachineSoundSynthesizer whole(kRate), pieces(kRate);
     whole.set(cutting(500.0));
     pieces.set(cutting(500.0));
     std::vector<float> one(4000), other(4000);
@@ -99,10 +99,10 @@ void MachineVoiceTest::isTheSameInPieces() {
   }));
 }
 
-void MachineVoiceTest::gearsSoundAtTheirTeeth() {
+void MachineSoundSynthesizerTest::gearsSoundAtTheirTeeth() {
   for (double speed : {300.0, 1000.0, 3000.0, 10000.0}) {
     const Spectrum spectrum(steady({.spindleSpeed = speed}, 1.0), kRate);
-    const double expected = MachineVoice::kTeeth * speed / 60.0;
+    const double expected = MachineSoundSynthesizer::kTeeth * speed / 60.0;
     const double peak = spectrum.peak(20.0, 20000.0);
     QVERIFY2(std::abs(peak - expected) <= spectrum.binWidth(), qPrintable(QString::number(peak)));
     // Nothing but the tone and its octave.
@@ -113,11 +113,11 @@ void MachineVoiceTest::gearsSoundAtTheirTeeth() {
   QVERIFY(rootMeanSquare(steady({.spindleSpeed = 3000.0}, 0.5)) > rootMeanSquare(steady({.spindleSpeed = 300.0}, 0.5)));
 }
 
-void MachineVoiceTest::reverseSoundsAlike() {
+void MachineSoundSynthesizerTest::reverseSoundsAlike() {
   QCOMPARE(steady({.spindleSpeed = -500.0}, 0.1), steady({.spindleSpeed = 500.0}, 0.1));
 }
 
-void MachineVoiceTest::loudnessFollowsTheForce() {
+void MachineSoundSynthesizerTest::loudnessFollowsTheForce() {
   double last = rootMeanSquare(steady(cutting(0.0), 1.0));
   for (double force : {50.0, 100.0, 200.0, 400.0, 1000.0, 4000.0}) {
     const double loudness = rootMeanSquare(steady(cutting(force), 1.0));
@@ -128,12 +128,12 @@ void MachineVoiceTest::loudnessFollowsTheForce() {
   QVERIFY(last < 0.5);
 }
 
-void MachineVoiceTest::nothingCutsWithoutMotion() {
+void MachineSoundSynthesizerTest::nothingCutsWithoutMotion() {
   QCOMPARE(rootMeanSquare(steady({.force = 1000.0}, 0.2)), 0.0);
 }
 
 // The chip's segments come at a quarter of v/h: at 100 m/min and 0.2 mm, 2083 Hz.
-void MachineVoiceTest::thickChipsSoundLower() {
+void MachineSoundSynthesizerTest::thickChipsSoundLower() {
   const auto centre = [](double thickness) {
     MachineSoundState state = cutting(1e5);
     state.spindleSpeed = 0.0;
@@ -145,7 +145,7 @@ void MachineVoiceTest::thickChipsSoundLower() {
   QVERIFY(thin > 1.2 * middle && thick < 0.7 * middle);
 }
 
-void MachineVoiceTest::aWornEdgeIsLouderAndSqueals() {
+void MachineSoundSynthesizerTest::aWornEdgeIsLouderAndSqueals() {
   MachineSoundState state = cutting(300.0);
   const std::vector<double> sharp = steady(state, 1.0);
   state.wear = 1.0;
@@ -158,7 +158,7 @@ void MachineVoiceTest::aWornEdgeIsLouderAndSqueals() {
   QVERIFY(squeal(sharp) < 1.0 && squeal(worn) > kTenDecibels * squeal(sharp));
 }
 
-void MachineVoiceTest::chatterIsATone() {
+void MachineSoundSynthesizerTest::chatterIsATone() {
   MachineSoundState state = cutting(2000.0);
   state.chatterFrequency = 180.0;
   const auto tone = [](const std::vector<double>& samples) {
@@ -173,7 +173,7 @@ void MachineVoiceTest::chatterIsATone() {
 }
 
 // At 120 r/min, twice a second: the power of the noise in eighths of a turn rises and falls.
-void MachineVoiceTest::theCutSwellsOnceInATurn() {
+void MachineSoundSynthesizerTest::theCutSwellsOnceInATurn() {
   const std::vector<double> samples =
       steady({.spindleSpeed = 120.0, .force = 1e5, .cuttingSpeed = 100.0, .chipThickness = 0.1}, 8.0);
   std::complex<double> once = 0.0, thrice = 0.0;
@@ -189,12 +189,12 @@ void MachineVoiceTest::theCutSwellsOnceInATurn() {
 
 // The fourth difference takes away the tone, of which it leaves (2 sin(pi f / rate))^4 < 0.2 %, and makes 6 h of a leap
 // by h: no leap is above -80 dB. Without gliding there would be several times as much.
-void MachineVoiceTest::nothingClicks() {
-  MachineVoice voice(kRate);
-  std::vector<double> samples = rendered(voice, 0.1);
+void MachineSoundSynthesizerTest::nothingClicks() {
+  MachineSoundSynthesizer synthesizer(kRate);
+  std::vector<double> samples = rendered(synthesizer, 0.1);
   for (double speed : {900.0, 0.0, 2000.0, 100.0, 1500.0, 0.0}) {
-    voice.set({.spindleSpeed = speed});
-    const std::vector<double> more = rendered(voice, 0.2537);
+    synthesizer.set({.spindleSpeed = speed});
+    const std::vector<double> more = rendered(synthesizer, 0.2537);
     samples.insert(samples.end(), more.begin(), more.end());
   }
   double largest = 0.0;
@@ -206,54 +206,55 @@ void MachineVoiceTest::nothingClicks() {
 }
 
 // Only the tone's frequency changes: its phase has no leap, so neighbours differ by less than the tone allows.
-void MachineVoiceTest::phasesGoOn() {
-  MachineVoice voice(kRate);
-  voice.set({.spindleSpeed = 1000.0});
-  rendered(voice, 0.5);
-  std::vector<double> samples = rendered(voice, 0.01);
+void MachineSoundSynthesizerTest::phasesGoOn() {
+  MachineSoundSynthesizer synthesizer(kRate);
+  synthesizer.set({.spindleSpeed = 1000.0});
+  rendered(synthesizer, 0.5);
+  std::vector<double> samples = rendered(synthesizer, 0.01);
   for (int change = 0; change < 200; ++change) {
-    voice.set({.spindleSpeed = 1000.0 + 10.0 * (change % 7)});
-    for (double s : rendered(voice, 0.003)) samples.push_back(s);
+    synthesizer.set({.spindleSpeed = 1000.0 + 10.0 * (change % 7)});
+    for (double s : rendered(synthesizer, 0.003)) samples.push_back(s);
   }
   double loudest = 0.0, steepest = 0.0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     loudest = std::max(loudest, std::abs(samples[i]));
     steepest = std::max(steepest, std::abs(samples[i] - samples[i - 1]));
   }
-  const double fastest = MachineVoice::kTeeth * 1060.0 / 60.0 * 2.0;
+  const double fastest = MachineSoundSynthesizer::kTeeth * 1060.0 / 60.0 * 2.0;
   QVERIFY(steepest <= 1.1 * loudest * 2.0 * std::numbers::pi * fastest / kRate);
 }
 
 // Tones beyond half the sample rate do not come back as others.
-void MachineVoiceTest::lowSampleRates() {
-  MachineVoice voice(1.0);
-  QCOMPARE(voice.sampleRate(), MachineVoice::kLeastRate);
-  voice.set({.spindleSpeed = 30000.0});  // 12 kHz
-  rendered(voice, 0.3);
-  QVERIFY(rootMeanSquare(rendered(voice, 0.3)) < 1e-3);
-  QCOMPARE(MachineVoice(std::numeric_limits<double>::quiet_NaN()).sampleRate(), MachineVoice::kLeastRate);
-  QCOMPARE(MachineVoice(1e9).sampleRate(), MachineVoice::kLargestRate);
+void MachineSoundSynthesizerTest::lowSampleRates() {
+  MachineSoundSynthesizer synthesizer(1.0);
+  QCOMPARE(synthesizer.sampleRate(), MachineSoundSynthesizer::kLeastRate);
+  synthesizer.set({.spindleSpeed = 30000.0});  // 12 kHz
+  rendered(synthesizer, 0.3);
+  QVERIFY(rootMeanSquare(rendered(synthesizer, 0.3)) < 1e-3);
+  QCOMPARE(MachineSoundSynthesizer(std::numeric_limits<double>::quiet_NaN()).sampleRate(),
+           MachineSoundSynthesizer::kLeastRate);
+  QCOMPARE(MachineSoundSynthesizer(1e9).sampleRate(), MachineSoundSynthesizer::kLargestRate);
 }
 
-// Each crash is heard once, however often it is reported, and rings out; those before the voice began are not.
-void MachineVoiceTest::aCrashIsABlow() {
+// Each crash is heard once, however often it is reported, and rings out; those before the synthesizer began are not.
+void MachineSoundSynthesizerTest::aCrashIsABlow() {
   const auto level = [](const std::vector<double>& samples) {
     double sum = 0.0;
     for (const double x : samples) sum += x * x;
     return std::sqrt(sum / static_cast<double>(samples.size()));
   };
-  MachineVoice voice(kRate);
-  voice.set({.blows = 2});
-  QCOMPARE(level(rendered(voice, 0.2)), 0.0);
-  voice.set({.blows = 3});
-  const double struck = level(rendered(voice, 0.1));
+  MachineSoundSynthesizer synthesizer(kRate);
+  synthesizer.set({.blows = 2});
+  QCOMPARE(level(rendered(synthesizer, 0.2)), 0.0);
+  synthesizer.set({.blows = 3});
+  const double struck = level(rendered(synthesizer, 0.1));
   QVERIFY(struck > 0.1);
-  voice.set({.blows = 3});
-  const double ringing = level(rendered(voice, 0.1));
+  synthesizer.set({.blows = 3});
+  const double ringing = level(rendered(synthesizer, 0.1));
   QVERIFY(ringing < struck && ringing > 0.0);
-  rendered(voice, 3.0);
-  QCOMPARE(level(rendered(voice, 0.1)), 0.0);
+  rendered(synthesizer, 3.0);
+  QCOMPARE(level(rendered(synthesizer, 0.1)), 0.0);
 }
 
-HANDWHEEL_TEST(MachineVoiceTest)
-#include "MachineVoiceTest.moc"
+HANDWHEEL_TEST(MachineSoundSynthesizerTest)
+#include "MachineSoundSynthesizerTest.moc"
