@@ -3569,7 +3569,7 @@
     </message>
 </context>
 <context>
-    <name>FaceSnapTool</name>
+    <name>FaceMateTool</name>
     <message>
         <source>Lay %1 on a face</source>
         <translation>%1 auf eine Fläche legen</translation>

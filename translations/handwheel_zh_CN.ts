@@ -3568,7 +3568,7 @@
     </message>
 </context>
 <context>
-    <name>FaceSnapTool</name>
+    <name>FaceMateTool</name>
     <message>
         <source>Lay %1 on a face</source>
         <translation>将 %1 贴放到面上</translation>

@@ -8,7 +8,7 @@
 #include "fidelity/Cases.h"
 #include "robot/arm/IkFidelity.h"
 #include "tools/cell/CellTool.h"
-#include "tools/cell/FaceSnapTool.h"
+#include "tools/cell/FaceMateTool.h"
 #include "tools/cell/IkSolutionsTool.h"
 #include "tools/cell/ProcessTool.h"
 #include "viewport/Viewport.h"
@@ -68,9 +68,9 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                             tr("Lay a body with one of its faces on a face of another"),
                             QStringLiteral("face-to-face"),
                             QKeySequence(Qt::SHIFT | Qt::Key_B),
-                            [this] { return faceSnapTool(); },
+                            [this] { return faceMateTool(); },
                             "snap",
-                            FaceSnapTool::keys()};
+                            FaceMateTool::keys()};
   return {joints, lead, ways, place, snap, process, measureParts()};
 }
 
@@ -155,9 +155,9 @@ std::unique_ptr<Tool> RobotCellUi::placeTool() {
   return std::make_unique<PlaceTool>(cell, m_bodies.selection(), placeServices());
 }
 
-std::unique_ptr<Tool> RobotCellUi::faceSnapTool() {
+std::unique_ptr<Tool> RobotCellUi::faceMateTool() {
   auto& cell = static_cast<RobotCellDocument&>(document()->document);
-  return std::make_unique<FaceSnapTool>(cell, m_bodies.selection(), placeServices());
+  return std::make_unique<FaceMateTool>(cell, m_bodies.selection(), placeServices());
 }
 
 std::unique_ptr<Tool> RobotCellUi::handTool() {

@@ -56,7 +56,7 @@ class RobotCellUi : public RigidPartsUi {
   std::unique_ptr<Tool> handGuidingTool();
   std::unique_ptr<Tool> ikSolutionsTool();
   std::unique_ptr<Tool> placeTool();
-  std::unique_ptr<Tool> faceSnapTool();
+  std::unique_ptr<Tool> faceMateTool();
   PlaceServices placeServices();
   std::optional<RobotCellPick> pickCell(const Ray& ray) const;
   std::vector<Property> panelProperties(const Document& document) const override;

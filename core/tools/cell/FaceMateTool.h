@@ -11,10 +11,10 @@ namespace handwheel {
 // Tool that lays a body with one of its faces on a face of another body, or of the robot: the first click takes the
 // face of the body that is to be placed, the second the face that it shall lie on. The body is shown there, with an
 // offset and a turn that can be changed; committing is one edit. By the mouse, or by the ray of a device.
-class FaceSnapTool : public Tool {
+class FaceMateTool : public Tool {
  public:
   // The selection must outlive the tool.
-  FaceSnapTool(RobotCellDocument& document, BodySelection& selection, PlaceServices services);
+  FaceMateTool(RobotCellDocument& document, BodySelection& selection, PlaceServices services);
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "snap"; }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/cell/FaceSnapTool.h"
+#include "tools/cell/FaceMateTool.h"
 
 #include "ArmCell.h"
 #include "TestClass.h"
@@ -31,7 +31,7 @@ Vec3 anyVector(double most) {
 }  // namespace
 
 // A body is laid with a face of it on a face of another: a small box beside a table.
-class FaceSnapToolTest : public QObject {
+class FaceMateToolTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -45,7 +45,7 @@ class FaceSnapToolTest : public QObject {
 
   // The lower face of the box, wherever that looks, on the top of the table, middle on middle.
   void middlesOfFaces() {
-    FaceSnapTool tool = make();
+    FaceMateTool tool = make();
     clickBox(tool, {7, -4, -10}, Vec3::UnitZ());
     QCOMPARE(m_selection.body(), std::optional(m_box));
     QVERIFY(!isEnabled(tool, "commit"));
@@ -62,7 +62,7 @@ class FaceSnapToolTest : public QObject {
 
   // The points that were clicked, 2 mm apart, turned.
   void pointsOffsetAndTurn() {
-    FaceSnapTool tool = make();
+    FaceMateTool tool = make();
     tool.setSetting("meeting", 1.0);
     clickBox(tool, {20, 6, -3}, -Vec3::UnitX());
     clickTable(tool, {-50, 800, 100});
@@ -78,7 +78,7 @@ class FaceSnapToolTest : public QObject {
 
   // Step by step back; the other body never moves.
   void anotherFace() {
-    FaceSnapTool tool = make();
+    FaceMateTool tool = make();
     clickBox(tool, {0, 0, -10}, Vec3::UnitZ());
     clickBox(tool, {0, 15, 0}, -Vec3::UnitY());  // of the same body: in place of the first
     clickTable(tool, {0, 900, 100});
@@ -94,7 +94,7 @@ class FaceSnapToolTest : public QObject {
 
   // The robot stands where it stands: a face of it can only be the second.
   void theRobotIsNotPlaced() {
-    FaceSnapTool tool = make();
+    FaceMateTool tool = make();
     const DisplayPart base = m_cell->document().kind().display(*m_cell->document().snapshot()).parts.front();
     const TriangleSoup& soup = *base.soup;
     const Triangle& t = soup.triangles.front();
@@ -162,11 +162,11 @@ class FaceSnapToolTest : public QObject {
   }
 
  private:
-  FaceSnapTool make() {
-    return FaceSnapTool(m_cell->document(), m_selection, {[this](const Ray&) { return m_hit; }, {}});
+  FaceMateTool make() {
+    return FaceMateTool(m_cell->document(), m_selection, {[this](const Ray&) { return m_hit; }, {}});
   }
   Pose pose() const { return m_cell->document().bodies().withId(m_box)->pose; }
-  Pose shown(const FaceSnapTool& tool) const {
+  Pose shown(const FaceMateTool& tool) const {
     const std::string name = "body." + std::to_string(m_box);
     for (const DisplayPart& part : tool.preview().replaced->parts) {
       if (part.name == name) return part.pose;
@@ -174,11 +174,11 @@ class FaceSnapToolTest : public QObject {
     return Pose::Identity();
   }
   // place, direction: in the frame of the box.
-  void clickBox(FaceSnapTool& tool, const Vec3& place, const Vec3& direction) {
+  void clickBox(FaceMateTool& tool, const Vec3& place, const Vec3& direction) {
     m_hit = RobotCellPick{"body." + std::to_string(m_box), pose() * place};
     QCOMPARE(tool.pointer(press(pose() * place, pose().linear() * direction)), ToolReply::Used);
   }
-  void clickTable(FaceSnapTool& tool, const Vec3& place) {
+  void clickTable(FaceMateTool& tool, const Vec3& place) {
     m_hit = RobotCellPick{"body." + std::to_string(m_table), place};
     QCOMPARE(tool.pointer(press(place, -Vec3::UnitZ())), ToolReply::Used);
   }
@@ -190,5 +190,5 @@ class FaceSnapToolTest : public QObject {
   int m_steps = 0;
 };
 
-HANDWHEEL_TEST(FaceSnapToolTest)
-#include "FaceSnapToolTest.moc"
+HANDWHEEL_TEST(FaceMateToolTest)
+#include "FaceMateToolTest.moc"

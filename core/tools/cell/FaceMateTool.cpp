@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/cell/FaceSnapTool.h"
+#include "tools/cell/FaceMateTool.h"
 
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellDisplay.h"
@@ -17,7 +17,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr ToolKey kSnapKeys[] = {
+constexpr ToolKey kFaceMateKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "place the body there")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "choose another face")},
 };
@@ -28,15 +28,15 @@ constexpr double kShownNormal = 40.0;  // mm
 
 }  // namespace
 
-FaceSnapTool::FaceSnapTool(RobotCellDocument& document, BodySelection& selection, PlaceServices services)
+FaceMateTool::FaceMateTool(RobotCellDocument& document, BodySelection& selection, PlaceServices services)
     : m_document(document), m_selection(selection), m_services(std::move(services)) {}
 
-std::span<const ToolKey> FaceSnapTool::keys() {
-  return kSnapKeys;
+std::span<const ToolKey> FaceMateTool::keys() {
+  return kFaceMateKeys;
 }
 
 // A face that looks away is of a surface whose triangles are the wrong way round.
-std::optional<FaceSnapTool::Pointed> FaceSnapTool::pointedBy(const PointerEvent& event, bool isWhole) const {
+std::optional<FaceMateTool::Pointed> FaceMateTool::pointedBy(const PointerEvent& event, bool isWhole) const {
   if (!event.ray.isUsable()) return std::nullopt;
   const auto hit = m_services.pick(event.ray);
   if (!hit) return std::nullopt;
@@ -50,7 +50,7 @@ std::optional<FaceSnapTool::Pointed> FaceSnapTool::pointedBy(const PointerEvent&
   return Pointed{hit->part, std::move(*face)};
 }
 
-ToolReply FaceSnapTool::pointer(const PointerEvent& given) {
+ToolReply FaceMateTool::pointer(const PointerEvent& given) {
   PointerEvent event = given;
   event.ray.direction.stableNormalize();
   switch (event.kind) {
@@ -72,7 +72,7 @@ ToolReply FaceSnapTool::pointer(const PointerEvent& given) {
 }
 
 // The first face is of a body; another click on that body takes another face of it.
-ToolReply FaceSnapTool::take(const PointerEvent& event) {
+ToolReply FaceMateTool::take(const PointerEvent& event) {
   auto pointed = pointedBy(event, true);
   if (!pointed) return ToolReply::Ignored;  // the camera's
   const auto body = bodyOfPart(pointed->part);
@@ -89,11 +89,11 @@ ToolReply FaceSnapTool::take(const PointerEvent& event) {
   return ToolReply::Used;
 }
 
-const Vec3& FaceSnapTool::meetingPointOf(const FlatFace& face) const {
+const Vec3& FaceMateTool::meetingPointOf(const FlatFace& face) const {
   return m_meeting == Meeting::Middles ? face.middle : face.point;
 }
 
-std::optional<Body> FaceSnapTool::placed() const {
+std::optional<Body> FaceMateTool::placed() const {
   const BodyPointer body = m_document.bodies().withId(m_body);
   if (!m_first || !m_second || !body) return std::nullopt;
   const RobotModel& robot = m_document.robot().model;
@@ -107,7 +107,7 @@ std::optional<Body> FaceSnapTool::placed() const {
   return there;
 }
 
-ToolReply FaceSnapTool::commit() {
+ToolReply FaceMateTool::commit() {
   auto there = placed();
   if (!there) return ToolReply::Ignored;
   const RobotModel& robot = m_document.robot().model;
@@ -118,12 +118,12 @@ ToolReply FaceSnapTool::commit() {
   m_first.reset();
   m_second.reset();
   if (edit && *edit)
-    m_document.commit(QCoreApplication::translate("FaceSnapTool", "Lay %1 on a face").arg(name),
+    m_document.commit(QCoreApplication::translate("FaceMateTool", "Lay %1 on a face").arg(name),
                       std::move(edit).value());
   return ToolReply::Used;
 }
 
-ToolReply FaceSnapTool::perform(std::string_view action) {
+ToolReply FaceMateTool::perform(std::string_view action) {
   if (action == "commit") return commit();
   if (action != "revert") return ToolReply::Ignored;
   if (!m_first) return ToolReply::Finished;
@@ -131,13 +131,13 @@ ToolReply FaceSnapTool::perform(std::string_view action) {
   return ToolReply::Used;
 }
 
-std::vector<ToolAction> FaceSnapTool::actions() const {
+std::vector<ToolAction> FaceMateTool::actions() const {
   std::vector<ToolAction> all{
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"),
        m_first ? QT_TRANSLATE_NOOP("Tool", "choose the face to place it on")
                : QT_TRANSLATE_NOOP("Tool", "choose a face of the body to be placed")},
-      actionOf(kSnapKeys, "commit", m_second.has_value()),
-      actionOf(kSnapKeys, "revert", true, m_first ? nullptr : QT_TRANSLATE_NOOP("Tool", "done"))};
+      actionOf(kFaceMateKeys, "commit", m_second.has_value()),
+      actionOf(kFaceMateKeys, "revert", true, m_first ? nullptr : QT_TRANSLATE_NOOP("Tool", "done"))};
   if (!m_second) {
     all[1].reason = m_first ? QT_TRANSLATE_NOOP("Tool", "click the face to place it on")
                             : QT_TRANSLATE_NOOP("Tool", "click a face of the body to be placed");
@@ -146,7 +146,7 @@ std::vector<ToolAction> FaceSnapTool::actions() const {
 }
 
 // The normals of the faces, and the body where it would lie.
-ToolPreview FaceSnapTool::preview() const {
+ToolPreview FaceMateTool::preview() const {
   ToolPreview preview;
   for (const std::optional<Pointed>* pointed : {&m_hovered, m_second ? &m_second : &m_first}) {
     if (!*pointed) continue;
@@ -167,7 +167,7 @@ ToolPreview FaceSnapTool::preview() const {
   return preview;
 }
 
-std::vector<Property> FaceSnapTool::settings() const {
+std::vector<Property> FaceMateTool::settings() const {
   return {choiceSetting("meeting", QT_TRANSLATE_NOOP("Property", "What meets"), static_cast<int>(m_meeting),
                         {QT_TRANSLATE_NOOP("Property", "The centres of the faces"),
                          QT_TRANSLATE_NOOP("Property", "The points clicked")}),
@@ -176,13 +176,13 @@ std::vector<Property> FaceSnapTool::settings() const {
                         kAngles)};
 }
 
-void FaceSnapTool::setSetting(std::string_view id, const PropertyValue& value) {
+void FaceMateTool::setSetting(std::string_view id, const PropertyValue& value) {
   if (id == "meeting") assignChoice(m_meeting, value, 2);
   if (id == "offset") assignNumber(m_offset, value, kOffsets);
   if (id == "angle") assignNumber(m_angle, value, kAngles);
 }
 
-void FaceSnapTool::documentChanged() {
+void FaceMateTool::documentChanged() {
   m_hovered.reset();
   m_first.reset();
   m_second.reset();
