@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// handwheel plan
+// handwheel process
 Command processCommand();
 
 }  // namespace handwheel
