@@ -83,7 +83,7 @@ void CellPaths::plan(const OperationValues& values) {
   const auto scene = m_collisions.scene();
   if (!scene) return reportUnprepared();
   const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
-  const Result<std::vector<PathPlace>> places = placesOf(values, *scene, *content);
+  const Result<std::vector<Waypoint>> places = placesOf(values, *scene, *content);
   if (!places) return report(places.error());
   const std::string name = plans().freePathName(values.isSet("name") ? values.text("name") : tr("Path").toStdString());
   startPlanning(*places, routeSettingsOf(values, plans()), name, tr("Plan %1"), [this, values] { plan(values); });
@@ -105,7 +105,7 @@ void CellPaths::planAgain() {
   startPlanning(present->places, routeSettingsOf(values, plans()), present->name, text, again);
 }
 
-void CellPaths::startPlanning(std::vector<PathPlace> places, const RouteSettings& settings, const std::string& name,
+void CellPaths::startPlanning(std::vector<Waypoint> places, const RouteSettings& settings, const std::string& name,
                               const QString& text, std::function<void()> again) {
   startPlanning([places = std::move(places), settings](
                     const CellScene& scene, const RobotCellSnapshot& content,

@@ -82,7 +82,7 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
     if (entry.kind == Entry::Kind::Path && !(*it)->isExpanded()) collapsed.insert(entry.name);
   }
   clear();
-  const auto placeText = [](const PathPlace& place, std::size_t number) {
+  const auto placeText = [](const Waypoint& place, std::size_t number) {
     const QString name = QString::fromStdString(place.name);
     if (!name.isEmpty()) return tr("%1: %2").arg(number + 1).arg(name);
     return place.isCritical ? tr("%1: critical").arg(number + 1) : QString::number(number + 1);
