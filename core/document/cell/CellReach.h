@@ -34,7 +34,7 @@ struct CellIkSolution {
 std::vector<CellIkSolution> ikSolutionsTo(const CellScene& scene, const CellPlans& plans, const Pose& pose,
                                           const ArmValues& near);
 
-// The joint values of the nearest way that is free. Errors: ToolOutOfReach, ToolBeyondLimits, ToolBlocked.
+// The joint values of the nearest solution that is free. Errors: ToolOutOfReach, ToolBeyondLimits, ToolBlocked.
 Result<ArmValues> nearestFree(const CellScene& scene, const CellPlans& plans, const Pose& pose, const ArmValues& near);
 
 // Where nothing is asked about collisions: the joints that bring the tool to a pose, the nearest to those given.

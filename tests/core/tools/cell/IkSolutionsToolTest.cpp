@@ -31,7 +31,7 @@ PointerEvent ofDevice(PointerButton button) {
 
 }  // namespace
 
-// The tool by which a person chooses among the ways of the arm.
+// The tool by which a person chooses among the solutions of the inverse kinematics.
 class IkSolutionsToolTest : public QObject {
   Q_OBJECT
 
@@ -100,13 +100,13 @@ class IkSolutionsToolTest : public QObject {
   // What cannot be is seen and cannot be chosen.
   void beyondLimits() {
     IkSolutionsTool tool = toolFor(*m_cell);
-    const std::vector<CellIkSolution> ways =
+    const std::vector<CellIkSolution> solutions =
         ikSolutionsTo(*m_cell->scene(), *m_cell->document().plans(), m_cell->tool(),
                       m_cell->scene()->planned(m_cell->document().joints()));
     bool isAny = false;
-    for (std::size_t i = 0; i < ways.size(); ++i) {
+    for (std::size_t i = 0; i < solutions.size(); ++i) {
       tool.setSetting("way", static_cast<double>(i));
-      if (ways[i].isWithinLimits()) continue;
+      if (solutions[i].isWithinLimits()) continue;
       isAny = true;
       QVERIFY(tool.preview().replaced);
       QVERIFY(!isEnabled(tool, "commit"));
@@ -121,7 +121,7 @@ class IkSolutionsToolTest : public QObject {
     tool.perform("next");
     const auto shown = tool.preview().replaced;
     QVERIFY(shown);
-    // A box where the third link of that way is, and not of the first.
+    // A box where the third link of that solution is, and not of the first.
     const auto& way = propertyNamed(tool.settings(), "way")->choices[1];
     QVERIFY(!way.empty());
     m_cell->addBox({30, 30, 30}, shown->parts[3].pose.translation());
