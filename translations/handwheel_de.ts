@@ -2,17 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>ArmWaysTool</name>
-    <message>
-        <source>Change the configuration of the arm</source>
-        <translation>Stellung des Arms wechseln</translation>
-    </message>
-    <message>
-        <source>Move the tool</source>
-        <translation>Werkzeug bewegen</translation>
-    </message>
-</context>
-<context>
     <name>BodyDragTool</name>
     <message>
         <source>Move %1</source>
@@ -3569,7 +3558,7 @@
     </message>
 </context>
 <context>
-    <name>FaceSnapTool</name>
+    <name>FaceMateTool</name>
     <message>
         <source>Lay %1 on a face</source>
         <translation>%1 auf eine Fläche legen</translation>
@@ -4276,6 +4265,13 @@
     </message>
 </context>
 <context>
+    <name>HandGuidingTool</name>
+    <message>
+        <source>Lead the robot</source>
+        <translation>Roboter führen</translation>
+    </message>
+</context>
+<context>
     <name>HapticSession</name>
     <message>
         <source>Simulated hand</source>
@@ -4343,6 +4339,68 @@
     <message>
         <source>Repairs scanned meshes, shapes and drills volumes, turns workpieces, plans robot cells, and sets and marks exercises.</source>
         <translation>Repariert gescannte Netze, formt und bohrt Volumen, dreht Werkstücke, plant Roboterzellen, stellt und bewertet Übungen.</translation>
+    </message>
+</context>
+<context>
+    <name>IkSolutionText</name>
+    <message>
+        <source>Shoulder in front</source>
+        <translation>Schulter vorn</translation>
+    </message>
+    <message>
+        <source>Shoulder behind</source>
+        <translation>Schulter hinten</translation>
+    </message>
+    <message>
+        <source>Shoulder left</source>
+        <translation>Schulter links</translation>
+    </message>
+    <message>
+        <source>Shoulder right</source>
+        <translation>Schulter rechts</translation>
+    </message>
+    <message>
+        <source>elbow up</source>
+        <translation>Ellbogen oben</translation>
+    </message>
+    <message>
+        <source>elbow down</source>
+        <translation>Ellbogen unten</translation>
+    </message>
+    <message>
+        <source>wrist flipped</source>
+        <translation>Handgelenk umgeklappt</translation>
+    </message>
+    <message>
+        <source>wrist not flipped</source>
+        <translation>Handgelenk nicht umgeklappt</translation>
+    </message>
+    <message>
+        <source>%1 beyond its limits</source>
+        <translation>%1 außerhalb seiner Grenzen</translation>
+    </message>
+    <message>
+        <source>collides: %1 with %2</source>
+        <translation>stößt an: %1 mit %2</translation>
+    </message>
+    <message>
+        <source>Way %1</source>
+        <translation>Stellung %1</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+</context>
+<context>
+    <name>IkSolutionsTool</name>
+    <message>
+        <source>Change the configuration of the arm</source>
+        <translation>Stellung des Arms wechseln</translation>
+    </message>
+    <message>
+        <source>Move the tool</source>
+        <translation>Werkzeug bewegen</translation>
     </message>
 </context>
 <context>
@@ -4510,13 +4568,6 @@
     <message>
         <source>Grinding disk</source>
         <translation>Schleifscheibe</translation>
-    </message>
-</context>
-<context>
-    <name>LeadTool</name>
-    <message>
-        <source>Lead the robot</source>
-        <translation>Roboter führen</translation>
     </message>
 </context>
 <context>
@@ -5201,7 +5252,7 @@
     </message>
 </context>
 <context>
-    <name>PathRemark</name>
+    <name>PathStatus</name>
     <message>
         <source>not verified since a robot was moved, added or removed</source>
         <translation>nicht geprüft, seit ein Roboter bewegt, hinzugefügt oder entfernt wurde</translation>
@@ -7425,7 +7476,7 @@
     </message>
 </context>
 <context>
-    <name>RepairAccount</name>
+    <name>RepairSummary</name>
     <message numerus="yes">
         <source>%Ln hole(s)</source>
         <translation>
@@ -9245,57 +9296,6 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
-    </message>
-</context>
-<context>
-    <name>WayText</name>
-    <message>
-        <source>Shoulder in front</source>
-        <translation>Schulter vorn</translation>
-    </message>
-    <message>
-        <source>Shoulder behind</source>
-        <translation>Schulter hinten</translation>
-    </message>
-    <message>
-        <source>Shoulder left</source>
-        <translation>Schulter links</translation>
-    </message>
-    <message>
-        <source>Shoulder right</source>
-        <translation>Schulter rechts</translation>
-    </message>
-    <message>
-        <source>elbow up</source>
-        <translation>Ellbogen oben</translation>
-    </message>
-    <message>
-        <source>elbow down</source>
-        <translation>Ellbogen unten</translation>
-    </message>
-    <message>
-        <source>wrist flipped</source>
-        <translation>Handgelenk umgeklappt</translation>
-    </message>
-    <message>
-        <source>wrist not flipped</source>
-        <translation>Handgelenk nicht umgeklappt</translation>
-    </message>
-    <message>
-        <source>%1 beyond its limits</source>
-        <translation>%1 außerhalb seiner Grenzen</translation>
-    </message>
-    <message>
-        <source>collides: %1 with %2</source>
-        <translation>stößt an: %1 mit %2</translation>
-    </message>
-    <message>
-        <source>Way %1</source>
-        <translation>Stellung %1</translation>
-    </message>
-    <message>
-        <source>free</source>
-        <translation>frei</translation>
     </message>
 </context>
 <context>
@@ -14026,7 +14026,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::RecordingSign</name>
+    <name>handwheel::RecordingIndicator</name>
     <message>
         <source>The device is being recorded. Click to show the recordings</source>
         <translation>Das Gerät wird aufgezeichnet. Klicken, um die Aufzeichnungen zu zeigen</translation>

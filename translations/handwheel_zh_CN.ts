@@ -2,17 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
-    <name>ArmWaysTool</name>
-    <message>
-        <source>Change the configuration of the arm</source>
-        <translation>更改机械臂的位形</translation>
-    </message>
-    <message>
-        <source>Move the tool</source>
-        <translation>移动工具</translation>
-    </message>
-</context>
-<context>
     <name>BodyDragTool</name>
     <message>
         <source>Move %1</source>
@@ -3568,7 +3557,7 @@
     </message>
 </context>
 <context>
-    <name>FaceSnapTool</name>
+    <name>FaceMateTool</name>
     <message>
         <source>Lay %1 on a face</source>
         <translation>将 %1 贴放到面上</translation>
@@ -4275,6 +4264,13 @@
     </message>
 </context>
 <context>
+    <name>HandGuidingTool</name>
+    <message>
+        <source>Lead the robot</source>
+        <translation>引导机器人</translation>
+    </message>
+</context>
+<context>
     <name>HapticSession</name>
     <message>
         <source>Simulated hand</source>
@@ -4342,6 +4338,68 @@
     <message>
         <source>Repairs scanned meshes, shapes and drills volumes, turns workpieces, plans robot cells, and sets and marks exercises.</source>
         <translation>修复扫描网格，塑造体素模型并钻孔，车削工件，规划机器人单元，布置并评分练习。</translation>
+    </message>
+</context>
+<context>
+    <name>IkSolutionText</name>
+    <message>
+        <source>Shoulder in front</source>
+        <translation>肩部在前</translation>
+    </message>
+    <message>
+        <source>Shoulder behind</source>
+        <translation>肩部在后</translation>
+    </message>
+    <message>
+        <source>Shoulder left</source>
+        <translation>肩部在左</translation>
+    </message>
+    <message>
+        <source>Shoulder right</source>
+        <translation>肩部在右</translation>
+    </message>
+    <message>
+        <source>elbow up</source>
+        <translation>肘部向上</translation>
+    </message>
+    <message>
+        <source>elbow down</source>
+        <translation>肘部向下</translation>
+    </message>
+    <message>
+        <source>wrist flipped</source>
+        <translation>腕部翻转</translation>
+    </message>
+    <message>
+        <source>wrist not flipped</source>
+        <translation>腕部未翻转</translation>
+    </message>
+    <message>
+        <source>%1 beyond its limits</source>
+        <translation>%1 超出限位</translation>
+    </message>
+    <message>
+        <source>collides: %1 with %2</source>
+        <translation>碰撞：%1 与 %2</translation>
+    </message>
+    <message>
+        <source>Way %1</source>
+        <translation>方式 %1</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>无碰撞</translation>
+    </message>
+</context>
+<context>
+    <name>IkSolutionsTool</name>
+    <message>
+        <source>Change the configuration of the arm</source>
+        <translation>更改机械臂的位形</translation>
+    </message>
+    <message>
+        <source>Move the tool</source>
+        <translation>移动工具</translation>
     </message>
 </context>
 <context>
@@ -4509,13 +4567,6 @@
     <message>
         <source>Grinding disk</source>
         <translation>砂轮</translation>
-    </message>
-</context>
-<context>
-    <name>LeadTool</name>
-    <message>
-        <source>Lead the robot</source>
-        <translation>引导机器人</translation>
     </message>
 </context>
 <context>
@@ -5193,7 +5244,7 @@
     </message>
 </context>
 <context>
-    <name>PathRemark</name>
+    <name>PathStatus</name>
     <message>
         <source>not verified since a robot was moved, added or removed</source>
         <translation>移动、添加或移除机器人后尚未验证</translation>
@@ -7416,7 +7467,7 @@
     </message>
 </context>
 <context>
-    <name>RepairAccount</name>
+    <name>RepairSummary</name>
     <message numerus="yes">
         <source>%Ln hole(s)</source>
         <translation>
@@ -9197,57 +9248,6 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1（%2）</translation>
-    </message>
-</context>
-<context>
-    <name>WayText</name>
-    <message>
-        <source>Shoulder in front</source>
-        <translation>肩部在前</translation>
-    </message>
-    <message>
-        <source>Shoulder behind</source>
-        <translation>肩部在后</translation>
-    </message>
-    <message>
-        <source>Shoulder left</source>
-        <translation>肩部在左</translation>
-    </message>
-    <message>
-        <source>Shoulder right</source>
-        <translation>肩部在右</translation>
-    </message>
-    <message>
-        <source>elbow up</source>
-        <translation>肘部向上</translation>
-    </message>
-    <message>
-        <source>elbow down</source>
-        <translation>肘部向下</translation>
-    </message>
-    <message>
-        <source>wrist flipped</source>
-        <translation>腕部翻转</translation>
-    </message>
-    <message>
-        <source>wrist not flipped</source>
-        <translation>腕部未翻转</translation>
-    </message>
-    <message>
-        <source>%1 beyond its limits</source>
-        <translation>%1 超出限位</translation>
-    </message>
-    <message>
-        <source>collides: %1 with %2</source>
-        <translation>碰撞：%1 与 %2</translation>
-    </message>
-    <message>
-        <source>Way %1</source>
-        <translation>方式 %1</translation>
-    </message>
-    <message>
-        <source>free</source>
-        <translation>无碰撞</translation>
     </message>
 </context>
 <context>
@@ -13937,7 +13937,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::RecordingSign</name>
+    <name>handwheel::RecordingIndicator</name>
     <message>
         <source>The device is being recorded. Click to show the recordings</source>
         <translation>正在录制设备。单击以显示录制内容</translation>

@@ -85,7 +85,7 @@ TornMesh torn(TriangleSoup soup, std::uint64_t seed) {
 FidelitySample stitch(const TornMesh& input, double nearWeld, Progress progress) {
   HalfEdgeMesh mesh = input.mesh;
   FidelitySample sample;
-  sample.cost = cpuMilliseconds([&] { stitchBorders(mesh, {}, progress, nearWeld); });
+  sample.cost = cpuMilliseconds([&] { stitchBoundaries(mesh, {}, progress, nearWeld); });
   const auto wrong = std::count_if(input.pairs.begin(), input.pairs.end(), [&](const Parted& p) {
     return (mesh.position(p.a) == mesh.position(p.b)) != p.belongTogether;
   });

@@ -6,7 +6,7 @@
 #include "controls/CommandPalette.h"
 #include "panels/DocumentsPanel.h"
 #include "theme/Icons.h"
-#include "tools/WorkUnderWay.h"
+#include "tools/UnfinishedGesture.h"
 #include "window/ActionToolTip.h"
 #include "window/HelpPages.h"
 #include "window/MainWindow.h"
@@ -72,7 +72,7 @@ void MainWindow::buildMenus() {
   const auto enableUndo = [this, undo] {
     const Tool* const tool = m_tools->runner().tool();
     undo->setEnabled(m_undo.canUndo() || (tool && tool->isLive()));
-    const auto* const work = dynamic_cast<const WorkUnderWay*>(tool);
+    const auto* const work = dynamic_cast<const UnfinishedGesture*>(tool);
     const QString underWay = work ? work->underWay() : QString(),
                   step = underWay.isEmpty() ? m_undo.undoText() : underWay;
     undo->setText(step.isEmpty() ? tr("&Undo") : tr("&Undo %1").arg(step));

@@ -27,7 +27,7 @@
 #include "window/haptics/DevicePointer.h"
 #include "window/haptics/DeviceView.h"
 #include "window/haptics/HapticFidelity.h"
-#include "window/haptics/RecordingSign.h"
+#include "window/haptics/RecordingIndicator.h"
 #include "window/haptics/RecordingsDock.h"
 #include "window/haptics/SpaceMouseNavigation.h"
 #include "window/haptics/TickTiming.h"
@@ -164,7 +164,7 @@ void MainWindow::buildStatusBar() {
   log->setDefaultAction(m_logDock->findChild<PanelToggle*>());
   log->setAccessibleName(tr("Log"));
   log->setIconSize({16, 16});
-  auto* recording = new RecordingSign(m_haptics, this);
+  auto* recording = new RecordingIndicator(m_haptics, this);
   connect(recording, &QToolButton::clicked, this, [this] {
     auto* device = m_deviceDock->findChild<DeviceDock*>();
     device->showPage(device->findChild<RecordingsDock*>());

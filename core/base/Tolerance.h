@@ -58,7 +58,7 @@ inline constexpr int kLibraryFanFaces = 5'000;
 // √2 splits to about their length. The default of the fidelity setting mesh.patch_density.
 inline constexpr double kPatchDensity = 1.4142135623730951;
 // A crease whose sides meet at more than this angle (radian; 30°) and that ends at a hole is continued through it.
-inline constexpr double kRidgeAngle = 0.52;
+inline constexpr double kCreaseAngle = 0.52;
 // New vertices of a patch per boundary edge, and in all: where the density of the surroundings asks for more, the patch
 // is coarser. 10,000 take 0.15 s to refine and fair, which cannot be interrupted.
 inline constexpr int kPatchVerticesPerEdge = 20;
@@ -121,11 +121,11 @@ inline constexpr double kFlatCosine = 1.0 - 1e-6;
 // The distance of a haptic proxy from the surface that it touches: far above the effect of rounding, far below what is
 // visible.
 inline constexpr double kContactSkin = 0x1p-27;
-// The width up to which gaps are closed as seams before a scan is used for haptic contact.
-inline constexpr double kContactSeam = 0x1p-12;
-// Corners across a seam are merged when it is narrower than this share of the open edges at them. A strip would form a
+// The width up to which gaps are closed before a scan is used for haptic contact.
+inline constexpr double kContactGap = 0x1p-12;
+// Corners across a gap are merged when it is narrower than this share of the open edges at them. A strip would form a
 // step there: the borders are seldom equally high, and a proxy stops at a step of a micrometre.
-inline constexpr double kContactSeamEdge = 0.25;
+inline constexpr double kContactGapEdge = 0.25;
 // The distance within which the surface is searched after an edit that may have buried a haptic proxy.
 inline constexpr double kContactBuried = 0.01;
 // Two contact planes count as one below this sine of their angle, squared;

@@ -4,7 +4,7 @@
 
 #include "volume/VolumeFilters.h"
 #include "volume/repair/ClosedSurfaceInVoxels.h"
-#include "volume/surface/SurfaceRows.h"
+#include "volume/surface/ScanlineCrossings.h"
 
 #include <tbb/parallel_for.h>
 
@@ -46,7 +46,7 @@ class AxisRays {
     const int across = (m_axis + 1) % 3, up = (m_axis + 2) % 3;
     for (int k = kRays * low[up]; k < kRays * (high[up] + 1); ++k)
       for (int j = kRays * low[across]; j < kRays * (high[across] + 1); ++j)
-        for (const SurfaceRows::Crossing& crossing : m_rows.row(j, k)) {
+        for (const ScanlineCrossings::Crossing& crossing : m_rows.row(j, k)) {
           VoxelIndex at;
           at[m_axis] = static_cast<int>(std::floor(crossing.x + 0.5));
           at[across] = (j - (j & 1)) / kRays;
@@ -82,7 +82,7 @@ class AxisRays {
         sums[VolumeBlock::at(at.x(), at.y(), at.z())] += static_cast<float>(share);
       }
     };
-    for (const SurfaceRows::Crossing& crossing : m_rows.row(y, z)) {
+    for (const ScanlineCrossings::Crossing& crossing : m_rows.row(y, z)) {
       if (winding > 0) addUpTo(crossing.x);
       winding += crossing.step;
       from = crossing.x;
@@ -91,7 +91,7 @@ class AxisRays {
   }
 
   int m_axis;
-  SurfaceRows m_rows;
+  ScanlineCrossings m_rows;
 };
 
 using ThreeAxes = std::array<AxisRays, 3>;

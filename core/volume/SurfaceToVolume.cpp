@@ -4,8 +4,8 @@
 
 #include "proximity/ClosestPoint.h"
 #include "volume/repair/ClosedSurfaceInVoxels.h"
-#include "volume/repair/Membranes.h"
-#include "volume/surface/SurfaceRows.h"
+#include "volume/repair/WindingNumberFill.h"
+#include "volume/surface/ScanlineCrossings.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -49,7 +49,7 @@ int floorOf(double v) {
 }
 
 // The triangles that come within the band of each tile, and the tiles of membranes; all in voxels.
-Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed, const Membranes& membranes,
+Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed, const WindingNumberFill& holeFill,
                 const Progress& progress) {
   std::map<Tile, std::vector<std::uint32_t>> near;
   const double halfDiagonal = 0.5 * kTile * std::sqrt(3.0);
@@ -66,7 +66,7 @@ Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed, const
         }
   }
   constexpr int kBlocks = kTile / VolumeBlock::kSize;
-  for (const VoxelIndex& block : membranes.blocks()) {
+  for (const VoxelIndex& block : holeFill.blocks()) {
     const auto tileOf = [](int i) { return floorOf(static_cast<double>(i) / kBlocks); };
     near.try_emplace({tileOf(block.z()), tileOf(block.y()), tileOf(block.x())});
   }
@@ -125,24 +125,24 @@ std::int16_t sampleAt(float squared, bool isInside) {
 }
 
 // The content of a block where membranes can be.
-SparseVolume::Content membraneBlock(const TileDistances& distances, const VoxelIndex& inTile,
-                                    const Membranes::Samples& membranes) {
+SparseVolume::Content holeFillBlock(const TileDistances& distances, const VoxelIndex& inTile,
+                                    const WindingNumberFill::Samples& holeFill) {
   auto block = std::make_shared<VolumeBlock>();
   bool isNear = false;
   for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
     const auto at = static_cast<int>(i);
     const float fromSurface = distances.squared(inTile + VoxelIndex(at & 7, at >> 3 & 7, at >> 6));
-    const float squared = std::min(fromSurface, membranes.distance[i] * membranes.distance[i]);
+    const float squared = std::min(fromSurface, holeFill.distance[i] * holeFill.distance[i]);
     isNear = isNear || squared < TileDistances::kFar;
-    block->depths[i] = sampleAt(squared, membranes.isInside[i]);
+    block->depths[i] = sampleAt(squared, holeFill.isInside[i]);
   }
-  if (!isNear) return {nullptr, membranes.isInside.front()};
+  if (!isNear) return {nullptr, holeFill.isInside.front()};
   return {std::move(block), false};
 }
 
 // The block of a tile, signed; null where nothing of the band is in it.
 SparseVolume::Block signedBlock(const TileDistances& distances, const VoxelIndex& inTile, const VoxelIndex& firstVoxel,
-                                const SurfaceRows& rows) {
+                                const ScanlineCrossings& rows) {
   constexpr int n = VolumeBlock::kSize;
   bool isNear = false;
   for (int i = 0; i < n * n * n && !isNear; ++i)
@@ -165,15 +165,15 @@ struct Bounding {
   std::vector<std::pair<Vec3, std::uint32_t>> places;  // where rows cross it, voxels, with the triangle
 };
 
-Bounding boundingTriangles(const TriangleSoup& closed, const SurfaceRows& alongX, const Membranes& membranes,
-                           const Progress& progress) {
+Bounding boundingTriangles(const TriangleSoup& closed, const ScanlineCrossings& alongX,
+                           const WindingNumberFill& holeFill, const Progress& progress) {
   const std::size_t count = closed.triangles.size();
   Bounding bounding{std::vector<bool>(count, false), std::vector<bool>(count, true), {}};
-  const auto add = [&](const SurfaceRows& rows, int turn) {
+  const auto add = [&](const ScanlineCrossings& rows, int turn) {
     // Back from the axes that were turned round so often.
     const auto back = [&](const Vec3& p) { return Vec3(p[(3 - turn) % 3], p[(4 - turn) % 3], p[(5 - turn) % 3]); };
-    const SurfaceRows::Bounding found =
-        rows.boundingBy([&](const Vec3& p, int whole) { return membranes.winding(back(p), whole); });
+    const ScanlineCrossings::Bounding found =
+        rows.boundingBy([&](const Vec3& p, int whole) { return holeFill.winding(back(p), whole); });
     for (std::size_t i = 0; i < count; ++i) {
       if (found.triangles[i]) bounding.certain[i] = true;
       if (rows.crossed()[i]) bounding.perhaps[i] = false;
@@ -184,7 +184,7 @@ Bounding boundingTriangles(const TriangleSoup& closed, const SurfaceRows& alongX
   TriangleSoup turned = closed;
   for (int axis = 1; axis < 3 && !alongX.isSimple() && !progress.cancelled(); ++axis) {
     for (Vec3& p : turned.points) p = Vec3(p.y(), p.z(), p.x());
-    add(SurfaceRows(turned, progress), axis);
+    add(ScanlineCrossings(turned, progress), axis);
   }
   if (alongX.isSimple()) bounding.perhaps.assign(count, true);
   return bounding;
@@ -192,14 +192,14 @@ Bounding boundingTriangles(const TriangleSoup& closed, const SurfaceRows& alongX
 
 // Marks the blocks without samples that are inside. What bounds the inside is in blocks with samples, so one voxel
 // speaks for its block.
-void fillInside(SparseVolume& volume, const SurfaceRows& rows, const Membranes& membranes, const VoxelIndex& blocks,
-                const Progress& progress) {
+void fillInside(SparseVolume& volume, const ScanlineCrossings& rows, const WindingNumberFill& holeFill,
+                const VoxelIndex& blocks, const Progress& progress) {
   for (int z = 0; z < blocks.z() && !progress.cancelled(); ++z)
     for (int y = 0; y < blocks.y(); ++y) {
       if (rows.row(8 * y, 8 * z).empty()) continue;
       for (int x = 0; x < blocks.x(); ++x) {
         const VoxelIndex at(x, y, z);
-        if (!rows.isInside(8 * at) || volume.content(at).block || membranes.contains(at)) continue;
+        if (!rows.isInside(8 * at) || volume.content(at).block || holeFill.contains(at)) continue;
         volume.setContent(at, {nullptr, true});
       }
     }
@@ -227,13 +227,13 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   SurfaceVolume made;
   made.volume = prepared->grid;
   made.closedBoundaries = caps.boundaries;
-  const SurfaceRows rows(closed, progress.part(0.05, 0.3));
-  const Membranes membranes(closed, caps.wide, progress);
-  const Bounding found = boundingTriangles(closed, rows, membranes, progress.part(0.3, 0.4));
+  const ScanlineCrossings rows(closed, progress.part(0.05, 0.3));
+  const WindingNumberFill holeFill(closed, caps.wide, progress);
+  const Bounding found = boundingTriangles(closed, rows, holeFill, progress.part(0.3, 0.4));
   std::vector<bool> bounding = found.certain;
   for (std::size_t i = 0; i < bounding.size(); ++i) bounding[i] = bounding[i] || found.perhaps[i];
   for (const std::uint32_t cone : caps.wide) bounding[cone] = false;
-  const Tiles tiles = tilesNear(closed, bounding, membranes, progress);
+  const Tiles tiles = tilesNear(closed, bounding, holeFill, progress);
 
   std::vector<std::vector<NumberedBlock>> blocks(tiles.size());
   std::atomic<std::size_t> done{0};
@@ -249,16 +249,15 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
       const VoxelIndex inTile = VolumeBlock::kSize * VoxelIndex(b % n, b / n % n, b / n / n);
       const VoxelIndex block = SparseVolume::blockOf(first + inTile);
       SparseVolume::Content content =
-          membranes.contains(block)
-              ? membraneBlock(distances, inTile, membranes.samples(block, rows))
-              : SparseVolume::Content{signedBlock(distances, inTile, first + inTile, rows), false};
+          holeFill.contains(block) ? holeFillBlock(distances, inTile, holeFill.samples(block, rows))
+                                   : SparseVolume::Content{signedBlock(distances, inTile, first + inTile, rows), false};
       if (content.block || content.isFull) blocks[i].emplace_back(block, std::move(content));
     }
     sampling.set(static_cast<double>(++done) / static_cast<double>(tiles.size()));
   });
   for (std::vector<NumberedBlock>& some : blocks)
     for (NumberedBlock& block : some) made.volume.setContent(block.first, std::move(block.second));
-  fillInside(made.volume, rows, membranes, prepared->blocks(), progress);
+  fillInside(made.volume, rows, holeFill, prepared->blocks(), progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   made.expected = prepared->enclosed();
   if (!(made.volume.material() > 0.0)) return prepared->nothingInside();

@@ -24,9 +24,9 @@ struct SurfaceVolume {
 
 // Samples the distance from a surface at the centres of voxels, exactly up to three voxels from it, and signs it by
 // winding numbers: inside is what it goes round at least once. Flat and small holes are closed by lids
-// (closeBoundaries()), wide bent ones where the generalised winding number passes a half (Membranes.h), to which
-// distances are of first order. Overlapping bodies become one, and walls within them vanish; a surface that is inside
-// out encloses nothing.
+// (closeBoundaries()), wide bent ones where the generalised winding number passes a half (WindingNumberFill.h), to
+// which distances are of first order. Overlapping bodies become one, and walls within them vanish; a surface that is
+// inside out encloses nothing.
 //
 // voxel: edge of a voxel, mm. alignedTo: the origin of a grid that it is to share but for whole blocks, mm; none: sides
 // of the part lie between voxels. On all threads of the arena; O(area / voxel² + n log n). Errors:

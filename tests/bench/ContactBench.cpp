@@ -5,7 +5,7 @@
 #include "bench/Bars.h"
 #include "bench/ContactShapes.h"
 #include "bench/ScanPath.h"
-#include "haptics/contact/ContactSeams.h"
+#include "haptics/contact/ContactGaps.h"
 #include "haptics/contact/GodObject.h"
 #include "haptics/contact/TouchableSurface.h"
 #include "proximity/TriangleHierarchy.h"
@@ -324,7 +324,7 @@ void defects(benchmark::State& state) {
         TriangleSoup mesh = clean;
         variant.spoil(mesh);
         for (Vec3& p : mesh.points) p *= scale;
-        closeSeams(mesh.points, mesh.triangles);
+        closeContactGaps(mesh.points, mesh.triangles);
         const Slide slide = slideOver(surfaceOf(mesh), 100.0, scale);
         const std::string what = std::string(variant.name) + (scale < 1 ? ", x 1e-3" : scale > 1 ? ", x 1e+3" : "");
         bars.atMost(what + ": stalls", 0, slide.stalls);

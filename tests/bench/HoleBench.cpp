@@ -10,8 +10,8 @@
 #include "mesh/repair/Cleaning.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "proximity/TriangleHierarchy.h"
+#include "support/CreasedShapes.h"
 #include "support/MeshShapes.h"
-#include "support/RidgedShapes.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -249,7 +249,7 @@ Creased creased(std::int64_t which) {
 void ridges(benchmark::State& state) {
   const Creased part = creased(state.range(0));
   const double radius = 0.01 * static_cast<double>(state.range(1));
-  std::vector<double> withRidges, fair, library;
+  std::vector<double> withCreases, fair, library;
   std::size_t open = 0, noRidge = 0, fairOpen = 0, libraryOpen = 0;
   for (auto _ : state) {
     std::mt19937 random(1);
@@ -265,13 +265,13 @@ void ridges(benchmark::State& state) {
       };
       FillOptions options;
       fair.push_back(errorOf(filler.propose(loop, options)));
-      options.method = FillMethod::Ridge;
+      options.method = FillMethod::Crease;
       const FillAttempt attempt = filler.propose(loop, options);
-      withRidges.push_back(errorOf(attempt));
-      noRidge += attempt.failure == FillFailure::None && attempt.patch.method != FillMethod::Ridge;
+      withCreases.push_back(errorOf(attempt));
+      noRidge += attempt.failure == FillFailure::None && attempt.patch.method != FillMethod::Crease;
       const LibraryFill theirs = fillByLibrary(toLibrary(mesh.compact().soup), rim[0], rim[1]);
       library.push_back(theirs.faces > 0 ? rmsByArea(theirs.triangles, part.distance) / size : kOpen);
-      open += withRidges.back() == kOpen;
+      open += withCreases.back() == kOpen;
       fairOpen += fair.back() == kOpen;
       libraryOpen += library.back() == kOpen;
     }
@@ -281,8 +281,8 @@ void ridges(benchmark::State& state) {
        {std::pair{"open", open}, {"noRidge", noRidge}, {"fairOpen", fairOpen}, {"cgalOpen", libraryOpen}}) {
     state.counters[counter] = static_cast<double>(count);
   }
-  const double ours = quantile(withRidges, 0.9), plain = quantile(fair, 0.9), theirs = quantile(library, 0.9);
-  state.counters["median%"] = 100.0 * quantile(withRidges, 0.5);
+  const double ours = quantile(withCreases, 0.9), plain = quantile(fair, 0.9), theirs = quantile(library, 0.9);
+  state.counters["median%"] = 100.0 * quantile(withCreases, 0.5);
   state.counters["p90%"] = 100.0 * ours;
   state.counters["fairP90%"] = 100.0 * plain;
   state.counters["cgalP90%"] = 100.0 * theirs;
@@ -302,7 +302,7 @@ void longLoops(benchmark::State& state) {
   removeDegenerateFaces(mesh);
   removeDuplicateFaces(mesh);
   removeFlaps(mesh);
-  stitchBorders(mesh, std::vector<bool>(mesh.vertexSlots(), false));
+  stitchBoundaries(mesh, std::vector<bool>(mesh.vertexSlots(), false));
   removeDegenerateFaces(mesh);
   const HoleFiller filler(mesh);
   std::vector<BoundaryLoop> cuts;

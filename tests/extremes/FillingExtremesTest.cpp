@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "CreasedShapes.h"
 #include "ExtremeRows.h"
 #include "MeshChecks.h"
-#include "RidgedShapes.h"
 #include "TestClass.h"
 #include "mesh/holes/HoleDecomposition.h"
 #include "mesh/holes/HoleFiller.h"
@@ -22,8 +22,8 @@ class FillingExtremesTest : public QObject {
   void leastOfAll();
   void curvatureOfBalls_data() { placeRows(); }
   void curvatureOfBalls();
-  void ridgesOfCubes_data() { placeRows(); }
-  void ridgesOfCubes();
+  void creasesOfCubes_data() { placeRows(); }
+  void creasesOfCubes();
   void sizeChangesNoPatch_data();
   void sizeChangesNoPatch();
   void bridges_data() { test::everyMesh(50'000); }
@@ -53,7 +53,7 @@ std::vector<FillOptions> everyWay() {
           only(FillMethod::Area),    only(FillMethod::Dihedral),
           only(FillMethod::Refined), only(FillMethod::Fair, Continuity::Position),
           only(FillMethod::Fair),    only(FillMethod::Fair, Continuity::Curvature),
-          only(FillMethod::Ridge),   only(FillMethod::Ridge, Continuity::Curvature),
+          only(FillMethod::Crease),  only(FillMethod::Crease, Continuity::Curvature),
           only(FillMethod::Flat)};
 }
 
@@ -148,7 +148,7 @@ void FillingExtremesTest::curvatureOfBalls() {
   const HoleFiller filler(mesh);
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
   QVERIFY(!loops.empty());
-  for (const FillMethod method : {FillMethod::Fair, FillMethod::Ridge}) {
+  for (const FillMethod method : {FillMethod::Fair, FillMethod::Crease}) {
     for (const BoundaryLoop& loop : loops) {
       const FillAttempt attempt = filler.propose(loop, only(method, Continuity::Curvature));
       QVERIFY(attempt.failure == FillFailure::None);
@@ -162,16 +162,16 @@ void FillingExtremesTest::curvatureOfBalls() {
 }
 
 // The hole across a cube's edge gets its two flat sides and its straight edge back.
-void FillingExtremesTest::ridgesOfCubes() {
+void FillingExtremesTest::creasesOfCubes() {
   QFETCH(double, scale);
   QFETCH(double, offset);
   const Vec3 shift(offset, -offset, offset);
   const TriangleSoup cut = test::withHole(test::roughCube(24, 0), Vec3(1.02, 1.01, 0.1), 0.3);
   const HalfEdgeMesh mesh = buildMesh(test::moved(cut, shift, scale)).mesh;
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
-  const FillAttempt attempt = HoleFiller(mesh).propose(loop, only(FillMethod::Ridge));
+  const FillAttempt attempt = HoleFiller(mesh).propose(loop, only(FillMethod::Crease));
   QVERIFY(attempt.failure == FillFailure::None);
-  QCOMPARE(int(attempt.patch.method), int(FillMethod::Ridge));
+  QCOMPARE(int(attempt.patch.method), int(FillMethod::Crease));
   const double error = 1e-9 + test::rounding(test::boxOf(mesh), 256.0) / scale;
   std::size_t onEdge = 0;
   for (const Vec3& p : attempt.patch.points) {

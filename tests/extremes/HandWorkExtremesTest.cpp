@@ -3,8 +3,8 @@
 #include "Extremes.h"
 #include "MeshChecks.h"
 #include "TestClass.h"
-#include "mesh/boundary/BorderSmoothing.h"
-#include "mesh/boundary/BorderWelding.h"
+#include "mesh/boundary/BoundarySmoothing.h"
+#include "mesh/boundary/BoundaryWelding.h"
 #include "mesh/boundary/Islands.h"
 #include "mesh/boundary/Peninsulas.h"
 #include "mesh/boundary/VertexPull.h"
@@ -45,17 +45,17 @@ bool work(HalfEdgeMesh& mesh, int deed, std::mt19937& random) {
   const BoundaryLoop& loop = loops[random() % loops.size()];
   const auto near = std::make_shared<const FaceLocator>(mesh, std::make_shared<FaceHierarchy>(mesh));
   const std::size_t n = loop.halfEdges.size(), at = random() % n;
-  const BorderPair ends{loop.halfEdges[at], loop.halfEdges[(at + 1 + random() % 4) % n]};
+  const BoundaryPair ends{loop.halfEdges[at], loop.halfEdges[(at + 1 + random() % 4) % n]};
   switch (deed % 5) {
     case 0:
-      return moveVertices(mesh, smoothBorder(*near, loop).moves);
+      return moveVertices(mesh, smoothBoundary(*near, loop).moves);
     case 1: {
       const VertexPull pull(near, mesh.from(ends.a));
       const Vec3 target = 0.5 * pull.start() + 0.5 * mesh.position(static_cast<Vertex>(random() % mesh.vertexSlots()));
       return pull.apply(mesh, pull.towards(target).point);
     }
     case 2: {
-      Weld weld = weldBorder(*near, ends);
+      Weld weld = weldBoundary(*near, ends);
       if (weld.problem != JoinProblem::None) return false;
       mesh = std::move(weld.mesh);
       return true;
@@ -122,7 +122,7 @@ void HandWorkExtremesTest::sizeChangesNoSmoothing() {
   const auto loops = findBoundaryLoops(plain), others = findBoundaryLoops(scaled);
   QCOMPARE(loops.size(), others.size());
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    const SmoothedBorder a = smoothBorder(near, loops[i]), b = smoothBorder(other, others[i]);
+    const SmoothedBoundary a = smoothBoundary(near, loops[i]), b = smoothBoundary(other, others[i]);
     QVERIFY(!a.moves.empty());
     QCOMPARE(a.moves.size(), b.moves.size());
     for (std::size_t k = 0; k < a.moves.size(); ++k) {

@@ -47,7 +47,7 @@ class CasesTest : public QObject {
   void scansAreOfTheirPart();
   void holesAreCutAndKnown();
   void holesAcrossSharpEdges();
-  void ridgesCarryEdgesThroughHoles();
+  void creasesCarryEdgesThroughHoles();
   void tornVerticesOfAMesh();
   void patchesOfAMesh();
   void blocksOfAnySize();
@@ -154,15 +154,15 @@ void CasesTest::holesAcrossSharpEdges() {
 }
 
 // What the method is for: where a sharp edge goes through a hole, a patch that carries it on is nearer to the part.
-void CasesTest::ridgesCarryEdgesThroughHoles() {
+void CasesTest::creasesCarryEdgesThroughHoles() {
   const FidelityRegistry::Entry& entry = *registry().find("mesh.fill_method");
   std::size_t scans = 0;
   for (const FidelityCase& c : entry.cases) {
     if (c.name.find("scanned") == std::string::npos) continue;
     ++scans;
     const double fair = errorAt(c, *valueOf(entry.setting, "fair")),
-                 ridge = errorAt(c, *valueOf(entry.setting, "ridge"));
-    QVERIFY2(ridge < fair, qPrintable(QString("%1: %2 and %3").arg(c.name.c_str()).arg(ridge).arg(fair)));
+                 crease = errorAt(c, *valueOf(entry.setting, "ridge"));
+    QVERIFY2(crease < fair, qPrintable(QString("%1: %2 and %3").arg(c.name.c_str()).arg(crease).arg(fair)));
   }
   QCOMPARE(scans, std::size_t{2});
 }

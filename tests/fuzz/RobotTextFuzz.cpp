@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }();
   judgePrograms(text, kFrame);
   if (const auto path = readPath(text, kRobot, restValues(kRobot))) {
-    for (const PathPlace& place : path->places)
+    for (const Waypoint& place : path->places)
       require(valuesWithinLimits(kRobot, place.joints).hasValue(), "a place beyond the limits");
   }
   if (const auto semantics = readSrdf(text, kRobot)) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sound/MachineVoice.h"
+#include "sound/MachineSoundSynthesizer.h"
 
 #include <QObject>
 #include <QString>

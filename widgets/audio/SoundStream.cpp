@@ -29,7 +29,7 @@ void writeSamples(char* data, std::span<const float> samples, int channels, Conv
 
 SoundStream::SoundStream(double sampleRate, int channels, Format format, QObject* parent)
     : QIODevice(parent),
-      m_voice(sampleRate),
+      m_synthesizer(sampleRate),
       m_channels(std::clamp(channels, 1, kMostChannels)),
       m_format(format),
       m_samples(kMostFrames) {
@@ -38,7 +38,7 @@ SoundStream::SoundStream(double sampleRate, int channels, Format format, QObject
 
 void SoundStream::setState(const MachineSoundState& state) {
   m_untold = 0.0;
-  m_voice.set(state);
+  m_synthesizer.set(state);
 }
 
 qint64 SoundStream::bytesPerFrame() const {
@@ -52,9 +52,9 @@ qint64 SoundStream::bytesAvailable() const {
 qint64 SoundStream::readData(char* data, qint64 most) {
   const qint64 frames = std::clamp<qint64>(most / bytesPerFrame(), 0, kMostFrames);
   const std::span<float> samples(m_samples.data(), static_cast<std::size_t>(frames));
-  m_untold += static_cast<double>(frames) / m_voice.sampleRate();
-  if (m_untold > kPatience) m_voice.set({});
-  m_voice.render(samples);
+  m_untold += static_cast<double>(frames) / m_synthesizer.sampleRate();
+  if (m_untold > kPatience) m_synthesizer.set({});
+  m_synthesizer.render(samples);
   if (m_format == Format::Float)
     writeSamples(data, samples, m_channels, [](float s) { return s; });
   else

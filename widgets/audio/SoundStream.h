@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sound/MachineVoice.h"
+#include "sound/MachineSoundSynthesizer.h"
 
 #include <QIODevice>
 #include <vector>
@@ -33,7 +33,7 @@ class SoundStream : public QIODevice {
  private:
   qint64 bytesPerFrame() const;
 
-  MachineVoice m_voice;
+  MachineSoundSynthesizer m_synthesizer;
   int m_channels;
   Format m_format;
   std::vector<float> m_samples;

@@ -49,7 +49,7 @@ QString fillMethodName(FillMethod method) {
       return RepairWords::tr("Minimum area");
     case FillMethod::Dihedral:
       return RepairWords::tr("Minimum bending");
-    case FillMethod::Ridge:
+    case FillMethod::Crease:
       return RepairWords::tr("Ridges");
     case FillMethod::Flat:
       return RepairWords::tr("Flat");
@@ -84,7 +84,7 @@ QString fillMethodHint(FillMethod method) {
       return RepairWords::tr(
           "Minimises the angles between adjacent triangles, then the area; adds no vertices. A hole of more than 300 "
           "edges is divided first.");
-    case FillMethod::Ridge:
+    case FillMethod::Crease:
       return RepairWords::tr(
           "As fair, with the sharp edges that end at the hole continued across it. For designed parts.");
     case FillMethod::Flat:

@@ -14,7 +14,7 @@ QColor withAlpha(QColor c, float alpha) {
   return c;
 }
 
-void show(LiftedActor& actor, const PolyDataBuilder& triangles) {
+void show(DepthOffsetActor& actor, const PolyDataBuilder& triangles) {
   triangles.isEmpty() ? actor.hide() : actor.setData(triangles.build(PolyDataBuilder::Kind::Triangles));
 }
 
@@ -49,7 +49,7 @@ Marks::Marks(LayerProps& props)
       m_points(props, 6.0, 8.0, 1.5),
       m_section(props, 2.5, 2.5, 1.0),
       m_selectedEdges(props, 3.5, 3.0, 1.5) {
-  for (LiftedActor* actor : {&m_faces, &m_hovered, &m_preview}) setOverlayMaterial(actor->property());
+  for (DepthOffsetActor* actor : {&m_faces, &m_hovered, &m_preview}) setOverlayMaterial(actor->property());
   m_selected.setColour(m_colours.selected);
   m_highlighted.setColour(m_colours.accent);
 }
@@ -135,7 +135,7 @@ std::size_t Marks::buildPendingFaces() {
 
 void Marks::prepare(const LayerFrame& frame) {
   rebuildStale();
-  for (LiftedActor* actor : {&m_faces, &m_hovered, &m_preview}) actor->prepare(frame);
+  for (DepthOffsetActor* actor : {&m_faces, &m_hovered, &m_preview}) actor->prepare(frame);
   for (FaceActors* faces : {&m_selected, &m_highlighted}) faces->prepare(frame);
   m_previewEdges.prepare(frame);
   for (CasedStrokes* strokes : {&m_plainLoops, &m_strongLoops, &m_lines, &m_points, &m_section, &m_selectedEdges})

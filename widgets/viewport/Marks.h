@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/LiftedActor.h"
+#include "viewport/DepthOffsetActor.h"
 #include "viewport/Lighting.h"
 #include "viewport/MeshMarks.h"
 #include "viewport/surface/FaceActors.h"
@@ -84,11 +84,11 @@ class Marks {
   Face m_hoveredFace = kNone;
   std::bitset<kParts> m_stale;
 
-  LiftedActor m_faces;
+  DepthOffsetActor m_faces;
   FaceActors m_selected;
   FaceActors m_highlighted;
-  LiftedActor m_hovered;
-  LiftedActor m_preview;
+  DepthOffsetActor m_hovered;
+  DepthOffsetActor m_preview;
   StrokeActors m_previewEdges;
   CasedStrokes m_plainLoops;
   CasedStrokes m_strongLoops;

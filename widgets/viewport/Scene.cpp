@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/Scene.h"
 
+#include "viewport/DepthOffsetActor.h"
 #include "viewport/LayerFrame.h"
-#include "viewport/LiftedActor.h"
 
 #include <vtkCamera.h>
 #include <algorithm>

@@ -14,7 +14,7 @@
 #include "robot/program/PathFile.h"
 #include "tools/cell/ConfigurationOperation.h"
 #include "tools/cell/ConfigurationPoses.h"
-#include "tools/cell/path/WayText.h"
+#include "tools/cell/path/IkSolutionText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ Result<nlohmann::json> waysJson(const OperationValues& values, const RobotCellSn
   const Result<CellScene> scene = sceneOf(cell, meshes);
   if (!scene) return scene.error();
   nlohmann::json list = nlohmann::json::array();
-  for (const CellWay& way : waysTo(*scene, *cell.plans, *pose, scene->planned(cell.joints))) {
+  for (const CellIkSolution& way : ikSolutionsTo(*scene, *cell.plans, *pose, scene->planned(cell.joints))) {
     const QString stance = way.arm.stance ? stanceText(*way.arm.stance) : QString();
     list.push_back({{"joints", toJson(cell.robot->model, scene->whole(way.arm.values))},
                     {"stance", stance.toStdString()},

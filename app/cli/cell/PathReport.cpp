@@ -114,7 +114,7 @@ nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const Che
   file["joints"] = nlohmann::json::array();
   for (const std::uint32_t dof : scene.dofs) file["joints"].push_back(robot.jointOfDof(dof).name);
   file["waypoints"] = nlohmann::json::array();
-  for (const PathPlace& place : path.places) {
+  for (const Waypoint& place : path.places) {
     const ArmValues values = scene.planned(place.joints);
     file["waypoints"].push_back(std::vector<double>(values.begin(), values.end()));
   }

@@ -17,7 +17,7 @@ namespace {
 
 Result<PlannedAndChecked> planned(const OperationValues& values, const CellScene& scene, const RobotCellSnapshot& cell,
                                   Progress progress) {
-  const Result<std::vector<PathPlace>> places = placesOf(values, scene, cell);
+  const Result<std::vector<Waypoint>> places = placesOf(values, scene, cell);
   if (!places) return places.error();
   const RouteSettings settings = routeSettingsOf(values, *cell.plans);
   Result<PlannedPath> path = plannedThrough(scene, *cell.plans, *places, settings, progress.part(0.0, 0.8));
@@ -29,7 +29,7 @@ Result<PlannedAndChecked> planned(const OperationValues& values, const CellScene
 int runComparison(const Arguments& arguments, const OperationValues& values, const CellFile& file) {
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
-  Result<std::vector<PathPlace>> places = Error{};
+  Result<std::vector<Waypoint>> places = Error{};
   std::vector<ComparedPath> paths;
   runInterruptible("Planning", [&](CommandJob& job) {
     scene = sceneOf(*file.cell, meshes);

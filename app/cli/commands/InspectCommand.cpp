@@ -10,8 +10,8 @@
 #include "cli/ReportJson.h"
 #include "cli/ReportText.h"
 #include "document/Document.h"
+#include "document/mesh/ImplausibleUnit.h"
 #include "document/mesh/MeshSnapshot.h"
-#include "document/mesh/UnitDoubt.h"
 #include "document/workpiece/target/TargetImport.h"
 #include "text/NoteText.h"
 
@@ -100,9 +100,9 @@ std::vector<int> keptOpen(const MeshSnapshot& document) {
 }
 
 std::string unitText(const Input& input, const MeshReport& report) {
-  if (!isUnitDoubtful(input.opened.file, report.box)) return {};
+  if (!isUnitImplausible(input.opened.file, report.box)) return {};
   const bool isLarge = report.box.sizes().maxCoeff() > kLargestLikelySize;
-  return "\n" + noteText(unitDoubt(report.box)).toStdString() +
+  return "\n" + noteText(implausibleUnit(report.box)).toStdString() +
          (isLarge ? " 'handwheel edit' with the step 'place --unit um' converts it from micrometres.\n"
                   : " 'handwheel edit' with the step 'place --unit m' converts it from metres; cm and in are possible, "
                     "too.\n");
@@ -120,7 +120,7 @@ nlohmann::ordered_json meshJson(const Input& input, const MeshReport& report) {
   const MeshSnapshot* document = input.meshDocument();
   nlohmann::ordered_json json = document ? heading(input.opened) : nlohmann::ordered_json();
   json.update(handwheel::toJson(report));
-  json["unit_doubtful"] = isUnitDoubtful(input.opened.file, report.box);
+  json["unit_doubtful"] = isUnitImplausible(input.opened.file, report.box);
   if (!document) return json;
   json["kept_open"] = keptOpen(*document);
   return json;

@@ -3,7 +3,7 @@
 #include "cli/mesh/RepairJob.h"
 
 #include "cli/Input.h"
-#include "cli/mesh/UntouchedCheck.h"
+#include "cli/mesh/UnmodifiedVerticesCheck.h"
 #include "document/formats/MeshExport.h"
 #include "document/formats/threemf/ThreeMfWriter.h"
 #include "document/mesh/MeshKind.h"
@@ -20,8 +20,8 @@ namespace {
 const Error kCancelled{ErrorCode::Cancelled, {}, {}, {}};
 
 // Vertices of the input among both lists, each once.
-std::vector<Vertex> touchedInputs(std::vector<Vertex> repaired, const std::vector<Vertex>& parted,
-                                  std::size_t inputVertices) {
+std::vector<Vertex> modifiedInputs(std::vector<Vertex> repaired, const std::vector<Vertex>& parted,
+                                   std::size_t inputVertices) {
   repaired.insert(repaired.end(), parted.begin(), parted.end());
   std::erase_if(repaired, [&](Vertex v) { return v >= inputVertices; });
   std::sort(repaired.begin(), repaired.end());
@@ -141,7 +141,7 @@ Result<Input> decode(std::string_view bytes, bool isContainer, const DocumentKin
   return input;
 }
 
-// Of what is to be written: its figures, and whether every untouched vertex is in it.
+// Of what is to be written: its figures, and whether every unmodified vertex is in it.
 Status measure(const RepairRequest& request, const DocumentKinds& kinds, const Work& work, RepairRun& run,
                Progress progress) {
   const Result<Input> written = decode(run.output, !work.numbers, kinds, progress.part(0.0, 0.3));
@@ -150,7 +150,7 @@ Status measure(const RepairRequest& request, const DocumentKinds& kinds, const W
     error.subject = request.output.string();
     return error;
   }
-  run.untouchedIdentical = untouchedAreIdentical(work.before.mesh, work.after, run.touched, written->mesh->soup);
+  run.unmodifiedIdentical = unmodifiedAreIdentical(work.before.mesh, work.after, run.modified, written->mesh->soup);
   run.after = reportOn(*written, SelfIntersections::Count, progress.part(0.3, 0.9));
   // What was read again holds the numbers as they are: only the word for their unit differs.
   if (request.unit != LengthUnit::Millimetre && work.numbers &&
@@ -196,7 +196,7 @@ Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& 
   run.output = std::move(encoded->bytes);
   run.repair.reversedFaces += work.before.report.reversedFaces.size();
   run.repair.separatedVertices += encoded->report.parted.size();
-  run.touched = touchedInputs(run.repair.touchedVertices, encoded->report.parted, work.before.mesh.vertexSlots());
+  run.modified = modifiedInputs(run.repair.modifiedVertices, encoded->report.parted, work.before.mesh.vertexSlots());
   const Status measured = measure(request, kinds, work, run, progress.part(0.85, 1.0));
   if (!measured) return measured.error();
   if (request.compare) {

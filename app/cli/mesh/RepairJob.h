@@ -33,8 +33,8 @@ struct RepairRun {
   MeshReport before;    // of the input as it was read, when it is inspected
   MeshReport after;     // of the bytes of the output, read again
   RepairReport repair;  // including the faces flipped while building the mesh, and the vertices split by the export
-  std::vector<Vertex> touched;         // vertices of the input that were moved, merged or split
-  bool untouchedIdentical = false;     // measured on the output bytes
+  std::vector<Vertex> modified;        // vertices of the input that were moved, merged or split
+  bool unmodifiedIdentical = false;    // measured on the output bytes
   std::optional<Deviation> deviation;  // of the result and the input, when they are compared
   DocumentFile file;                   // with what was lost on reading the input
   double roundingMove = 0.0;           // mm; the largest move of an input point by rounding to the output's number type

@@ -17,7 +17,7 @@
 #include "tools/scene/BodyDragTool.h"
 #include "window/CommandLines.h"
 #include "window/JobRunner.h"
-#include "window/cell/BodySight.h"
+#include "window/cell/BodyVisibility.h"
 #include "window/cell/CellBodies.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileDialogs.h"

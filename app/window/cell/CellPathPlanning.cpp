@@ -7,7 +7,7 @@
 #include "panels/LogModel.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
-#include "window/cell/PathRemark.h"
+#include "window/cell/PathStatus.h"
 #include "window/cell/PlanDialog.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
@@ -39,8 +39,8 @@ void CellPaths::verifyAgain() {
 void CellPaths::reportVerified(const PathResult& result) {
   const PathChecks::State state{&result, BasisChange::Nothing, false};
   const QString name = QString::fromStdString(result.basis.path.name);
-  const PathRemark remark = remarkOf(state, result.basis.path, cell().displayUnit(), QLocale());
-  const QString title = tr("%1 was verified: %2").arg(name, remark.summary);
+  const PathStatus status = pathStatusOf(state, result.basis.path, cell().displayUnit(), QLocale());
+  const QString title = tr("%1 was verified: %2").arg(name, status.summary);
   const bool isFree = result.found && result.found->isCertified;
   QStringList details = isFree || !result.found ? QStringList() : collisionsOf(*result.found);
   if (!result.problem.isEmpty()) details += result.problem;
@@ -61,11 +61,11 @@ void CellPaths::reportAllVerified() {
   int proven = 0;
   QStringList others;
   for (const RobotPath& each : plans().paths) {
-    const PathRemark remark = remarkOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
-    if (remark.isFree)
+    const PathStatus status = pathStatusOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
+    if (status.isFree)
       ++proven;
     else
-      others += tr("%1: %2").arg(QString::fromStdString(each.name), remark.summary);
+      others += tr("%1: %2").arg(QString::fromStdString(each.name), status.summary);
   }
   const auto failed = static_cast<int>(others.size());
   QString title = tr("%Ln path(s) proven", nullptr, proven);
@@ -83,7 +83,7 @@ void CellPaths::plan(const OperationValues& values) {
   const auto scene = m_collisions.scene();
   if (!scene) return reportUnprepared();
   const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
-  const Result<std::vector<PathPlace>> places = placesOf(values, *scene, *content);
+  const Result<std::vector<Waypoint>> places = placesOf(values, *scene, *content);
   if (!places) return report(places.error());
   const std::string name = plans().freePathName(values.isSet("name") ? values.text("name") : tr("Path").toStdString());
   startPlanning(*places, routeSettingsOf(values, plans()), name, tr("Plan %1"), [this, values] { plan(values); });
@@ -105,7 +105,7 @@ void CellPaths::planAgain() {
   startPlanning(present->places, routeSettingsOf(values, plans()), present->name, text, again);
 }
 
-void CellPaths::startPlanning(std::vector<PathPlace> places, const RouteSettings& settings, const std::string& name,
+void CellPaths::startPlanning(std::vector<Waypoint> places, const RouteSettings& settings, const std::string& name,
                               const QString& text, std::function<void()> again) {
   startPlanning([places = std::move(places), settings](
                     const CellScene& scene, const RobotCellSnapshot& content,

@@ -6,7 +6,7 @@
 #include "tools/cell/ProcessSettings.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
-#include "window/cell/PathRemark.h"
+#include "window/cell/PathStatus.h"
 #include "window/documents/DocumentTab.h"
 
 namespace handwheel {
@@ -37,10 +37,11 @@ std::vector<Property> CellPaths::resultProperties() const {
   const PlanTree::Entry entry = m_tree->current();
   const RobotPath* const of = entry.kind == PlanTree::Entry::Kind::Path ? plans().path(entry.name) : nullptr;
   if (!of) return {};
-  Property result{.id = "path.result",
-                  .group = QT_TRANSLATE_NOOP("Property", "Path"),
-                  .label = QT_TRANSLATE_NOOP("Property", "Verification"),
-                  .value = remarkOf(m_checks.stateOf(*of), *of, cell().displayUnit(), QLocale()).summary.toStdString()};
+  Property result{
+      .id = "path.result",
+      .group = QT_TRANSLATE_NOOP("Property", "Path"),
+      .label = QT_TRANSLATE_NOOP("Property", "Verification"),
+      .value = pathStatusOf(m_checks.stateOf(*of), *of, cell().displayUnit(), QLocale()).summary.toStdString()};
   result.editable = false;
   return {result};
 }

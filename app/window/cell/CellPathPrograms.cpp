@@ -8,7 +8,7 @@
 #include "robot/program/PathFile.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
-#include "window/cell/PathRemark.h"
+#include "window/cell/PathStatus.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileDialogs.h"
 
@@ -72,9 +72,9 @@ void CellPaths::requestProgram() {
     return found && (!isKnown || found->partMoved.empty());
   };
   if (!known) {
-    const PathRemark remark = remarkOf(m_checks.stateOf(*present), *present, cell().displayUnit(), QLocale());
+    const PathStatus status = pathStatusOf(m_checks.stateOf(*present), *present, cell().displayUnit(), QLocale());
     asked.title = tr("%1 is not proven as it is now").arg(name);
-    asked.detail = remark.text;
+    asked.detail = status.text;
     asked.advice = tr("Only what is proven free of collisions is exported.");
     asked.actionText = m_verify.text();
     asked.action = answer([this] { m_verify.trigger(); });

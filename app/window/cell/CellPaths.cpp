@@ -10,7 +10,7 @@
 #include "window/JobRunner.h"
 #include "window/cell/CellRobots.h"
 #include "window/cell/OfferedAction.h"
-#include "window/cell/PathRemark.h"
+#include "window/cell/PathStatus.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileDialogs.h"
 
@@ -249,10 +249,10 @@ void CellPaths::showPath() {
 }
 
 void CellPaths::update() {
-  std::map<std::string, PathRemark> remarks;
+  std::map<std::string, PathStatus> statuses;
   for (const RobotPath& each : plans().paths)
-    remarks[each.name] = remarkOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
-  m_tree->setPlans(plans(), m_document ? &cell().robot() : nullptr, remarks, m_targets.reach());
+    statuses[each.name] = pathStatusOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
+  m_tree->setPlans(plans(), m_document ? &cell().robot() : nullptr, statuses, m_targets.reach());
   offerActions();
   showDetail();
 }
@@ -265,8 +265,8 @@ void CellPaths::showDetail() {
   const RobotPath* const of =
       entry.kind == Kind::Path || entry.kind == Kind::Place ? plans().path(entry.name) : nullptr;
   if (of) {
-    const PathRemark remark = remarkOf(m_checks.stateOf(*of), *of, cell().displayUnit(), QLocale());
-    text = remark.isFree ? remark.summary : remark.details;
+    const PathStatus status = pathStatusOf(m_checks.stateOf(*of), *of, cell().displayUnit(), QLocale());
+    text = status.isFree ? status.summary : status.details;
   } else if (const auto reach = m_targets.reach().find(entry.name);
              entry.kind == Kind::Target && reach != m_targets.reach().end()) {
     text = reach->second.remark;

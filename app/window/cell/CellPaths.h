@@ -90,7 +90,7 @@ class CellPaths : public QObject {
   void optimise();
   void takeOptimised(const OptimisedPath& optimised);
   // again: what begins the same once more, for the cell as it is then.
-  void startPlanning(std::vector<PathPlace> places, const RouteSettings& settings, const std::string& name,
+  void startPlanning(std::vector<Waypoint> places, const RouteSettings& settings, const std::string& name,
                      const QString& text, std::function<void()> again);
   using Planning = std::function<Result<PlannedPath>(const CellScene& scene, const RobotCellSnapshot& cell, Progress)>;
   static Planning processPlanning(const OperationValues& values, std::shared_ptr<const PartSurface> surface,

@@ -133,7 +133,7 @@ void CellPaths::goToTarget(const std::string& name) {
   const auto scene = m_collisions.scene();
   if (!scene) return reportUnprepared();
   const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
-  const Result<PathPlace> place = placeCalled(*scene, *content, name, cell().joints());
+  const Result<Waypoint> place = placeCalled(*scene, *content, name, cell().joints());
   if (!place) return report(place.error());
   if (auto edit = cell().jointEdit(place->joints))
     cell().commit(tr("Go to %1").arg(QString::fromStdString(name)), std::move(edit));
@@ -169,7 +169,7 @@ void CellPaths::insertHere() {
 void CellPaths::insertAt(std::size_t behind) {
   CellPlans changed = plans();
   RobotPath& of = *pathByHand(changed, path()->name);
-  PathPlace place{.joints = cell().joints()};
+  Waypoint place{.joints = cell().joints()};
   if (behind > 0)
     place.speed = of.places[behind - 1].motion == place.motion ? of.places[behind - 1].speed : place.speed;
   of.places.insert(of.places.begin() + static_cast<std::ptrdiff_t>(behind), std::move(place));

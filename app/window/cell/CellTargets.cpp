@@ -5,7 +5,7 @@
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/RobotCellDocument.h"
-#include "tools/cell/path/WayText.h"
+#include "tools/cell/path/IkSolutionText.h"
 #include "viewport/Viewport.h"
 #include "viewport/path/PathLayer.h"
 #include "window/JobRunner.h"
@@ -24,8 +24,8 @@ TargetReach reachOf(const CellScene& scene, const CellPlans& plans, const NamedT
                     const JointValues& joints) {
   const Result<Pose> pose = poseOfTarget(target, scene.bodies, scene.robot->model, joints);
   if (!pose) return {false, CellTargets::tr("its body was removed")};
-  const std::vector<CellWay> ways = waysTo(scene, plans, *pose, scene.planned(joints));
-  const auto count = std::count_if(ways.begin(), ways.end(), [](const CellWay& way) { return way.isFree(); });
+  const std::vector<CellIkSolution> ways = ikSolutionsTo(scene, plans, *pose, scene.planned(joints));
+  const auto count = std::count_if(ways.begin(), ways.end(), [](const CellIkSolution& way) { return way.isFree(); });
   const QString remark = ways.empty() ? CellTargets::tr("out of reach")
                          : count > 0  ? CellTargets::tr("%Ln configuration(s)", nullptr, static_cast<int>(count))
                                       : problemText(scene, ways.front());

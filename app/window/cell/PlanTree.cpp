@@ -45,13 +45,13 @@ PlanTree::Entry PlanTree::entryOf(const QTreeWidgetItem* item) const {
 }
 
 QTreeWidgetItem* PlanTree::add(QTreeWidgetItem* parent, const Entry& entry, const QString& text,
-                               const QString& remark) {
-  auto* item = new QTreeWidgetItem({text, remark});
+                               const QString& status) {
+  auto* item = new QTreeWidgetItem({text, status});
   item->setData(0, kKindRole, static_cast<int>(entry.kind));
   item->setData(0, kNameRole, QString::fromStdString(entry.name));
   item->setData(0, kPlaceRole, static_cast<qulonglong>(entry.place));
   item->setToolTip(0, text);
-  item->setToolTip(1, remark);
+  item->setToolTip(1, status);
   const bool isNamed = entry.kind != Entry::Kind::Place && entry.kind != Entry::Kind::Robot;
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | (isNamed ? Qt::ItemIsEditable : Qt::NoItemFlags));
   parent->addChild(item);
@@ -70,7 +70,7 @@ void PlanTree::addRobots(const CellPlans& plans, const CellRobot& robot) {
 }
 
 void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
-                        const std::map<std::string, PathRemark>& remarks,
+                        const std::map<std::string, PathStatus>& statuses,
                         const std::map<std::string, TargetReach>& reach) {
   m_isFilling = true;
   const Entry before = current();
@@ -82,7 +82,7 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
     if (entry.kind == Entry::Kind::Path && !(*it)->isExpanded()) collapsed.insert(entry.name);
   }
   clear();
-  const auto placeText = [](const PathPlace& place, std::size_t number) {
+  const auto placeText = [](const Waypoint& place, std::size_t number) {
     const QString name = QString::fromStdString(place.name);
     if (!name.isEmpty()) return tr("%1: %2").arg(number + 1).arg(name);
     return place.isCritical ? tr("%1: critical").arg(number + 1) : QString::number(number + 1);
@@ -101,13 +101,13 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
   auto* paths = new QTreeWidgetItem(this, {tr("Paths")});
   paths->setFlags(Qt::ItemIsEnabled);
   for (const RobotPath& path : plans.paths) {
-    const auto known = remarks.find(path.name);
-    const PathRemark remark = known == remarks.end() ? PathRemark() : known->second;
+    const auto known = statuses.find(path.name);
+    const PathStatus status = known == statuses.end() ? PathStatus() : known->second;
     const QString owner = ofOther(path.arm);
     QTreeWidgetItem* item = add(paths, {Entry::Kind::Path, path.name}, QString::fromStdString(path.name),
-                                owner.isEmpty() ? remark.text : tr("%1: %2").arg(owner, remark.text));
-    item->setToolTip(1, remark.details);
-    if (!remark.icon.isEmpty()) item->setIcon(0, icon(remark.icon));
+                                owner.isEmpty() ? status.text : tr("%1: %2").arg(owner, status.text));
+    item->setToolTip(1, status.details);
+    if (!status.icon.isEmpty()) item->setIcon(0, icon(status.icon));
     for (std::size_t i = 0; i < std::min(path.places.size(), kMostPlaces); ++i) {
       add(item, {Entry::Kind::Place, path.name, i}, placeText(path.places[i], i),
           path.places[i].motion == ProgramMotion::Kind::Linear ? tr("straight line") : QString());

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "window/cell/CellTargets.h"
-#include "window/cell/PathRemark.h"
+#include "window/cell/PathStatus.h"
 
 #include <QTreeWidget>
 #include <map>
@@ -27,8 +27,8 @@ class PlanTree : public QTreeWidget {
 
   explicit PlanTree(QWidget* parent = nullptr);
 
-  // remarks: what is known of each path, by its name; reach: of targets. robot: null where there is no cell.
-  void setPlans(const CellPlans& plans, const CellRobot* robot, const std::map<std::string, PathRemark>& remarks,
+  // statuses: what is known of each path, by its name; reach: of targets. robot: null where there is no cell.
+  void setPlans(const CellPlans& plans, const CellRobot* robot, const std::map<std::string, PathStatus>& statuses,
                 const std::map<std::string, TargetReach>& reach);
   Entry current() const;
   void select(const Entry& entry);
@@ -45,7 +45,7 @@ class PlanTree : public QTreeWidget {
  private:
   Entry entryOf(const QTreeWidgetItem* item) const;
   void addRobots(const CellPlans& plans, const CellRobot& robot);
-  QTreeWidgetItem* add(QTreeWidgetItem* parent, const Entry& entry, const QString& text, const QString& remark);
+  QTreeWidgetItem* add(QTreeWidgetItem* parent, const Entry& entry, const QString& text, const QString& status);
 
   bool m_isFilling = false;
 };

@@ -7,9 +7,9 @@
 #include "document/cell/RobotCellDocument.h"
 #include "fidelity/Cases.h"
 #include "robot/arm/IkFidelity.h"
-#include "tools/cell/ArmWaysTool.h"
 #include "tools/cell/CellTool.h"
-#include "tools/cell/FaceSnapTool.h"
+#include "tools/cell/FaceMateTool.h"
+#include "tools/cell/IkSolutionsTool.h"
 #include "tools/cell/ProcessTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/PartsLayer.h"
@@ -42,18 +42,18 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                             tr("Lead the robot's tool by hand; the arm follows without collisions"),
                             QStringLiteral("lead"),
                             QKeySequence(Qt::SHIFT | Qt::Key_J),
-                            [this] { return leadTool(); },
+                            [this] { return handGuidingTool(); },
                             "lead",
-                            LeadTool::keys()};
+                            HandGuidingTool::keys()};
   const ToolDescriptor ways{
       QStringLiteral("armWaysTool"),
       tr("&Choose the arm's configuration"),
       tr("Show all configurations in which the arm reaches a pose of its tool: shoulder, elbow and wrist"),
       QStringLiteral("arm-ways"),
       QKeySequence(Qt::SHIFT | Qt::Key_K),
-      [this] { return armWaysTool(); },
+      [this] { return ikSolutionsTool(); },
       "ways",
-      ArmWaysTool::keys()};
+      IkSolutionsTool::keys()};
   const ToolDescriptor place{QStringLiteral("placeTool"),
                              tr("Place a body or robot with &handles"),
                              tr("Move and turn the selected body, or the base of the selected robot, along and about "
@@ -68,9 +68,9 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                             tr("Lay a body with one of its faces on a face of another"),
                             QStringLiteral("face-to-face"),
                             QKeySequence(Qt::SHIFT | Qt::Key_B),
-                            [this] { return faceSnapTool(); },
+                            [this] { return faceMateTool(); },
                             "snap",
-                            FaceSnapTool::keys()};
+                            FaceMateTool::keys()};
   return {joints, lead, ways, place, snap, process, measureParts()};
 }
 
@@ -93,26 +93,26 @@ std::unique_ptr<Tool> RobotCellUi::processTool() {
   return std::make_unique<ProcessTool>(cell, std::move(services));
 }
 
-std::unique_ptr<Tool> RobotCellUi::leadTool() {
-  LeadServices services;
+std::unique_ptr<Tool> RobotCellUi::handGuidingTool() {
+  HandGuidingServices services;
   services.scene = [this] { return m_collisions.scene(); };
   services.mark = [this](DisplayModel& shown, const JointValues& joints) { m_collisions.mark(shown, joints); };
   services.addPlace = [this] { m_paths.addPlace(); };
   services.time = [this] { return 1e-3 * static_cast<double>(m_clock.elapsed()); };
   services.tolerance = parts().fidelity.values().of(proximityToleranceSetting());
   services.ikTolerance = parts().fidelity.values().of(ikToleranceSetting());
-  services.tries = &m_tries[document()];
+  services.trials = &m_trials[document()];
   services.guide = [this](const std::string& path) {
     return m_guides.of(path, static_cast<const RobotCellDocument&>(document()->document).plans());
   };
-  return std::make_unique<LeadTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
+  return std::make_unique<HandGuidingTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
 }
 
-std::unique_ptr<Tool> RobotCellUi::armWaysTool() {
-  ArmWaysServices services;
+std::unique_ptr<Tool> RobotCellUi::ikSolutionsTool() {
+  IkSolutionsServices services;
   services.scene = [this] { return m_collisions.scene(); };
   services.mark = [this](DisplayModel& shown, const JointValues& joints) { m_collisions.mark(shown, joints); };
-  return std::make_unique<ArmWaysTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
+  return std::make_unique<IkSolutionsTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
 }
 
 PlaceServices RobotCellUi::placeServices() {
@@ -155,9 +155,9 @@ std::unique_ptr<Tool> RobotCellUi::placeTool() {
   return std::make_unique<PlaceTool>(cell, m_bodies.selection(), placeServices());
 }
 
-std::unique_ptr<Tool> RobotCellUi::faceSnapTool() {
+std::unique_ptr<Tool> RobotCellUi::faceMateTool() {
   auto& cell = static_cast<RobotCellDocument&>(document()->document);
-  return std::make_unique<FaceSnapTool>(cell, m_bodies.selection(), placeServices());
+  return std::make_unique<FaceMateTool>(cell, m_bodies.selection(), placeServices());
 }
 
 std::unique_ptr<Tool> RobotCellUi::handTool() {

@@ -20,7 +20,7 @@
 #include "viewport/surface/PartsLayer.h"
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
-#include "window/cell/BodySight.h"
+#include "window/cell/BodyVisibility.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/tools/ToolHost.h"
@@ -235,7 +235,7 @@ DisplayModel RobotCellUi::displayed(const Document& document) const {
 }
 
 void RobotCellUi::forget(DocumentTab* document) {
-  m_tries.erase(document);
+  m_trials.erase(document);
   m_said.erase(&document->document);
   m_paths.forget(document);
   parts().jobs.cancelOf(document);
@@ -372,7 +372,7 @@ void RobotCellUi::markSelected(bool isCovered) {
 void RobotCellUi::lookAgain() {
   const auto shown = m_isCovered ? shownBody(document()->document) : std::nullopt;
   const BodyPointer body = shown ? placedBody(shown->id) : nullptr;
-  if (body) markSelected(sightOf(*body, parts().viewport) == BodySight::Covered);
+  if (body) markSelected(visibilityOf(*body, parts().viewport) == BodyVisibility::Covered);
 }
 
 // The body as it stands in the view.
@@ -386,8 +386,9 @@ void RobotCellUi::reveal(BodyId id, bool isNew) {
   const BodyPointer body = placedBody(id);
   if (!body || !body->visible || body->geometry->bounds().isEmpty()) return;
   Viewport& view = parts().viewport;
-  if (sightOf(*body, view) == BodySight::Outside) isNew ? view.fit() : view.flyTo(boundsOf(*body), Vec3::Zero());
-  const bool isCovered = sightOf(*body, view) == BodySight::Covered;
+  if (visibilityOf(*body, view) == BodyVisibility::Outside)
+    isNew ? view.fit() : view.flyTo(boundsOf(*body), Vec3::Zero());
+  const bool isCovered = visibilityOf(*body, view) == BodyVisibility::Covered;
   markSelected(isCovered);
   if (!isCovered || !isNew) return;
   say({Message::Weight::Info,

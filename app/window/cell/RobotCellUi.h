@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tools/cell/HandGuidingTool.h"
 #include "tools/cell/JointDragTool.h"
-#include "tools/cell/LeadTool.h"
 #include "tools/cell/PlaceTool.h"
 #include "window/cell/CellBodies.h"
 #include "window/cell/CellCollisions.h"
@@ -54,10 +54,10 @@ class RobotCellUi : public RigidPartsUi {
  private:
   std::unique_ptr<Tool> handTool();
   std::unique_ptr<Tool> processTool();
-  std::unique_ptr<Tool> leadTool();
-  std::unique_ptr<Tool> armWaysTool();
+  std::unique_ptr<Tool> handGuidingTool();
+  std::unique_ptr<Tool> ikSolutionsTool();
   std::unique_ptr<Tool> placeTool();
-  std::unique_ptr<Tool> faceSnapTool();
+  std::unique_ptr<Tool> faceMateTool();
   PlaceServices placeServices();
   std::optional<RobotCellPick> pickCell(const Ray& ray) const;
   std::vector<Property> panelProperties(const Document& document) const override;
@@ -96,7 +96,7 @@ class RobotCellUi : public RigidPartsUi {
   PathGuides m_guides;
   QPointer<QWidget> m_panel;
   QElapsedTimer m_clock;
-  std::map<const DocumentTab*, std::vector<LeadTry>> m_tries;
+  std::map<const DocumentTab*, std::vector<HandGuidingTrial>> m_trials;
   bool m_showsRow = true;         // in the panel, not the selected body: it was selected later
   bool m_isCovered = false;       // the selected body was, when it was last looked for
   std::optional<Body> m_dragged;  // where it stands while it is dragged

@@ -5,7 +5,7 @@
 #include "document/DocumentKind.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
-#include "tools/WorkUnderWay.h"
+#include "tools/UnfinishedGesture.h"
 #include "window/WindowServices.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
@@ -98,17 +98,17 @@ void Autosave::watch(ToolHost& tools) {
 }
 
 // Of the tool that runs; null: it has none.
-WorkUnderWay* Autosave::work() const {
+UnfinishedGesture* Autosave::work() const {
   if (!m_tools) return nullptr;
-  return const_cast<WorkUnderWay*>(dynamic_cast<const WorkUnderWay*>(m_tools->runner().tool()));
+  return const_cast<UnfinishedGesture*>(dynamic_cast<const UnfinishedGesture*>(m_tools->runner().tool()));
 }
 
 // Null: nothing is under way in this document.
 SnapshotPointer Autosave::workOn(const DocumentTab& document) const {
-  WorkUnderWay* const under = work();
+  UnfinishedGesture* const under = work();
   if (!under || m_tools->runner().document() != &document.document) return nullptr;
   SnapshotPointer value;
-  m_tools->runner().deliver([&] { value = under->withWork(); });
+  m_tools->runner().deliver([&] { value = under->withGesture(); });
   return value;
 }
 

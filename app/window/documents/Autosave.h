@@ -23,7 +23,7 @@ class FileLoader;
 class LogModel;
 class ToolHost;
 class WindowServices;
-class WorkUnderWay;
+class UnfinishedGesture;
 struct DocumentTab;
 
 // Saves modified documents to the recovery folder. This is done soon after each edit, so that a kill takes nothing that
@@ -60,7 +60,7 @@ class Autosave : public QObject {
   void rest();
   void saveChanged(DocumentTab* document);
   void saveWork();
-  WorkUnderWay* work() const;
+  UnfinishedGesture* work() const;
   SnapshotPointer workOn(const DocumentTab& document) const;
   void save(DocumentTab* document, SnapshotPointer content);
   void noteCost(DocumentTab* document, std::chrono::milliseconds cost);

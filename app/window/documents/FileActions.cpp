@@ -11,7 +11,7 @@
 #include "window/documents/FileFilters.h"
 #include "window/documents/RecentFiles.h"
 #include "window/documents/Samples.h"
-#include "window/kinds/BesideFiles.h"
+#include "window/kinds/CompanionFiles.h"
 #include "window/kinds/KindUi.h"
 
 #include <QDir>
@@ -163,8 +163,8 @@ void FileActions::openPaths(const QStringList& paths) {
 // A file that is no document, but is opened beside one: says so, and offers a new document or one that is open.
 bool FileActions::offerBeside(const QString& path) {
   for (const auto& [kind, ui] : m_uis) {
-    const auto* const files = dynamic_cast<const BesideFiles*>(ui.get());
-    const auto offer = files ? files->besideOffer(path) : std::nullopt;
+    const auto* const files = dynamic_cast<const CompanionFiles*>(ui.get());
+    const auto offer = files ? files->companionOffer(path) : std::nullopt;
     if (!offer) continue;
     Message message{Message::Weight::Warning, offer->title, offer->detail, offer->advice};
     message.actionText = offer->action;
@@ -194,7 +194,7 @@ QString FileActions::iconNameFor(const QString& path) const {
 void FileActions::askForFiles() {
   QStringList beside;
   for (const auto& [kind, ui] : m_uis)
-    if (const auto* const files = dynamic_cast<const BesideFiles*>(ui.get())) beside << files->besideFilter();
+    if (const auto* const files = dynamic_cast<const CompanionFiles*>(ui.get())) beside << files->companionFilter();
   auto* dialog = new QFileDialog(m_window, tr("Open files"), lastFolder(),
                                  openFilters(m_kinds, beside).join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("openDialog"));

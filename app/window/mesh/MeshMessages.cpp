@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/MeshMessages.h"
 
+#include "document/mesh/ImplausibleUnit.h"
 #include "document/mesh/MeshDocument.h"
-#include "document/mesh/UnitDoubt.h"
 #include "text/ErrorText.h"
 #include "text/NoteText.h"
 #include "window/documents/FileLoader.h"
@@ -68,18 +68,18 @@ Message jobFailedMessage(const Document& document, const QString& job, const Err
           .about = &document};
 }
 
-std::optional<Message> unitDoubtMessage(const MeshDocument& document) {
-  const auto isDoubtful = [&document] { return isUnitDoubtful(document.file(), document.defects().box); };
-  if (!isDoubtful()) return std::nullopt;
+std::optional<Message> implausibleUnitMessage(const MeshDocument& document) {
+  const auto isImplausible = [&document] { return isUnitImplausible(document.file(), document.defects().box); };
+  if (!isImplausible()) return std::nullopt;
   return Message{.weight = Message::Weight::Warning,
                  .title = MeshMessagesWords::tr("Is %1 in millimetres?").arg(document.name()),
-                 .detail = noteText(unitDoubt(document.defects().box)),
+                 .detail = noteText(implausibleUnit(document.defects().box)),
                  .advice = MeshMessagesWords::tr("Lengths, such as a wall thickness, depend on it. Change the unit "
                                                  "before you repair."),
                  .actionText = MeshMessagesWords::tr("Change unit…"),
                  .about = &document,
                  .topic = kOpeningTopic,
-                 .isOver = [isDoubtful] { return !isDoubtful(); }};
+                 .isOver = [isImplausible] { return !isImplausible(); }};
 }
 
 }  // namespace handwheel

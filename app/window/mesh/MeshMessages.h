@@ -27,6 +27,6 @@ Message piecesDeletedMessage(const MeshDocument& document, std::size_t pieces, s
 // A job failed; nothing was changed. job: its name.
 Message jobFailedMessage(const Document& document, const QString& job, const Error& error);
 // The size of a mesh that was just opened is unlikely in mm; none where it is not. Its action is to be added.
-std::optional<Message> unitDoubtMessage(const MeshDocument& document);
+std::optional<Message> implausibleUnitMessage(const MeshDocument& document);
 
 }  // namespace handwheel

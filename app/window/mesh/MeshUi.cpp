@@ -177,7 +177,7 @@ std::unique_ptr<DocumentTab> MeshUi::open(std::unique_ptr<Document> document) {
 }
 
 void MeshUi::opened(DocumentTab& tab) {
-  auto doubt = unitDoubtMessage(static_cast<MeshTab&>(tab).document);
+  auto doubt = implausibleUnitMessage(static_cast<MeshTab&>(tab).document);
   if (!doubt) return;
   doubt->action = [this, &tab] {
     m_parts.tabs.setCurrent(&tab);
@@ -221,7 +221,7 @@ void MeshUi::refreshVisibility() {
 
 void MeshUi::showPreview(const ToolPreview& preview) {
   const MeshPreview onMesh = meshPreviewOf(preview);
-  m_layer->setLiveMesh(onMesh.live);
+  m_layer->setPreviewMesh(onMesh.previewMesh);
   m_layer->setHighlightedFaces(onMesh.highlighted);
   m_selectedInTool = onMesh.selected;
   selectFaces();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/NextSteps.h"
 
-#include "panels/defects/RepairAccount.h"
+#include "panels/defects/RepairSummary.h"
 #include "text/RepairText.h"
 #include "theme/DefectColours.h"
 #include "theme/Theme.h"
@@ -49,7 +49,7 @@ QString otherFindings(const Inspection& inspection, Compared compared) {
 
 // "168 of 172 self-intersections removed, new: 2 non-manifold edges.": what the repair has changed.
 QString comparison(const Inspection& inspection) {
-  return sentence(repairAccount(inspection));
+  return sentence(defectSummary(inspection));
 }
 
 // "Hole 3 stays open: every patch would cross the part." for the first few.
@@ -186,7 +186,7 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
 // After a repair that left something.
 NextStep leftStep(const MeshTab& document, const NextStepActions& actions) {
   const Inspection& inspection = document.inspection;
-  // The same number as in the account, where a hole that was left in pieces counts once.
+  // The same number as in the summary, where a hole that was left in pieces counts once.
   const std::size_t failed = inspection.loopOutcomes().holes.failed;
   const auto holes = static_cast<int>(failed > 0 ? failed : inspection.count(DefectKind::Hole));
   NextStep left{QStringLiteral("warning"),

@@ -295,7 +295,7 @@ NextStep WorkpieceUi::nextStep() {
           panelActions()};
 }
 
-std::optional<BesideFiles::Offer> WorkpieceUi::besideOffer(const QString& path) const {
+std::optional<CompanionFiles::Offer> WorkpieceUi::companionOffer(const QString& path) const {
   if (!isProgramName(path)) return {};
   return Offer{tr("%1 is a program for a lathe").arg(QFileInfo(path).fileName()),
                tr("A program is opened in the program editor of the workpiece that it turns."),
@@ -303,7 +303,7 @@ std::optional<BesideFiles::Offer> WorkpieceUi::besideOffer(const QString& path) 
                tr("Open on a new bar")};
 }
 
-QString WorkpieceUi::besideFilter() const {
+QString WorkpieceUi::companionFilter() const {
   return tr("Programs (%1)").arg(programNameFilter());
 }
 

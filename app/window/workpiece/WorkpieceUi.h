@@ -3,7 +3,7 @@
 #pragma once
 
 #include "simulation/turning/TurningForce.h"
-#include "window/kinds/BesideFiles.h"
+#include "window/kinds/CompanionFiles.h"
 #include "window/kinds/RigidPartsUi.h"
 #include "window/workpiece/DimensionsView.h"
 #include "window/workpiece/LatheView.h"
@@ -18,7 +18,7 @@ class TurnTool;
 struct TurningTask;
 
 // The user interface of workpieces: the stock and its dimensions.
-class WorkpieceUi : public RigidPartsUi, public BesideFiles {
+class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   Q_OBJECT
 
  public:
@@ -39,8 +39,8 @@ class WorkpieceUi : public RigidPartsUi, public BesideFiles {
   }
   void refreshVisibility() override;
   bool take(const QString& path) override { return m_program.take(path); }
-  std::optional<Offer> besideOffer(const QString& path) const override;
-  QString besideFilter() const override;
+  std::optional<Offer> companionOffer(const QString& path) const override;
+  QString companionFilter() const override;
   QString unsavedBeside(const DocumentTab& document) const override { return m_program.unsavedOf(document); }
   void saveBeside(DocumentTab& document, std::function<void(bool)> ended) override {
     m_program.saveOf(document, std::move(ended));

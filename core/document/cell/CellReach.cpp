@@ -57,12 +57,13 @@ NamedTarget onBody(NamedTarget target, const Body& body, const RobotModel& robot
   return target;
 }
 
-std::vector<CellWay> waysTo(const CellScene& scene, const CellPlans& plans, const Pose& pose, const ArmValues& near) {
+std::vector<CellIkSolution> ikSolutionsTo(const CellScene& scene, const CellPlans& plans, const Pose& pose,
+                                          const ArmValues& near) {
   MotionCheckSettings check;
   check.clearance = plans.clearance;
-  std::vector<CellWay> ways;
+  std::vector<CellIkSolution> ways;
   for (ArmSolution& solution : solutionsFor(scene.arm, tipFor(pose, plans.tool), near)) {
-    CellWay way{std::move(solution)};
+    CellIkSolution way{std::move(solution)};
     if (way.isWithinLimits()) way.blocked = blockerAt(scene.scene, way.arm.values, check);
     ways.push_back(std::move(way));
   }
@@ -70,11 +71,11 @@ std::vector<CellWay> waysTo(const CellScene& scene, const CellPlans& plans, cons
 }
 
 Result<ArmValues> nearestFree(const CellScene& scene, const CellPlans& plans, const Pose& pose, const ArmValues& near) {
-  const std::vector<CellWay> ways = waysTo(scene, plans, pose, near);
+  const std::vector<CellIkSolution> ways = ikSolutionsTo(scene, plans, pose, near);
   if (ways.empty()) return outOfReach(pose);
-  const auto found = std::find_if(ways.begin(), ways.end(), [](const CellWay& way) { return way.isFree(); });
+  const auto found = std::find_if(ways.begin(), ways.end(), [](const CellIkSolution& way) { return way.isFree(); });
   if (found != ways.end()) return found->arm.values;
-  const CellWay& nearest = ways.front();
+  const CellIkSolution& nearest = ways.front();
   if (nearest.arm.beyond) {
     const auto dof = scene.dofs[static_cast<std::size_t>(*nearest.arm.beyond)];
     return beyondLimits(pose, scene.robot->model.jointOfDof(dof).name);

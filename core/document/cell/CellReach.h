@@ -20,20 +20,21 @@ Result<Pose> poseOfTarget(const NamedTarget& target, const BodySet& bodies, cons
 // A target at a pose in the frame of the base, on this body from now on.
 NamedTarget onBody(NamedTarget target, const Body& body, const RobotModel& robot, const JointValues& joints);
 
-// A way in which the robot brings its tool somewhere.
-struct CellWay {
+// A solution of the inverse kinematics in a cell: a way in which the robot brings its tool somewhere.
+struct CellIkSolution {
   ArmSolution arm;
-  RobotScene::Nearest blocked{};  // what is too near there; no link: nothing, or the way is beyond the limits
+  RobotScene::Nearest blocked{};  // what is too near there; no link: nothing, or it is beyond the limits
 
   bool isWithinLimits() const { return !arm.beyond; }
   bool isFree() const { return isWithinLimits() && blocked.link == kNone; }
 };
 
-// All ways to a pose of the tool, as solutionsFor() orders them, and what collides there, with the clearance of the
-// plans.
-std::vector<CellWay> waysTo(const CellScene& scene, const CellPlans& plans, const Pose& pose, const ArmValues& near);
+// All solutions for a pose of the tool, as solutionsFor() orders them, and what collides there, with the clearance of
+// the plans.
+std::vector<CellIkSolution> ikSolutionsTo(const CellScene& scene, const CellPlans& plans, const Pose& pose,
+                                          const ArmValues& near);
 
-// The joint values of the nearest way that is free. Errors: ToolOutOfReach, ToolBeyondLimits, ToolBlocked.
+// The joint values of the nearest solution that is free. Errors: ToolOutOfReach, ToolBeyondLimits, ToolBlocked.
 Result<ArmValues> nearestFree(const CellScene& scene, const CellPlans& plans, const Pose& pose, const ArmValues& near);
 
 // Where nothing is asked about collisions: the joints that bring the tool to a pose, the nearest to those given.

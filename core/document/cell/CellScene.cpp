@@ -175,7 +175,7 @@ std::set<std::string> CellScene::robotsElsewhere(const RobotPath& path) const {
     const auto base = path.bases.find(robot->arms[i].name);
     const bool isMoved =
         base != path.bases.end() && !basePose(robot->model, robot->arms[i]).isApprox(base->second, kRounded);
-    const auto standsElsewhere = [&](const PathPlace& place) {
+    const auto standsElsewhere = [&](const Waypoint& place) {
       return withJointsOf(*robot, i, others, place.joints) != others;
     };
     if (isMoved || std::any_of(path.places.begin(), path.places.end(), standsElsewhere))

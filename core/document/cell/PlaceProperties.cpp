@@ -18,7 +18,7 @@ constexpr double kLeastPercent = 0.1;
 constexpr double kLeastSpeed = 0.01, kLargestSpeed = 1e4;  // mm/s
 constexpr double kLargestBlend = 1e3;                      // mm
 
-bool isLine(const PathPlace& place) {
+bool isLine(const Waypoint& place) {
   return place.motion == ProgramMotion::Kind::Linear;
 }
 
@@ -26,7 +26,7 @@ bool isLine(const PathPlace& place) {
 
 std::vector<Property> placeProperties(const RobotPath& path, std::size_t place) {
   if (place == 0 || place >= path.places.size()) return {};
-  const PathPlace& at = path.places[place];
+  const Waypoint& at = path.places[place];
   const std::string prefix = "path." + path.name + "." + std::to_string(place + 1) + ".";
   const char* const kGroup = QT_TRANSLATE_NOOP("Property", "Place of the path");
   Property motion{.id = prefix + "motion",
@@ -69,7 +69,7 @@ std::optional<PlaceField> placeOfProperty(const CellPlans& plans, std::string_vi
 }
 
 void setMotion(RobotPath& path, std::size_t place, ProgramMotion::Kind kind) {
-  PathPlace& at = path.places[place];
+  Waypoint& at = path.places[place];
   if (at.motion == kind) return;
   at.motion = kind;
   at.speed = kind == ProgramMotion::Kind::Linear ? 250.0 : 0.25;
@@ -86,7 +86,7 @@ Result<CellPlans> changedPlace(const CellPlans& plans, const PlaceField& field, 
   const auto* const number = std::get_if<double>(&value);
   if (found == changed.paths.end() || field.place >= found->places.size() || !number || !std::isfinite(*number))
     return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
-  PathPlace& place = found->places[field.place];
+  Waypoint& place = found->places[field.place];
   for (const Property& each : placeProperties(*found, field.place)) {
     if (!each.id.ends_with("." + field.field)) continue;
     if (!each.choices.empty()) {

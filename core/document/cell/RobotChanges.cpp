@@ -82,7 +82,7 @@ class JointMapping {
   void apply(CellPlans& plans) const {
     for (NamedConfiguration& each : plans.configurations) each.joints = of(each.joints);
     for (RobotPath& path : plans.paths) {
-      for (PathPlace& place : path.places) place.joints = of(place.joints);
+      for (Waypoint& place : path.places) place.joints = of(place.joints);
     }
   }
 

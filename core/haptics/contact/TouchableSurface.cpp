@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/contact/TouchableSurface.h"
 
-#include "haptics/contact/ContactSeams.h"
+#include "haptics/contact/ContactGaps.h"
 
 #include <cassert>
 
@@ -12,7 +12,7 @@ ContactSurface touchableSurface(std::vector<Vec3> points, std::vector<Triangle> 
                                 std::span<const std::uint32_t> faces, Progress progress) {
   const std::size_t count = triangles.size();
   assert(faces.empty() || faces.size() == count);
-  closeSeams(points, triangles, progress.part(0.0, 0.3));
+  closeContactGaps(points, triangles, progress.part(0.0, 0.3));
   if (progress.cancelled()) return {};
   std::vector<ContactTriangle> all;
   all.reserve(triangles.size());

@@ -6,16 +6,16 @@
 
 namespace handwheel {
 
-// Creates a contact surface from a mesh, with its seams closed (closeSeams()). points, triangles: welded, equal points
-// have the same index. faces: the ids by which an editor knows the triangles; empty: their indices. Empty if cancelled.
-// O(n log n).
+// Creates a contact surface from a mesh, with its gaps closed (closeContactGaps()). points, triangles: welded, equal
+// points have the same index. faces: the ids by which an editor knows the triangles; empty: their indices. Empty if
+// cancelled. O(n log n).
 ContactSurface touchableSurface(std::vector<Vec3> points, std::vector<Triangle> triangles,
                                 std::span<const std::uint32_t> faces, Progress progress = {});
 
-// The id of a face in such a surface, for ContactSurface::update(). A seam stays as it was first closed: what an edit
-// leaves of it is no wider than a seam.
+// The id of a face in such a surface, for ContactSurface::update(). A gap stays as it was first closed: what an edit
+// leaves of it is no wider than a gap.
 constexpr std::uint32_t touchableNumber(std::uint32_t face) {
-  return 2 * face;  // odd ids are those of the strips in seams
+  return 2 * face;  // odd ids are those of the strips in gaps
 }
 
 }  // namespace handwheel

@@ -28,7 +28,7 @@ double score(const HalfEdgeMesh& mesh, std::size_t count) {
 }
 
 // The ways to lay two triangles along the line from one point to the other.
-std::vector<std::vector<Triangle>> ways(const HalfEdgeMesh& mesh, const BorderPair& ends) {
+std::vector<std::vector<Triangle>> ways(const HalfEdgeMesh& mesh, const BoundaryPair& ends) {
   const Vertex v = mesh.from(ends.a), w = mesh.from(ends.b);
   const Vertex afterV = mesh.to(ends.a), afterW = mesh.to(ends.b);
   const Vertex beforeV = mesh.from(previousOpen(mesh, ends.a)), beforeW = mesh.from(previousOpen(mesh, ends.b));
@@ -48,7 +48,7 @@ HalfEdge previousOpen(const HalfEdgeMesh& mesh, HalfEdge h) {
   return HalfEdgeMesh::previous(mesh.fan(h).back());
 }
 
-Box reachOf(const HalfEdgeMesh& mesh, const BorderPair& ends) {
+Box reachOf(const HalfEdgeMesh& mesh, const BoundaryPair& ends) {
   Box box;
   for (const HalfEdge end : {ends.a, ends.b}) {
     for (const HalfEdge h : {end, HalfEdgeMesh::next(end), previousOpen(mesh, end)}) {
@@ -59,7 +59,7 @@ Box reachOf(const HalfEdgeMesh& mesh, const BorderPair& ends) {
   return box;
 }
 
-Bridge findBridge(const FaceLocator& near, const BorderPair& ends) {
+Bridge findBridge(const FaceLocator& near, const BoundaryPair& ends) {
   const HalfEdgeMesh& mesh = near.mesh();
   Bridge best{JoinProblem::SamePoint, {}};
   if (mesh.position(mesh.from(ends.a)) == mesh.position(mesh.from(ends.b))) return best;

@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // A pair of border points, each given by the open half-edge that leaves it.
-struct BorderPair {
+struct BoundaryPair {
   HalfEdge a = kNone;
   HalfEdge b = kNone;
 };
@@ -19,7 +19,7 @@ HalfEdge previousOpen(const HalfEdgeMesh& mesh, HalfEdge h);
 
 // The bounding box of all that a bridge or weld between two points affects. It contains the faces around the two border
 // points and around their neighbours on the border.
-Box reachOf(const HalfEdgeMesh& mesh, const BorderPair& ends);
+Box reachOf(const HalfEdgeMesh& mesh, const BoundaryPair& ends);
 
 // The result of findBridge().
 struct Bridge {
@@ -32,6 +32,6 @@ struct Bridge {
 // falls into two, or an island is connected to the rim. Of the possible pairs the one whose triangles are best shaped
 // and bend least against their neighbours is taken. near: of this very mesh. The problem is that of the last pair tried
 // when none is free.
-Bridge findBridge(const FaceLocator& near, const BorderPair& ends);
+Bridge findBridge(const FaceLocator& near, const BoundaryPair& ends);
 
 }  // namespace handwheel

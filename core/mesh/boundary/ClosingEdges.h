@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "mesh/boundary/BorderVertices.h"
+#include "mesh/boundary/BoundaryVertices.h"
 #include "mesh/structure/PositionKey.h"
 
 namespace handwheel {
@@ -15,8 +15,8 @@ struct ClosingEdge {
 };
 
 // The edges that close when the second vertex of each pair moves onto the first. A pair that is in none of them only
-// touches: two parts that meet in a vertex, or that were separated there. pairs: as nearBorderVertices() returns them.
-// O(n log n) for the border. The result is invalid if cancelled.
+// touches: two parts that meet in a vertex, or that were separated there. pairs: as nearBoundaryVertices() returns
+// them. O(n log n) for the border. The result is invalid if cancelled.
 std::vector<ClosingEdge> closingEdges(const HalfEdgeMesh& mesh, const VertexPairs& pairs, Progress progress = {});
 
 // The pairs that are in one of these edges.

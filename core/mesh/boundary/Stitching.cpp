@@ -77,7 +77,7 @@ SplitClosing closingWhenSplit(const HalfEdgeMesh& mesh, double nearWeld, Progres
   HalfEdgeMesh split = mesh;
   if (splitTJunctions(split, {}, progress.part(0.0, 0.5), nearWeld) == 0) return {};
   SplitClosing closing;
-  closing.near = nearBorderVertices(split, {}, nearWeld, progress.part(0.5, 0.9));
+  closing.near = nearBoundaryVertices(split, {}, nearWeld, progress.part(0.5, 0.9));
   closing.edges = closingEdges(split, closing.near, progress.part(0.9, 1.0));
   closing.pairs = closingPairs(closing.near, closing.edges);
   return closing;
@@ -85,17 +85,17 @@ SplitClosing closingWhenSplit(const HalfEdgeMesh& mesh, double nearWeld, Progres
 
 }  // namespace
 
-std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress,
-                                  double nearWeld) {
+std::vector<Vertex> stitchBoundaries(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress,
+                                     double nearWeld) {
   Stitcher stitcher(mesh);
   const std::size_t vertices = mesh.vertexSlots();
-  const VertexPairs near = nearBorderVertices(mesh, fixed, nearWeld, progress.part(0.0, 0.15));
+  const VertexPairs near = nearBoundaryVertices(mesh, fixed, nearWeld, progress.part(0.0, 0.15));
   HalfEdgeMesh trial = mesh;
   std::vector<Vertex> moved = mergeClosingPairs(trial, near, progress.part(0.15, 0.3));
   if (!moved.empty() && !stitcher.keepIfBetter(std::move(trial), progress.part(0.3, 0.5))) moved.clear();
   trial = mesh;
   if (progress.cancelled() || splitTJunctions(trial, fixed, progress.part(0.5, 0.7), nearWeld) == 0) return moved;
-  const VertexPairs nearThen = nearBorderVertices(trial, fixed, nearWeld, progress.part(0.7, 0.75));
+  const VertexPairs nearThen = nearBoundaryVertices(trial, fixed, nearWeld, progress.part(0.7, 0.75));
   std::vector<Vertex> movedThen = mergeClosingPairs(trial, nearThen, progress.part(0.75, 0.8));
   if (!stitcher.keepIfBetter(std::move(trial), progress.part(0.8, 1.0))) return moved;
   std::erase_if(movedThen, [&](Vertex v) { return v >= vertices; });
@@ -104,7 +104,7 @@ std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& f
 }
 
 VertexPairs stitchablePairs(const HalfEdgeMesh& mesh, double nearWeld, Progress progress) {
-  const VertexPairs near = nearBorderVertices(mesh, {}, nearWeld, progress.part(0.0, 0.4));
+  const VertexPairs near = nearBoundaryVertices(mesh, {}, nearWeld, progress.part(0.0, 0.4));
   VertexPairs found = closingPairs(near, closingEdges(mesh, near, progress.part(0.4, 0.5)));
   if (found.size() == near.size()) return found;
   const VertexPairs more = closingWhenSplit(mesh, nearWeld, progress.part(0.5, 1.0)).pairs;
@@ -117,7 +117,7 @@ VertexPairs stitchablePairs(const HalfEdgeMesh& mesh, double nearWeld, Progress 
 }
 
 std::vector<bool> fixedBut(const HalfEdgeMesh& mesh, const VertexPairs& chosen, double nearWeld, Progress progress) {
-  const VertexPairs near = nearBorderVertices(mesh, {}, nearWeld, progress.part(0.0, 0.4));
+  const VertexPairs near = nearBoundaryVertices(mesh, {}, nearWeld, progress.part(0.0, 0.4));
   const std::vector<ClosingEdge> edges = closingEdges(mesh, near, progress.part(0.4, 0.5));
   std::vector<bool> fixed(mesh.vertexSlots(), true);
   const auto free = [&](Vertex v) {

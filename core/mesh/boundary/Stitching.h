@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/boundary/BorderVertices.h"
+#include "mesh/boundary/BoundaryVertices.h"
 
 namespace handwheel {
 
@@ -12,11 +12,12 @@ namespace handwheel {
 // fewer border edges and no more non-manifold edges result; then the mesh is relinked. At most three times the whole
 // mesh is linked, however much may not be merged. Returns the vertices that were moved onto another one. When
 // cancelled, some may be left.
-std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress = {},
-                                  double nearWeld = tolerance::kNearWeld);
+std::vector<Vertex> stitchBoundaries(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress = {},
+                                     double nearWeld = tolerance::kNearWeld);
 
-// The near vertices that stitchBorders() may merge: those that close an open edge with others, also once border edges
-// are split at the vertices on them. The rest only touches, which is no defect. The result is invalid if cancelled.
+// The near vertices that stitchBoundaries() may merge: those that close an open edge with others, also once border
+// edges are split at the vertices on them. The rest only touches, which is no defect. The result is invalid if
+// cancelled.
 VertexPairs stitchablePairs(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld, Progress progress = {});
 
 // The vertices to be fixed where only these pairs are to be merged, and what closes an edge only together with them.

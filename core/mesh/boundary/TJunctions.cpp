@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary/TJunctions.h"
 
-#include "mesh/boundary/BorderVertices.h"
+#include "mesh/boundary/BoundaryVertices.h"
 #include "mesh/structure/CancelPolling.h"
 
 #include <algorithm>
@@ -33,8 +33,8 @@ void splitAt(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p) {
 }
 
 // The position of a border vertex strictly inside the edge and within reach of it, nearest to its middle.
-std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const BorderVertices& vertices, double diagonal,
-                                 double nearWeld) {
+std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const BoundaryVertices& vertices,
+                                 double diagonal, double nearWeld) {
   const Vec3 a = mesh.position(mesh.from(h)), b = mesh.position(mesh.to(h));
   const Vec3 d = b - a;
   const double length = d.stableNorm();
@@ -65,7 +65,7 @@ std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const Bor
 }  // namespace
 
 std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress, double nearWeld) {
-  const BorderVertices vertices(mesh, fixed, progress.part(0.0, 0.3));
+  const BoundaryVertices vertices(mesh, fixed, progress.part(0.0, 0.3));
   const double diagonal = modelDiagonal(mesh);
   std::size_t splits = 0;
   const std::size_t limit = 4 * vertices.size();  // each vertex splits few edges; a bound against endless splitting

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/holes/FillCandidates.h"
 
+#include "mesh/holes/CreaseFill.h"
 #include "mesh/holes/FlatTriangulation.h"
 #include "mesh/holes/MinimalTriangulation.h"
-#include "mesh/holes/RidgeFill.h"
 
 #include <algorithm>
 #include <iterator>
@@ -51,7 +51,7 @@ FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacl
   m_own = m_makers.size();
   if (!options.tryOthers) return;
   for (FillMethod m : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
-    const bool isAdded = m == options.method || (m == FillMethod::Fair && options.method == FillMethod::Ridge);
+    const bool isAdded = m == options.method || (m == FillMethod::Fair && options.method == FillMethod::Crease);
     if (!isAdded) add(m);
   }
   // Least bend is what the choice among these goes by, but it takes long.
@@ -88,10 +88,10 @@ void FillCandidates::add(FillMethod method) {
     case FillMethod::Flat:
       m_makers.push_back([this] { return triangulateFlat(m_hole, m_progress); });
       break;
-    case FillMethod::Ridge:
+    case FillMethod::Crease:
       for (Continuity continuity : continuities()) {
         m_makers.push_back([this, continuity] {
-          return fillAlongRidges(m_hole, m_obstacles, m_options.density, continuity, m_progress);
+          return fillAlongCreases(m_hole, m_obstacles, m_options.density, continuity, m_progress);
         });
       }
       add(FillMethod::Fair);

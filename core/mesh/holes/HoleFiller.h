@@ -40,7 +40,7 @@ struct FillOptions {
   bool mayCross = false;  // accept patches that intersect or touch the part; the caller removes the intersections
   NumberType numbers = NumberType::Float64;
   double density = tolerance::kPatchDensity;  // of Fair and Refined; the setting mesh.patch_density
-  // Of Fair and Ridge: the setting mesh.fill_continuity. Where no patch with curvature continuity is acceptable, one
+  // Of Fair and Crease: the setting mesh.fill_continuity. Where no patch with curvature continuity is acceptable, one
   // with tangent continuity is tried.
   Continuity continuity = Continuity::Tangent;
   EarWeights ears = {};  // of Ear

@@ -78,7 +78,7 @@ class HoleSequence {
   bool bulges(std::size_t i) const {
     const FillAttempt& attempt = m_fills[i].attempt;
     return attempt.failure == FillFailure::None &&
-           (attempt.patch.method == FillMethod::Fair || attempt.patch.method == FillMethod::Ridge);
+           (attempt.patch.method == FillMethod::Fair || attempt.patch.method == FillMethod::Crease);
   }
 
   Box boxOf(std::size_t i) const {

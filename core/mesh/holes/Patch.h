@@ -16,7 +16,7 @@ enum class FillMethod {
   Minimal,         // CGAL's triangulation by dihedral angle and area, no new vertices
   Area,            // the triangulation of least area, no new vertices
   Dihedral,        // the triangulation whose largest bend is least, then of least area, no new vertices
-  Ridge,           // as Fair, with the creases that end at the hole continued through it
+  Crease,          // as Fair, with the creases that end at the hole continued through it
   Flat,            // triangulated in the best plane of the loop, no new vertices (triangulateFlat())
   Cone,            // triangles to one point before or behind the loop; only a repair does this
   ThickenedSheet,  // its sheet was thickened (thickenSheet()); only a repair does this

@@ -12,7 +12,7 @@ namespace handwheel {
 namespace {
 
 constexpr FillMethod kMethods[] = {FillMethod::Ear,  FillMethod::Minimal,  FillMethod::Refined, FillMethod::Fair,
-                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge,   FillMethod::Flat};
+                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Crease,  FillMethod::Flat};
 
 }  // namespace
 

@@ -17,7 +17,7 @@ FidelitySetting pieceEdgesSetting();       // mesh.piece_edges: FillOptions::pie
 FidelitySetting decimationErrorSetting();  // mesh.decimation_error: DecimationOptions::error, in diagonals
 FidelitySetting undoGranularitySetting();  // document.undo_granularity: MeshDelta::between()
 
-// The chosen fill method: one of Ear, Minimal, Refined, Fair, Area, Dihedral, Ridge.
+// The chosen fill method: one of Ear, Minimal, Refined, Fair, Area, Dihedral, Crease.
 FillMethod fillMethodOf(const FidelityValues& values);
 Continuity fillContinuityOf(const FidelityValues& values);
 

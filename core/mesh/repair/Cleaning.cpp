@@ -3,7 +3,7 @@
 #include "mesh/repair/Cleaning.h"
 
 #include "base/Tolerance.h"
-#include "mesh/boundary/BorderVertices.h"
+#include "mesh/boundary/BoundaryVertices.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/EdgeOperations.h"

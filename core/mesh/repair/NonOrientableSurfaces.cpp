@@ -212,14 +212,14 @@ NonOrientableCut cutNonOrientable(HalfEdgeMesh& mesh, double longest, NumberType
   return cut;
 }
 
-std::size_t closeNonOrientable(HalfEdgeMesh& mesh, const FillOptions& options, double longest, BorderCuts borderCuts,
-                               Progress progress, const FaceSelection* only) {
+std::size_t closeNonOrientable(HalfEdgeMesh& mesh, const FillOptions& options, double longest,
+                               BoundaryCuts boundaryCuts, Progress progress, const FaceSelection* only) {
   HalfEdgeMesh result = mesh;
   const NonOrientableCut cut = cutNonOrientable(result, longest, options.numbers, progress.part(0.0, 0.3), only);
   if (cut.loops == 0 || progress.cancelled()) return 0;
   const std::size_t crossings = countSelfIntersections(mesh, options.numbers, progress.part(0.3, 0.35));
   std::size_t allowed = countBadEdges(mesh, progress.part(0.35, 0.4));
-  if (borderCuts == BorderCuts::Yes) allowed += 2 * cut.opened;
+  if (boundaryCuts == BoundaryCuts::Yes) allowed += 2 * cut.opened;
   closeSlits(result, cut.vertices, options, progress.part(0.4, 0.9));
   const bool isSound =
       !progress.cancelled() && countBadEdges(result, progress.part(0.9, 0.92)) <= allowed &&

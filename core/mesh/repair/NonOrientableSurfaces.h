@@ -25,13 +25,13 @@ NonOrientableCut cutNonOrientable(HalfEdgeMesh& mesh, double longest, NumberType
                                   const FaceSelection* only = nullptr);
 
 // Whether cuts from border to border are allowed. Such a cut makes an opening wider and leaves it open.
-enum class BorderCuts { No, Yes };
+enum class BoundaryCuts { No, Yes };
 
 // Makes a surface orientable by cutNonOrientable(), and closes the slits. They are closed by fillHoles(), else by
 // closeObstructedHoles(). Returns the number of cuts: 0, and the mesh is as it was, where a slit stays open, where more
 // faces would intersect than before, or if cancelled. Intersecting faces may be cut; no other face is removed. only: as
 // above.
-std::size_t closeNonOrientable(HalfEdgeMesh& mesh, const FillOptions& options, double longest, BorderCuts borderCuts,
-                               Progress progress = {}, const FaceSelection* only = nullptr);
+std::size_t closeNonOrientable(HalfEdgeMesh& mesh, const FillOptions& options, double longest,
+                               BoundaryCuts boundaryCuts, Progress progress = {}, const FaceSelection* only = nullptr);
 
 }  // namespace handwheel

@@ -10,10 +10,10 @@
 #include "mesh/repair/Cleaning.h"
 #include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/repair/LoopReasons.h"
+#include "mesh/repair/ModifiedVertices.h"
 #include "mesh/repair/NonOrientableSurfaces.h"
 #include "mesh/repair/ObstructedHoles.h"
 #include "mesh/repair/RepairBudget.h"
-#include "mesh/repair/TouchedVertices.h"
 #include "mesh/repair/intersections/FoldedRegionRemoval.h"
 #include "mesh/repair/intersections/IntersectionClusters.h"
 #include "mesh/repair/intersections/SelfIntersectionRemoval.h"
@@ -91,8 +91,8 @@ class Repairer {
     if (!progress.cancelled()) {
       const double longest = tolerance::kOneSidedCut * diagonalOf(m_mesh);
       WorkBudget effort(m_efforts.hard.left() / 2, m_efforts.hard);  // the rest is for holes
-      m_report.nonOrientableCuts +=
-          closeNonOrientable(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35).within(effort));
+      m_report.nonOrientableCuts += closeNonOrientable(m_mesh, m_options.fill, longest, BoundaryCuts::No,
+                                                       progress.part(0.3, 0.35).within(effort));
     }
     if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
@@ -115,7 +115,7 @@ class Repairer {
       m_report.removedDebris += removeDebris(m_mesh, progress.part(0.6, 0.7));
     if (!progress.cancelled()) {
       m_report.mergedVertices +=
-          stitchBorders(m_mesh, keptVertices(), progress.part(0.7, 0.9), m_options.nearWeld).size();
+          stitchBoundaries(m_mesh, keptVertices(), progress.part(0.7, 0.9), m_options.nearWeld).size();
     }
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.9, 1.0));
   }
@@ -150,7 +150,7 @@ class Repairer {
 
   bool note(const std::vector<Vertex>& separated, const HalfEdgeMesh& before, const Progress& progress) {
     for (Vertex v : separated) {
-      if (v < before.vertexSlots()) m_touchedHomes.push_back(before.position(v));
+      if (v < before.vertexSlots()) m_modifiedHomes.push_back(before.position(v));
     }
     m_report.separatedVertices += separated.size();
     if (!separated.empty()) relink(m_mesh, progress.unlimited());
@@ -225,7 +225,7 @@ class Repairer {
     m_report.cutFaces += closings.cutFaces;
     m_report.sheets.extend(closings.sheets);
     m_report.separatedVertices += closings.separated.size();
-    m_touchedHomes.insert(m_touchedHomes.end(), closings.separated.begin(), closings.separated.end());
+    m_modifiedHomes.insert(m_modifiedHomes.end(), closings.separated.begin(), closings.separated.end());
     const double each = millisecondsSince(start) / std::max(1.0, static_cast<double>(holes.size()));
     bool any = false;
     m_reasons.forget();
@@ -291,7 +291,7 @@ class Repairer {
     const bool isSpent = m_efforts.hard.isSpent() || m_efforts.tangle.isSpent();
     m_reasons.conclude(m_results, m_mesh, isSpent, m_report, progress.part(0.0, 0.1));
     m_report.reversedFaces += countReversedFaces(m_input, m_mesh, progress.part(0.1, 0.4));
-    m_report.touchedVertices = touchedVertices(m_input, m_mesh, std::move(m_touchedHomes), progress.part(0.4, 1.0));
+    m_report.modifiedVertices = modifiedVertices(m_input, m_mesh, std::move(m_modifiedHomes), progress.part(0.4, 1.0));
   }
 
   const HalfEdgeMesh m_input;
@@ -300,8 +300,8 @@ class Repairer {
   HoleOutcomes m_results;
   LoopReasons m_reasons{m_options, m_results.inputLoops()};
   int m_round = 0;
-  double m_thickness;                // mm
-  std::vector<Vec3> m_touchedHomes;  // where vertices were before they were moved
+  double m_thickness;                 // mm
+  std::vector<Vec3> m_modifiedHomes;  // where vertices were before they were moved
   RepairEfforts m_efforts;
   RepairReport m_report;
 };

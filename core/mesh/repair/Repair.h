@@ -71,7 +71,7 @@ struct RepairReport {
   std::size_t replacedFaces = 0;                 // removed from folded regions around holes, which were refilled
   std::size_t separatedVertices = 0;             // moved, or inserted in the middle of an edge, against wrong welding
   SheetOutcomes sheets;                          // that were to be thickened
-  std::vector<Vertex> touchedVertices;           // of the input: moved, merged or separated
+  std::vector<Vertex> modifiedVertices;          // of the input: moved, merged or separated
   bool isSeparationIncomplete = false;           // by the effort: more vertices may coincide than must
   bool isIntersectionRemovalIncomplete = false;  // by the effort: more may intersect than must
   std::size_t effort = 0;                        // steps of Effort; at most twice repairBudget() of the input's faces

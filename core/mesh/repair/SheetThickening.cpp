@@ -3,7 +3,7 @@
 #include "mesh/repair/SheetThickening.h"
 
 #include "base/Tolerance.h"
-#include "mesh/repair/SheetBacks.h"
+#include "mesh/repair/OffsetSheetBuilder.h"
 #include "mesh/repair/intersections/SelfIntersectionRemoval.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/PositionKey.h"
@@ -44,7 +44,7 @@ std::unordered_set<Vertex> pinchedVertices(const HalfEdgeMesh& mesh) {
 // Brings the backs of sheets nearer to them where they intersect anything.
 class BackWithdrawal {
  public:
-  BackWithdrawal(HalfEdgeMesh& mesh, SheetBacks& backs, NumberType numbers)
+  BackWithdrawal(HalfEdgeMesh& mesh, OffsetSheetBuilder& backs, NumberType numbers)
       : m_mesh(mesh),
         m_backs(backs),
         m_numbers(numbers),
@@ -121,7 +121,7 @@ class BackWithdrawal {
   }
 
   HalfEdgeMesh& m_mesh;
-  SheetBacks& m_backs;
+  OffsetSheetBuilder& m_backs;
   NumberType m_numbers;
   std::unordered_set<Face> m_added;
   std::unordered_map<Face, Face> m_frontOf;  // by the back
@@ -159,7 +159,7 @@ ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, std::span<const OpenSheet> she
   const HalfEdgeMesh before = mesh;
   std::unordered_set<Vertex> kept = pinchedVertices(mesh);
   for (int attempt = 1;; ++attempt) {
-    SheetBacks backs(mesh, numbers, kept);
+    OffsetSheetBuilder backs(mesh, numbers, kept);
     std::vector<bool> isThickened;
     for (const OpenSheet& sheet : sheets) {
       isThickened.push_back(!progress.cancelled() && backs.add(sheet));

@@ -67,10 +67,10 @@ double numberAt(const Json& json, const char* key, double otherwise, double leas
   return std::isfinite(value) ? std::clamp(value, least, largest) : otherwise;
 }
 
-Result<PathPlace> placeFrom(const Json& json, const std::string& element, const RobotModel& robot,
-                            const JointValues& others) {
+Result<Waypoint> placeFrom(const Json& json, const std::string& element, const RobotModel& robot,
+                           const JointValues& others) {
   if (!json.is_object()) return malformedPath(element, "an object was expected");
-  PathPlace place;
+  Waypoint place;
   const auto joints = json.find("joints");
   if (joints == json.end()) return malformedPath(element, "its joints are missing");
   Result<JointValues> values = jointsFrom(*joints, robot, others);
@@ -174,7 +174,7 @@ Result<JointValues> jointsFrom(const Json& json, const RobotModel& robot, const 
 
 Json toJson(const RobotModel& robot, const RobotPath& path) {
   Json places = Json::array();
-  for (const PathPlace& place : path.places) {
+  for (const Waypoint& place : path.places) {
     places.push_back({{"joints", toJson(robot, place.joints)},
                       {"name", place.name},
                       {"critical", place.isCritical},
@@ -218,7 +218,7 @@ Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const Join
   for (std::size_t i = 0; i < list->size(); ++i) {
     const std::string at = element + "[" + std::to_string(i) + "]";
     if (isDetailed) {
-      Result<PathPlace> place = placeFrom((*list)[i], at, robot, others);
+      Result<Waypoint> place = placeFrom((*list)[i], at, robot, others);
       if (!place) return place.error();
       path.places.push_back(std::move(place).value());
       continue;

@@ -33,7 +33,7 @@ std::string FreeNames::take(const std::string& wish) {
   return name;
 }
 
-bool PathPlace::operator==(const PathPlace& other) const {
+bool Waypoint::operator==(const Waypoint& other) const {
   return joints.size() == other.joints.size() && joints == other.joints && name == other.name &&
          isCritical == other.isCritical && motion == other.motion && speed == other.speed && blend == other.blend;
 }
@@ -96,7 +96,7 @@ std::size_t CellPlans::bytes() const {
     }
   }
   for (const RobotPath& path : paths) {
-    for (const PathPlace& place : path.places) sum += sizeof place + place.name.size() + ofValues(place.joints);
+    for (const Waypoint& place : path.places) sum += sizeof place + place.name.size() + ofValues(place.joints);
   }
   return sum;
 }

@@ -17,8 +17,8 @@
 
 namespace handwheel {
 
-// A place of a path, and the motion that ends there.
-struct PathPlace {
+// A waypoint: a place of a path, and the motion that ends there.
+struct Waypoint {
   JointValues joints;  // of the whole cell; those of other robots tell where these stood; rad, mm
   std::string name = {};
   bool isCritical = true;  // set by a person: planning again passes through it
@@ -26,7 +26,7 @@ struct PathPlace {
   double speed = 0.25;  // as in ProgramMotion
   double blend = 0.0;   // mm
 
-  bool operator==(const PathPlace& other) const;  // also of cells with other robots
+  bool operator==(const Waypoint& other) const;  // also of cells with other robots
 };
 
 // How a path along a curve on a part was chosen, so that it can be planned again.
@@ -45,7 +45,7 @@ struct RobotPath {
   static constexpr std::size_t kMostPlaces = 100'000;
 
   std::string name;
-  std::vector<PathPlace> places;
+  std::vector<Waypoint> places;
   std::string arm = {};                     // whose path it is, as CellPlans::arm
   std::optional<PathProcess> process = {};  // none: it was planned between places, or by hand
   // By the names of other robots whose bases were moved since: where these stood, in the frame of the root.

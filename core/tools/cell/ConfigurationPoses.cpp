@@ -56,9 +56,9 @@ Result<JointValues> jointsThere(const OperationValues& values, const RobotCellSn
     const Result<ArmValues> found = nearestFree(*scene, *cell.plans, *pose, near);
     return found ? Result<JointValues>(scene->whole(*found)) : found.error();
   }
-  const std::vector<CellWay> ways = waysTo(*scene, *cell.plans, *pose, near);
+  const std::vector<CellIkSolution> ways = ikSolutionsTo(*scene, *cell.plans, *pose, near);
   const auto possible = static_cast<std::size_t>(
-      std::count_if(ways.begin(), ways.end(), [](const CellWay& way) { return way.isWithinLimits(); }));
+      std::count_if(ways.begin(), ways.end(), [](const CellIkSolution& way) { return way.isWithinLimits(); }));
   const auto index = static_cast<std::size_t>(*solution) - 1;
   if (index < possible) return scene->whole(ways[index].arm.values);
   return Error{

@@ -125,9 +125,9 @@ PathProcess processOf(const OperationValues& values, const Pose& chosen, const P
 }
 
 // Plans from one place to another and adds what is between them, and the second.
-Status addLeg(const CellScene& scene, const CellPlans& plans, const PathPlace& from, const PathPlace& to,
+Status addLeg(const CellScene& scene, const CellPlans& plans, const Waypoint& from, const Waypoint& to,
               const RouteSettings& settings, PlannedPath& planned, Progress progress) {
-  const std::array<PathPlace, 2> ends{from, to};
+  const std::array<Waypoint, 2> ends{from, to};
   Result<PlannedPath> leg = plannedThrough(scene, plans, ends, settings, progress);
   if (!leg) return leg.error();
   planned.steps += leg->steps;
@@ -289,7 +289,7 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
                                              scene.planned(cell.joints), settings, progress.part(0.0, 0.8));
   if (const Status solved = checkFollowed(followed, poses, scene); !solved) return solved.error();
   PlannedPath planned;
-  std::vector<PathPlace>& places = planned.path.places;
+  std::vector<Waypoint>& places = planned.path.places;
   for (const ArmValues& each : followed.values) {
     places.push_back({.joints = scene.whole(each),
                       .motion = ProgramMotion::Kind::Linear,
@@ -300,7 +300,7 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
   places.back().name = "retract";
   places[1].blend = places[places.size() - 2].blend = places.back().blend = 0.0;
   if (values.isSet("from")) {
-    const Result<PathPlace> from = placeCalled(scene, cell, values.text("from"), places.front().joints);
+    const Result<Waypoint> from = placeCalled(scene, cell, values.text("from"), places.front().joints);
     if (!from) return from.error();
     PlannedPath before;
     before.path.places.push_back(*from);
@@ -310,9 +310,9 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
     planned = std::move(before);
   }
   if (values.isSet("to")) {
-    const Result<PathPlace> to = placeCalled(scene, cell, values.text("to"), planned.path.places.back().joints);
+    const Result<Waypoint> to = placeCalled(scene, cell, values.text("to"), planned.path.places.back().joints);
     if (!to) return to.error();
-    const PathPlace last = planned.path.places.back();
+    const Waypoint last = planned.path.places.back();
     const Status leg = addLeg(scene, *cell.plans, last, *to, route, planned, progress.part(0.9, 1.0));
     if (!leg) return leg.error();
   }

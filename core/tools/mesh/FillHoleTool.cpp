@@ -3,7 +3,7 @@
 #include "tools/mesh/FillHoleTool.h"
 
 #include "document/mesh/MeshDocument.h"
-#include "mesh/boundary/BorderPick.h"
+#include "mesh/boundary/BoundaryPick.h"
 #include "mesh/boundary/HolePick.h"
 #include "tools/OperationSettings.h"
 
@@ -168,7 +168,7 @@ std::optional<std::uint32_t> FillHoleTool::pointAt(const PointerEvent& event) co
   const BoundaryLoop* chosen = loop();
   const auto faces = m_services.faces();
   if (!chosen || !faces) return std::nullopt;
-  const auto found = pickBorderPoint(m_document.mesh(), {chosen, 1}, *faces, event.pickRay());
+  const auto found = pickBoundaryPoint(m_document.mesh(), {chosen, 1}, *faces, event.pickRay());
   if (!found) return std::nullopt;
   const auto at = std::find(chosen->halfEdges.begin(), chosen->halfEdges.end(), found->at);
   return static_cast<std::uint32_t>(at - chosen->halfEdges.begin());
@@ -277,7 +277,7 @@ std::vector<Property> FillHoleTool::settings() const {
   const OperationValues& values = *m_services.values;
   const FillMethod method = fillOptionsOf(values).method;
   std::vector<Property> all = {settingOf(values, "fill")};
-  if (method == FillMethod::Fair || method == FillMethod::Ridge) all.push_back(settingOf(values, "continuity"));
+  if (method == FillMethod::Fair || method == FillMethod::Crease) all.push_back(settingOf(values, "continuity"));
   for (const char* id : kWeightIds) {
     if (method != FillMethod::Ear) break;
     all.push_back(settingOf(values, id));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tools/ToolKey.h"
-#include "tools/mesh/boundary/BorderPicking.h"
+#include "tools/mesh/boundary/BoundaryPicking.h"
 
 namespace handwheel {
 
@@ -38,7 +38,7 @@ class MakeFaceTool : public Tool {
 
   MeshDocument& m_document;
   MeshServices m_services;
-  BorderPicking m_picking;
+  BoundaryPicking m_picking;
   std::vector<Vertex> m_corners;  // at most two
   std::optional<Vertex> m_hovered;
   double m_mark = 0.0;  // radius of the mark on a point, mm

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/ManualMeshChanges.h"
 
-#include "mesh/boundary/BorderWelding.h"
+#include "mesh/boundary/BoundaryWelding.h"
 #include "mesh/boundary/VertexPull.h"
 #include "mesh/measure/Deviation.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/OpenMeshReasons.h"
-#include "tools/mesh/boundary/BorderPicking.h"
+#include "tools/mesh/boundary/BoundaryPicking.h"
 #include "tools/mesh/operations/DecimateOperation.h"
 #include "tools/mesh/operations/EdgeOperations.h"
 #include "tools/mesh/operations/FillOperation.h"
@@ -24,11 +24,11 @@ bool isOpenBorder(const HalfEdgeMesh& mesh, HalfEdge h) {
   return h < mesh.halfEdgeSlots() && mesh.isProper(HalfEdgeMesh::face(h)) && !mesh.hasOpposite(h);
 }
 
-bool areOpen(const HalfEdgeMesh& mesh, const BorderPair& ends) {
+bool areOpen(const HalfEdgeMesh& mesh, const BoundaryPair& ends) {
   return isOpenBorder(mesh, ends.a) && isOpenBorder(mesh, ends.b);
 }
 
-std::string pairStep(const char* verb, const BorderPair& ends) {
+std::string pairStep(const char* verb, const BoundaryPair& ends) {
   return StepWriter(verb).word(listText({ends.a, ends.b})).text();
 }
 
@@ -92,18 +92,18 @@ MeshChange faceChange(const Triangle& face) {
                   StepWriter("face").word(listText({face[0], face[1], face[2]})).text());
 }
 
-MeshChange joinChange(const BorderPair& ends) {
+MeshChange joinChange(const BoundaryPair& ends) {
   return withStep({meshOperation("join").title,
                    [ends](HalfEdgeMesh& mesh, Progress) {
                      if (!areOpen(mesh, ends)) return;
-                     Weld weld = weldBorder(FaceLocator(mesh, reachOf(mesh, ends)), ends);
+                     Weld weld = weldBoundary(FaceLocator(mesh, reachOf(mesh, ends)), ends);
                      if (weld.problem == JoinProblem::None) mesh = std::move(weld.mesh);
                    },
                    kEdgeChanged},
                   pairStep("join", ends));
 }
 
-MeshChange bridgeChange(const BorderPair& ends) {
+MeshChange bridgeChange(const BoundaryPair& ends) {
   return withStep({meshOperation("bridge").title,
                    [ends](HalfEdgeMesh& mesh, Progress) {
                      if (!areOpen(mesh, ends)) return;
@@ -134,7 +134,7 @@ MeshChange smoothEdgeChange(Vertex key, const SmoothingOptions& options) {
                      const FaceLocator near(mesh, std::make_shared<const FaceHierarchy>(mesh));
                      for (const BoundaryLoop& loop : findBoundaryLoops(mesh))
                        if (keyOf(mesh, loop) == key)
-                         return (void)moveVertices(mesh, smoothBorder(near, loop, options).moves);
+                         return (void)moveVertices(mesh, smoothBoundary(near, loop, options).moves);
                    },
                    kEdgeChanged},
                   step.text());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/boundary/BorderSmoothing.h"
+#include "mesh/boundary/BoundarySmoothing.h"
 #include "mesh/boundary/Bridging.h"
 #include "mesh/sculpt/SchemeSubdivision.h"
 #include "mesh/selection/FaceSelection.h"
@@ -23,12 +23,12 @@ MeshChange subdivideMeshChange(const SchemeSubdivision& subdivision, NumberType 
 // Adds a face over three points of open edges, counter-clockwise as seen from outside.
 MeshChange faceChange(const Triangle& face);
 // Moves the point at ends.a to that at ends.b, and joins them.
-MeshChange joinChange(const BorderPair& ends);
+MeshChange joinChange(const BoundaryPair& ends);
 // Adds a bridge of faces between two points of open edges.
-MeshChange bridgeChange(const BorderPair& ends);
+MeshChange bridgeChange(const BoundaryPair& ends);
 // Moves a point of an open edge, with all vertices at its place. As far as no face flips or crosses another.
 MeshChange pullChange(Vertex vertex, const Vec3& place);
-// Smooths a boundary loop by smoothBorder(). loop: its key.
+// Smooths a boundary loop by smoothBoundary(). loop: its key.
 MeshChange smoothEdgeChange(Vertex loop, const SmoothingOptions& options);
 
 }  // namespace handwheel

@@ -9,9 +9,9 @@ namespace handwheel {
 
 // What a tool previews on the mesh of a document.
 struct MeshPreview : KindPreview {
-  FaceSelection highlighted;                // faces under the pointer or about to be selected
-  FaceSelection selected;                   // faces that are selected now
-  std::shared_ptr<const PreviewMesh> live;  // null: the document's mesh
+  FaceSelection highlighted;                       // faces under the pointer or about to be selected
+  FaceSelection selected;                          // faces that are selected now
+  std::shared_ptr<const PreviewMesh> previewMesh;  // null: the document's mesh
 };
 
 // The part of a preview that is on the mesh; empty when there is none.

@@ -10,7 +10,7 @@
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/ManualMeshChanges.h"
 #include "tools/mesh/Placement.h"
-#include "tools/mesh/boundary/BorderPicking.h"
+#include "tools/mesh/boundary/BoundaryPicking.h"
 #include "tools/mesh/operations/DecimateOperation.h"
 #include "tools/mesh/operations/EdgeOperations.h"
 #include "tools/mesh/operations/FillOperation.h"
@@ -74,10 +74,10 @@ MeshChange readDecimate(StepReader& reader, const OperationValues& values, const
   return decimateChange(decimationOptionsOf(values));
 }
 
-BorderPair readEnds(StepReader& reader, const MeshDocument& document) {
+BoundaryPair readEnds(StepReader& reader, const MeshDocument& document) {
   const auto ends = reader.indices(reader.word("H,H"), "half-edge", document.mesh().halfEdgeSlots());
   if (reader.isGood() && ends.size() != 2) reader.complain("two half-edges are required: H,H");
-  return reader.isGood() ? BorderPair{ends[0], ends[1]} : BorderPair();
+  return reader.isGood() ? BoundaryPair{ends[0], ends[1]} : BoundaryPair();
 }
 
 MeshChange readFace(StepReader& reader, const OperationValues&, const MeshDocument& document) {

@@ -70,7 +70,7 @@ std::shared_ptr<const TurnedPart> ManualLatheTool::partWith(const LatheSimulatio
   return std::make_shared<const TurnedPart>(std::move(part));
 }
 
-SnapshotPointer ManualLatheTool::withWork() {
+SnapshotPointer ManualLatheTool::withGesture() {
   recordCrashes(*moment());
   if (!moment()->isCut) return nullptr;
   auto workpiece = std::make_shared<WorkpieceSnapshot>(m_document.workpiece());

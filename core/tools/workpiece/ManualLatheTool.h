@@ -11,7 +11,7 @@
 #include "simulation/SimulatedGesture.h"
 #include "simulation/turning/LatheSimulation.h"
 #include "tools/ToolKey.h"
-#include "tools/WorkUnderWay.h"
+#include "tools/UnfinishedGesture.h"
 #include "tools/workpiece/LathePlaces.h"
 
 namespace handwheel {
@@ -21,7 +21,7 @@ namespace handwheel {
 // kIdle, or the tool ends, is one undo step; undo stops the slides, and
 // takes a tool out of the material that comes back. A crash stops the
 // lathe, is listed, and recorded in the document at once; no undo takes it back.
-class ManualLatheTool : public Tool, public WorkUnderWay {
+class ManualLatheTool : public Tool, public UnfinishedGesture {
  public:
   static constexpr double kIdle = 0.8;  // s
 
@@ -94,7 +94,7 @@ class ManualLatheTool : public Tool, public WorkUnderWay {
   void setSetting(std::string_view id, const PropertyValue& value) override;
   bool remembersSettings() const override { return false; }
   void settle() override;
-  SnapshotPointer withWork() override;
+  SnapshotPointer withGesture() override;
   QString underWay() const override;
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"simulation"}; }

@@ -8,7 +8,7 @@
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeMemory.h"
-#include "volume/repair/Membranes.h"
+#include "volume/repair/WindingNumberFill.h"
 
 #include <cmath>
 #include <utility>
@@ -84,7 +84,7 @@ Result<ClosedSurfaceInVoxels> closedInVoxels(const TriangleSoup& soup, double vo
   made.caps = closeBoundaries(made.closed, wideFrom, progress);
   const Vec3 across = made.bounds.sizes() / voxel;
   const double bytes = predictedMakingBytes(surfaceArea(made.closed), across, 1.0) +
-                       Membranes::predictedBlocks(made.closed, made.caps.wide) * Membranes::kBytes;
+                       WindingNumberFill::predictedBlocks(made.closed, made.caps.wide) * WindingNumberFill::kBytes;
   if (const auto error = memoryRefusal(voxel, bytes)) return *error;
   return made;
 }

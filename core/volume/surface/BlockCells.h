@@ -3,7 +3,7 @@
 #pragma once
 
 #include "volume/SparseVolume.h"
-#include "volume/surface/CellPolygons.h"
+#include "volume/surface/MarchingCubesTable.h"
 
 #include <array>
 #include <cstdint>
@@ -40,13 +40,13 @@ class BlockCells {
   // Calls visit(three edges) for each triangle of the surface in the cells of the block.
   template <class Visit>
   void forEachTriangle(Visit visit) const {
-    const CellPolygons& table = CellPolygons::table();
+    const MarchingCubesTable& table = MarchingCubesTable::table();
     for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
       const VoxelIndex cell(i & 7, i >> 3 & 7, i >> 6);
       unsigned inside = 0;
       for (int c = 0; c < 8; ++c)
         if (m_samples[place(cell.x() + (c & 1), cell.y() + (c >> 1 & 1), cell.z() + (c >> 2))] > 0) inside |= 1u << c;
-      for (const CellPolygons::EdgeTriangle& t : table.triangles[inside])
+      for (const MarchingCubesTable::EdgeTriangle& t : table.triangles[inside])
         visit(std::array<Edge, 3>{edgeOf(cell, t[0]), edgeOf(cell, t[1]), edgeOf(cell, t[2])});
     }
   }

@@ -3,7 +3,7 @@
 #include "volume/surface/BlockTriangles.h"
 
 #include "volume/VolumeReader.h"
-#include "volume/surface/CellPolygons.h"
+#include "volume/surface/MarchingCubesTable.h"
 
 #include <algorithm>
 #include <array>
@@ -35,13 +35,13 @@ class CellCube {
     made.normals.reserve(400);
     made.corners.reserve(600);
     std::vector<std::int32_t> known(3 * m_samples.size(), -1);  // vertices, by the edge's first sample and axis
-    const CellPolygons& table = CellPolygons::table();
+    const MarchingCubesTable& table = MarchingCubesTable::table();
     for (int z = 0; z < m_cells; ++z)
       for (int y = 0; y < m_cells; ++y) {
         unsigned sides = sideOf(0, y, z);
         for (int x = 0; x < m_cells; ++x) {
           const unsigned next = sideOf(x + 1, y, z);
-          for (const CellPolygons::EdgeTriangle& t : table.triangles[sides | next << 1])
+          for (const MarchingCubesTable::EdgeTriangle& t : table.triangles[sides | next << 1])
             for (const int edge : t) made.corners.push_back(vertexOf({x, y, z}, edge, origin, known, made));
           sides = next;
         }

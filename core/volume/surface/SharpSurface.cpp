@@ -3,7 +3,7 @@
 #include "volume/surface/SharpSurface.h"
 
 #include "proximity/SelfIntersection.h"
-#include "volume/surface/CellFeature.h"
+#include "volume/surface/SharpFeature.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <tbb/parallel_for.h>
@@ -39,7 +39,7 @@ struct SharpCell {
   Cell cell;
   std::vector<std::uint32_t> triangles;
   std::vector<Edge> sides;  // of the polygon
-  CellFeature feature;
+  SharpFeature feature;
   double away = 0.0;  // voxels, of the feature's point from the cell
   bool isUsed = true;
 };
@@ -112,7 +112,7 @@ class Sharpening {
     for (std::size_t i = 0; i < byCell.size(); ++i)
       if (i == 0 || byCell[i].first != byCell[i - 1].first) begins.push_back(i);
     begins.push_back(byCell.size());
-    std::vector<std::optional<CellFeature>> features(begins.size() - 1);
+    std::vector<std::optional<SharpFeature>> features(begins.size() - 1);
     std::atomic<std::size_t> done{0};
     tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
       if (progress.cancelled()) return;

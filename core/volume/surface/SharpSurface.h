@@ -9,8 +9,8 @@
 namespace handwheel {
 
 // The surface of a volume with its sharp edges (extended marching cubes). It is that of surfaceOf(), but in cells with
-// an edge or corner (CellFeature) the polygon becomes a fan around a point on it, and such points are joined across the
-// faces of cells (Kobbelt et al., "Feature sensitive surface extraction", 2001). So it stays closed, manifold and
+// an edge or corner (SharpFeature) the polygon becomes a fan around a point on it, and such points are joined across
+// the faces of cells (Kobbelt et al., "Feature sensitive surface extraction", 2001). So it stays closed, manifold and
 // oriented by construction. Where triangles would meet others, their cells keep the polygons of marching cubes: free of
 // self-intersections, as those are, also where coordinates are rounded to single precision. O(n log n) some times, on
 // all threads of the arena. Empty when cancelled.

@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// The surface of a volume by marching cubes (CellPolygons). The triangles go through the cells of its samples and share
-// points. Closed, manifold, oriented and free of self-intersections, as long as the coordinates tell voxels apart by a
-// thousandth. O(blocks), on all threads of the arena; the same for any number of them. Empty when cancelled.
+// The surface of a volume by marching cubes (MarchingCubesTable). The triangles go through the cells of its samples and
+// share points. Closed, manifold, oriented and free of self-intersections, as long as the coordinates tell voxels apart
+// by a thousandth. O(blocks), on all threads of the arena; the same for any number of them. Empty when cancelled.
 TriangleSoup surfaceOf(const SparseVolume& volume, Progress progress = {});
 // The blocks in whose cells the surface can be: those with samples, and those whose high sides touch them.
 std::vector<VoxelIndex> blocksWithCells(const SparseVolume& volume);

@@ -5,12 +5,12 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "mesh/boundary/BorderVertices.h"
 #include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/boundary/BoundaryVertices.h"
 #include "mesh/defects/Defects.h"
+#include "mesh/holes/Creases.h"
 #include "mesh/holes/HoleContext.h"
 #include "mesh/holes/HoleFiller.h"
-#include "mesh/holes/Ridges.h"
 #include "mesh/repair/Cleaning.h"
 #include "mesh/repair/SheetThickening.h"
 #include "mesh/repair/intersections/Autorefinement.h"
@@ -112,7 +112,7 @@ class TolerancesTest : public QObject {
   void flap();
   void nearWeld();
   void nearWeldEdge();
-  void ridgeAngle();
+  void creaseAngleOfHoles();
   void creaseAngle();
   void pieceEdges();
   void cutBits();
@@ -179,28 +179,28 @@ void TolerancesTest::flap() {
 
 void TolerancesTest::nearWeld() {
   const double diagonal = std::hypot(2.0, 1.0);
-  const auto pairs = [](double gap) { return nearBorderVertices(buildMesh(squaresApart(gap)).mesh).size(); };
+  const auto pairs = [](double gap) { return nearBoundaryVertices(buildMesh(squaresApart(gap)).mesh).size(); };
   QCOMPARE(pairs(kJustBelow * tolerance::kNearWeld * diagonal), std::size_t{2});
   QCOMPARE(pairs(kJustAbove * tolerance::kNearWeld * diagonal), std::size_t{0});
 }
 
 // With so wide a reach that only the edges, all of length 1, are in the way.
 void TolerancesTest::nearWeldEdge() {
-  const auto pairs = [](double gap) { return nearBorderVertices(buildMesh(squaresApart(gap)).mesh, {}, 0.5).size(); };
+  const auto pairs = [](double gap) { return nearBoundaryVertices(buildMesh(squaresApart(gap)).mesh, {}, 0.5).size(); };
   QCOMPARE(pairs(kJustBelow * tolerance::kNearWeldEdge), std::size_t{2});
   QCOMPARE(pairs(kJustAbove * tolerance::kNearWeldEdge), std::size_t{0});
 }
 
 // A hole across the ridge of a roof has the two ends of the ridge.
-void TolerancesTest::ridgeAngle() {
+void TolerancesTest::creaseAngleOfHoles() {
   const auto ends = [](double angle) {
     const HalfEdgeMesh mesh = buildMesh(test::withHole(roof(angle), Vec3::Zero(), 3.5)).mesh;
     std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
     std::erase_if(loops, [](const BoundaryLoop& loop) { return loop.box.contains(Vec3(0, -10, 0)); });
-    return findRidgeEnds(holeContext(mesh, loops.at(0)), tolerance::kRidgeAngle).size();
+    return findCreaseEnds(holeContext(mesh, loops.at(0)), tolerance::kCreaseAngle).size();
   };
-  QCOMPARE(ends(kJustBelow * tolerance::kRidgeAngle), std::size_t{0});
-  QCOMPARE(ends(kJustAbove * tolerance::kRidgeAngle), std::size_t{2});
+  QCOMPARE(ends(kJustBelow * tolerance::kCreaseAngle), std::size_t{0});
+  QCOMPARE(ends(kJustAbove * tolerance::kCreaseAngle), std::size_t{2});
 }
 
 // On the ridge of a roof the shading is smooth, straight up, as long as its sides meet at less than 40°; else each side

@@ -14,7 +14,7 @@ class SoundStreamTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void givesTheVoice();
+  void givesTheSynthesizersSound();
   void wholeFramesOnly();
   void fallsSilentWhenNobodyTells();
 };
@@ -38,11 +38,11 @@ double loudest(const std::vector<float>& samples) {
 
 }  // namespace
 
-void SoundStreamTest::givesTheVoice() {
-  MachineVoice voice(44100.0);
-  voice.set(kCut);
+void SoundStreamTest::givesTheSynthesizersSound() {
+  MachineSoundSynthesizer synthesizer(44100.0);
+  synthesizer.set(kCut);
   std::vector<float> wanted(1000);
-  voice.render(wanted);
+  synthesizer.render(wanted);
   SoundStream floats(44100.0, 1, SoundStream::Format::Float), stereo(44100.0, 2, SoundStream::Format::Int16);
   floats.setState(kCut);
   stereo.setState(kCut);

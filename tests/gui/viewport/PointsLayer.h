@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/LiftedActor.h"
+#include "viewport/DepthOffsetActor.h"
 #include "viewport/ViewLayer.h"
 #include "viewport/surface/SurfaceStyle.h"
 
@@ -94,7 +94,7 @@ class PointsLayer : public ViewLayer {
     return builder.build(PolyDataBuilder::Kind::Points);
   }
   void build(std::size_t block) {
-    if (block >= m_blocks.size()) m_blocks.push_back(std::make_unique<LiftedActor>(props(), 0.5));
+    if (block >= m_blocks.size()) m_blocks.push_back(std::make_unique<DepthOffsetActor>(props(), 0.5));
     const std::size_t first = block * kBlock, count = std::min(kBlock, m_points.size() - first);
     m_blocks[block]->setData(dots(std::span(m_points).subspan(first, count), m_colour));
   }
@@ -102,7 +102,7 @@ class PointsLayer : public ViewLayer {
     if (!m_hovered || *m_hovered >= m_points.size()) return m_mark.hide();
     m_mark.setData(dots({&m_points[*m_hovered], 1}, m_accent));
   }
-  static void prepare(LiftedActor& actor, const LayerFrame& frame) {
+  static void prepare(DepthOffsetActor& actor, const LayerFrame& frame) {
     actor.property()->LightingOff();
     actor.property()->SetPointSize(static_cast<float>(kDot * frame.pixelRatio));
     actor.prepare(frame.about(Vec3::Zero()));
@@ -110,8 +110,8 @@ class PointsLayer : public ViewLayer {
 
   std::vector<Vec3> m_points;
   std::deque<std::size_t> m_waiting;  // blocks
-  std::vector<std::unique_ptr<LiftedActor>> m_blocks;
-  LiftedActor m_mark{props(), 1.5};
+  std::vector<std::unique_ptr<DepthOffsetActor>> m_blocks;
+  DepthOffsetActor m_mark{props(), 1.5};
   std::optional<std::uint64_t> m_hovered;
   bool m_isHoverStale = false;
   QColor m_colour, m_accent;

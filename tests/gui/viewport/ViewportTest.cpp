@@ -186,7 +186,7 @@ class ViewportTest : public ViewportFixture {
   }
 
   // However fast versions come, the last one is what stays; and the mesh when there is none any more.
-  void aLiveMeshTakesThePlaceOfTheMesh() {
+  void aPreviewMeshTakesThePlaceOfTheMesh() {
     showSheet();
     const HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
     const QPoint middle = onScreen(10.5, 10.5).toPoint();
@@ -195,13 +195,13 @@ class ViewportTest : public ViewportFixture {
     for (Face f = 0; f < mesh.faceSlots(); ++f) {
       live->touched.add(f);
       live->mesh.removeFace(f);
-      if (f % 50 == 0) m_mesh->setLiveMesh(std::make_shared<PreviewMesh>(*live));
+      if (f % 50 == 0) m_mesh->setPreviewMesh(std::make_shared<PreviewMesh>(*live));
     }
-    m_mesh->setLiveMesh(live);
+    m_mesh->setPreviewMesh(live);
     const QImage empty = m_view->grabImage();
     QVERIFY(empty.pixelColor(middle) != before);
     QVERIFY(faceOf(m_view->pickAt(onScreen(10.7, 10.3))) != kNone);  // of the mesh
-    m_mesh->setLiveMesh(nullptr);
+    m_mesh->setPreviewMesh(nullptr);
     QCOMPARE(m_view->grabImage().pixelColor(middle), before);
   }
 

@@ -8,7 +8,7 @@
 #include "mesh/defects/Defects.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
-#include "panels/defects/RepairAccount.h"
+#include "panels/defects/RepairSummary.h"
 #include "tools/mesh/repair/DefectFixes.h"
 #include "tools/mesh/repair/HoleFixes.h"
 #include "window/documents/DocumentTabs.h"
@@ -114,24 +114,24 @@ class RepairJobsTest : public QObject {
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
     QCOMPARE(inspection.count(DefectKind::SelfIntersection), std::size_t{0});
     QCOMPARE(*inspection.countBefore(DefectKind::SelfIntersection), pairs->size());
-    const QString account = repairAccount(inspection).join(", ");
-    QVERIFY2(account.contains(QString("%1 of %1").arg(pairs->size())), qPrintable(account));
+    const QString summary = defectSummary(inspection).join(", ");
+    QVERIFY2(summary.contains(QString("%1 of %1").arg(pairs->size())), qPrintable(summary));
     QCOMPARE(messages.size(), 1);
-    QVERIFY2(messages[0].detail.contains(account), qPrintable(messages[0].detail));
-    QVERIFY(isLogged(account));
+    QVERIFY2(messages[0].detail.contains(summary), qPrintable(messages[0].detail));
+    QVERIFY(isLogged(summary));
 
     jobs.repairAll(document);
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
     QCOMPARE(inspection.count(DefectKind::Hole), std::size_t{0});
-    const QString repaired = repairAccount(inspection).join(", ");
+    const QString repaired = defectSummary(inspection).join(", ");
     QVERIFY2(repaired.startsWith("1 of 1"), qPrintable(repaired));
     QVERIFY(isLogged(repaired));
 
-    // Once more there is nothing to do: the account of the repair before is not that of this one.
+    // Once more there is nothing to do: the summary of the repair before is not that of this one.
     const int lines = log.rowCount({});
     jobs.repairAll(document);
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
-    QVERIFY(repairAccount(inspection).isEmpty());
+    QVERIFY(defectSummary(inspection).isEmpty());
     QCOMPARE(log.rowCount({}), lines + 1);
     int said = 0;
     for (int row = 0; row < log.rowCount({}); ++row) said += log.index(row, 1).data().toString().contains(repaired);
@@ -152,10 +152,10 @@ class RepairJobsTest : public QObject {
     auto* document = static_cast<MeshTab*>(tabs.current());
     jobs.change(document, thickenFix({document->inspection.keyOf(0)}, {}, 0.125));
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
-    const QString account = repairAccount(document->inspection).join(", ");
-    QVERIFY(account.contains("1 of 1"));
+    const QString summary = defectSummary(document->inspection).join(", ");
+    QVERIFY(summary.contains("1 of 1"));
     const QString logged = log.index(0, 1).data().toString();
-    QVERIFY2(logged.contains("0.125 mm") && logged.contains(account), qPrintable(logged));
+    QVERIFY2(logged.contains("0.125 mm") && logged.contains(summary), qPrintable(logged));
   }
 
   // What stays has its reason in its row.
@@ -201,11 +201,11 @@ class RepairJobsTest : public QObject {
     jobs.change(document, nearVertexFix(tolerance::kNearWeld), DefectRow{DefectKind::NearVertex, -1});
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
     QCOMPARE(inspection.count(DefectKind::Hole), std::size_t{2});
-    const QString account = repairAccount(inspection).join(", ");
-    QCOMPARE(account, QString("1 of 2 holes filled, 3 of 3 pairs of near vertices removed"));
+    const QString summary = defectSummary(inspection).join(", ");
+    QCOMPARE(summary, QString("1 of 2 holes filled, 3 of 3 pairs of near vertices removed"));
     QCOMPARE(told.size(), 1);
-    QCOMPARE(told[0].detail, account + '.');
-    QVERIFY(log.index(0, 1).data().toString().contains(account));
+    QCOMPARE(told[0].detail, summary + '.');
+    QVERIFY(log.index(0, 1).data().toString().contains(summary));
   }
 
   // A fix that can do nothing for its row leaves the reason there, and only there.

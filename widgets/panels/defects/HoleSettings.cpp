@@ -19,8 +19,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,   FillMethod::Minimal,
-                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge, FillMethod::Flat};
+constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,    FillMethod::Minimal,
+                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Crease, FillMethod::Flat};
 
 QComboBox* methodBox(QWidget* parent) {
   auto* box = new QComboBox(parent);

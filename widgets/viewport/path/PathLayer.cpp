@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/path/PathLayer.h"
 
-#include "viewport/LiftedActor.h"
+#include "viewport/DepthOffsetActor.h"
 #include "viewport/surface/SurfaceStyle.h"
 
 #include <algorithm>

@@ -42,7 +42,7 @@ void FaceActors::drop(std::size_t piece) {
   if (!node.empty()) m_props.remove(node.mapped().actor());
 }
 
-LiftedActor& FaceActors::actor(std::size_t piece) {
+DepthOffsetActor& FaceActors::actor(std::size_t piece) {
   const auto [place, isNew] = m_actors.try_emplace(piece, m_props, m_lift);
   if (isNew) {
     setOverlayMaterial(place->second.property());

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mesh/selection/FaceSelection.h"
-#include "viewport/LiftedActor.h"
+#include "viewport/DepthOffsetActor.h"
 
 #include <map>
 #include <set>
@@ -28,7 +28,7 @@ class FaceActors {
   void prepare(const LayerFrame& frame);
 
  private:
-  LiftedActor& actor(std::size_t piece);
+  DepthOffsetActor& actor(std::size_t piece);
   void drop(std::size_t piece);
 
   LayerProps& m_props;
@@ -36,8 +36,8 @@ class FaceActors {
   double m_opacity;
   QColor m_colour;
   FaceSelection m_faces;
-  std::set<std::size_t> m_stale;                // pieces
-  std::map<std::size_t, LiftedActor> m_actors;  // of the pieces that have faces
+  std::set<std::size_t> m_stale;                     // pieces
+  std::map<std::size_t, DepthOffsetActor> m_actors;  // of the pieces that have faces
 };
 
 }  // namespace handwheel

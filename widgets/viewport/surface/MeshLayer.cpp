@@ -24,12 +24,12 @@ std::vector<Vec3> sample(const HalfEdgeMesh& mesh) {
   return points;
 }
 
-Box boundsOfTouched(const PreviewMesh* live) {
+Box boundsOfTouched(const PreviewMesh* previewMesh) {
   Box bounds;
-  if (!live) return bounds;
-  live->touched.forEach([&](Face f) {
-    if (!live->mesh.isLive(f)) return;
-    for (const Vec3& p : live->mesh.points(f)) bounds.extend(p);
+  if (!previewMesh) return bounds;
+  previewMesh->touched.forEach([&](Face f) {
+    if (!previewMesh->mesh.isLive(f)) return;
+    for (const Vec3& p : previewMesh->mesh.points(f)) bounds.extend(p);
   });
   return bounds;
 }
@@ -160,13 +160,13 @@ void MeshLayer::setHighlightedFaces(const FaceSelection& faces) {
   if (d->marks.setHighlightedFaces(faces)) report(LayerChange::Look);
 }
 
-void MeshLayer::setLiveMesh(const std::shared_ptr<const PreviewMesh>& live) {
-  if (live == d->live) return;
-  std::set<std::size_t> blocks = d->liveBlocks();
-  d->live = live;
-  blocks.merge(d->liveBlocks());
-  d->liveBox = boundsOfTouched(live.get());
-  d->preparation.show(live ? live->mesh : d->mesh, d->origin, blocks);
+void MeshLayer::setPreviewMesh(const std::shared_ptr<const PreviewMesh>& previewMesh) {
+  if (previewMesh == d->previewMesh) return;
+  std::set<std::size_t> blocks = d->previewBlocks();
+  d->previewMesh = previewMesh;
+  blocks.merge(d->previewBlocks());
+  d->previewBox = boundsOfTouched(previewMesh.get());
+  d->preparation.show(previewMesh ? previewMesh->mesh : d->mesh, d->origin, blocks);
 }
 
 }  // namespace handwheel

@@ -60,7 +60,7 @@ class MeshLayer : public ViewLayer {
   // Shows another version in place of the mesh while a tool works on it; null for none. Nothing else follows it: marks
   // and picking are those of the mesh. It appears once its blocks are built, and is skipped when the next version
   // arrives sooner.
-  void setLiveMesh(const std::shared_ptr<const PreviewMesh>& live);
+  void setPreviewMesh(const std::shared_ptr<const PreviewMesh>& previewMesh);
 
   // The search structure over the faces of the mesh, for tools, too. Of an older version while the present one's is
   // being built; null before the first.

@@ -37,8 +37,8 @@ class MeshLayer::Private {
     q.setSurfaceValues(nullptr, {});
   }
   void take(const HalfEdgeMesh& next, const Box& bounds, std::vector<Vec3> points) {
-    live.reset();
-    liveBox.setEmpty();
+    previewMesh.reset();
+    previewBox.setEmpty();
     blocks.clear();
     mesh = next;
     box = bounds;
@@ -47,9 +47,9 @@ class MeshLayer::Private {
     marks.setMesh(mesh, origin);
   }
   // Faces around the touched ones share normals with them, but are nearly always in the same blocks.
-  std::set<std::size_t> liveBlocks() const {
+  std::set<std::size_t> previewBlocks() const {
     std::set<std::size_t> found;
-    if (live) live->touched.forEach([&](Face f) { found.insert(f / preparation.blockFaces()); });
+    if (previewMesh) previewMesh->touched.forEach([&](Face f) { found.insert(f / preparation.blockFaces()); });
     return found;
   }
   void markHovered() { marks.setHovered(listLoop, hoveredLoop, hoveredFace); }
@@ -59,7 +59,7 @@ class MeshLayer::Private {
   Marks marks;
   HalfEdgeMesh mesh;
   Box box;
-  Box liveBox;  // of what a tool has changed
+  Box previewBox;  // of what a tool has changed
   std::vector<Vec3> outline;
   Vec3 origin = Vec3::Zero();                  // the model point at the origin of the geometry
   std::shared_ptr<const FaceHierarchy> faces;  // for picking
@@ -67,7 +67,7 @@ class MeshLayer::Private {
   MeshPreparation preparation;
   VertexValues values;  // that colour the mesh; null for none
   ColourScale colourScale;
-  std::shared_ptr<const PreviewMesh> live;
+  std::shared_ptr<const PreviewMesh> previewMesh;
   int listLoop = -1;
   int hoveredLoop = -1;
   Face hoveredFace = kNone;

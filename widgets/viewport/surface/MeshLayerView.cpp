@@ -19,7 +19,7 @@ Box MeshLayer::bounds() const {
 }
 
 Box MeshLayer::drawnBounds() const {
-  return d->box.merged(d->liveBox);
+  return d->box.merged(d->previewBox);
 }
 
 std::vector<Vec3> MeshLayer::outline() const {

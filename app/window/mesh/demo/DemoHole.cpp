@@ -49,10 +49,10 @@ const BoundaryLoop* DemoHole::nextPart(const HalfEdgeMesh& mesh, const Inspectio
   return shortest;
 }
 
-std::optional<BorderPair> DemoHole::waist(const HalfEdgeMesh& mesh, const BoundaryLoop& part) {
+std::optional<BoundaryPair> DemoHole::waist(const HalfEdgeMesh& mesh, const BoundaryLoop& part) {
   const auto& rim = part.halfEdges;
   const auto least = static_cast<std::size_t>(kNarrow * static_cast<double>(rim.size()));
-  std::vector<std::pair<double, BorderPair>> pairs;
+  std::vector<std::pair<double, BoundaryPair>> pairs;
   for (std::size_t i = 0; i < rim.size(); ++i) {
     for (std::size_t j = i + least; j < rim.size() && j - i <= rim.size() - least; ++j) {
       pairs.push_back({(mesh.position(mesh.from(rim[i])) - mesh.position(mesh.from(rim[j]))).norm(), {rim[i], rim[j]}});
@@ -62,7 +62,7 @@ std::optional<BorderPair> DemoHole::waist(const HalfEdgeMesh& mesh, const Bounda
   std::partial_sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(tried), pairs.end(),
                     [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 0; i < tried; ++i) {
-    const BorderPair& ends = pairs[i].second;
+    const BoundaryPair& ends = pairs[i].second;
     if (findBridge(FaceLocator(mesh, reachOf(mesh, ends)), ends).problem == JoinProblem::None) return ends;
   }
   return std::nullopt;

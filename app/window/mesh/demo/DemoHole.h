@@ -31,7 +31,7 @@ class DemoHole {
   // The shortest loop that remains of it; null when it is closed.
   const BoundaryLoop* nextPart(const HalfEdgeMesh& mesh, const Inspection& inspection) const;
   // The nearest two points of a loop that divide it into similar parts and can be bridged.
-  static std::optional<BorderPair> waist(const HalfEdgeMesh& mesh, const BoundaryLoop& part);
+  static std::optional<BoundaryPair> waist(const HalfEdgeMesh& mesh, const BoundaryLoop& part);
 
  private:
   std::set<Vertex> m_rim;  // of the original hole

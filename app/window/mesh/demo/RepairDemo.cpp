@@ -132,7 +132,7 @@ void RepairDemo::addSmoothing(std::vector<DemoStep>& steps) {
 }
 
 void RepairDemo::addStitching(std::vector<DemoStep>& steps) {
-  const auto end = [this](HalfEdge BorderPair::*which) {
+  const auto end = [this](HalfEdge BoundaryPair::*which) {
     return [this, which]() -> std::optional<Vec3> {
       const HalfEdgeMesh& mesh = m_document->document.mesh();
       const BoundaryLoop* part = nextPart();
@@ -141,13 +141,13 @@ void RepairDemo::addStitching(std::vector<DemoStep>& steps) {
       return mesh.position(mesh.from((*pair).*which));
     };
   };
-  DemoStep take = click(end(&BorderPair::a));
+  DemoStep take = click(end(&BoundaryPair::a));
   take.caption = tr("3 of 5: stitch");
   take.detail =
       tr("A vertex is pulled to the opposite one: the longer the pull, the stronger the force. The hole is divided "
          "into two.");
   take.begin = [this] { choose("boundary", "onto", 1.0); };
-  DemoStep pull = click(end(&BorderPair::b));
+  DemoStep pull = click(end(&BoundaryPair::b));
   pull.buttons = kFirstLook;
   pull.rest = kLookTime;
   steps.insert(steps.end(), {take, press(kFirstLook), pull, rest(kLookTime, [this] { return isSettled(); })});

@@ -196,12 +196,12 @@ void RepairJobs::changed(const Request& request, const QString& text, const Insp
 
 void RepairJobs::logChange(const MeshTab& document, const MeshChange& done, const QString& text,
                            const QString& command) {
-  const ChangeAccount account = accountOf(document, done, text);
-  m_log.add(account.line, command, account.isPartly ? LogEntry::Weight::Warning : LogEntry::Weight::Info);
-  if (account.isPartly) {
-    emit changedPartly(&document, text, account.how);
-  } else if (account.isTold) {
-    emit message(changeMessage(document.document, text, account.how));
+  const ChangeSummary summary = changeSummaryOf(document, done, text);
+  m_log.add(summary.line, command, summary.isPartly ? LogEntry::Weight::Warning : LogEntry::Weight::Info);
+  if (summary.isPartly) {
+    emit changedPartly(&document, text, summary.how);
+  } else if (summary.isTold) {
+    emit message(changeMessage(document.document, text, summary.how));
   }
 }
 
@@ -263,7 +263,7 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   document->repairedRevision = document->document.revision();
   document->hasRepairChanged = isChanged;
   inspection.setFailures(failuresOf(done.report));
-  // A repair that changes nothing has no account: what is known from before is of another change.
+  // A repair that changes nothing has no summary: what is known from before is of another change.
   if (isChanged)
     inspection.setBefore(before, countOutcomes(done.report),
                          repairSummary(done.report, document->document.displayUnit()));

@@ -3,39 +3,39 @@
 #include "window/mesh/repair/RepairLog.h"
 
 #include "panels/LogModel.h"
-#include "panels/defects/RepairAccount.h"
+#include "panels/defects/RepairSummary.h"
 #include "text/RepairText.h"
 #include "window/mesh/MeshTab.h"
 #include "window/mesh/repair/RepairJobs.h"
 
 namespace handwheel {
 
-ChangeAccount accountOf(const MeshTab& document, const MeshChange& done, const QString& text) {
+ChangeSummary changeSummaryOf(const MeshTab& document, const MeshChange& done, const QString& text) {
   const QString name = document.document.name();
   const LengthUnit unit = document.document.displayUnit();
   const QString separator = QStringLiteral(", ");
   const bool isMeasured = done.distance && *done.distance;
-  const QStringList defects = done.isFix ? repairAccount(document.inspection) : QStringList();
-  ChangeAccount account;
-  account.isPartly = done.sheets && done.sheets->leftCount() > 0;
-  const bool isThickened = !account.isPartly && done.sheets && done.sheets->thickened > 0;
+  const QStringList defects = done.isFix ? defectSummary(document.inspection) : QStringList();
+  ChangeSummary summary;
+  summary.isPartly = done.sheets && done.sheets->leftCount() > 0;
+  const bool isThickened = !summary.isPartly && done.sheets && done.sheets->thickened > 0;
   QStringList how;
-  if (account.isPartly) how << sheetsText(*done.sheets, unit);
+  if (summary.isPartly) how << sheetsText(*done.sheets, unit);
   if (isMeasured)
     how << RepairJobs::tr("largest distance found between the surface before and after %1")
                .arg(lengthText(**done.distance, unit));
   how << defects;
-  account.line = RepairJobs::tr("%1: %2").arg(name, text);
+  summary.line = RepairJobs::tr("%1: %2").arg(name, text);
   if (isThickened) {
     const QString thickness = thicknessText(done.sheets->thickness, unit);
-    account.line = (QStringList(RepairJobs::tr("%1: %2 by %3").arg(name, text, thickness)) + how).join(separator);
+    summary.line = (QStringList(RepairJobs::tr("%1: %2 by %3").arg(name, text, thickness)) + how).join(separator);
     how.prepend(thickness);
   } else if (!how.isEmpty()) {
-    account.line = RepairJobs::tr("%1: %2: %3").arg(name, text, how.join(separator));
+    summary.line = RepairJobs::tr("%1: %2: %3").arg(name, text, how.join(separator));
   }
-  account.how = how.join(separator);
-  account.isTold = isMeasured || !defects.isEmpty() || (isThickened && done.sheets->thickness.thinVertices > 0);
-  return account;
+  summary.how = how.join(separator);
+  summary.isTold = isMeasured || !defects.isEmpty() || (isThickened && done.sheets->thickness.thinVertices > 0);
+  return summary;
 }
 
 QStringList patchWarningsOf(const RepairReport& report, const std::map<int, QString>& names) {
@@ -50,10 +50,10 @@ QStringList patchWarningsOf(const RepairReport& report, const std::map<int, QStr
 
 void logRepair(LogModel& log, const MeshTab& document, const RepairReport& report, const std::map<int, QString>& names,
                const QString& command) {
-  const QStringList account = repairAccount(document.inspection);
+  const QStringList summary = defectSummary(document.inspection);
   const QString part = document.document.name();
-  log.add(account.isEmpty() ? RepairJobs::tr("Repaired %1: nothing was changed").arg(part)
-                            : RepairJobs::tr("Repaired %1: %2").arg(part, account.join(QStringLiteral(", "))),
+  log.add(summary.isEmpty() ? RepairJobs::tr("Repaired %1: nothing was changed").arg(part)
+                            : RepairJobs::tr("Repaired %1: %2").arg(part, summary.join(QStringLiteral(", "))),
           command);
   for (const QString& warning : patchWarningsOf(report, names)) log.add(warning, {}, LogEntry::Weight::Warning);
   for (const LoopResult& loop : report.loops) {

@@ -14,7 +14,7 @@ struct MeshChange;
 struct MeshTab;
 
 // What a change has done, in words.
-struct ChangeAccount {
+struct ChangeSummary {
   QString line;           // for the log
   QString how;            // for the message, a list of phrases; may be empty
   bool isPartly = false;  // it had its effect on some of the sheets only
@@ -22,7 +22,7 @@ struct ChangeAccount {
 };
 
 // text: the name of the change, translated. After it was committed.
-ChangeAccount accountOf(const MeshTab& document, const MeshChange& done, const QString& text);
+ChangeSummary changeSummaryOf(const MeshTab& document, const MeshChange& done, const QString& text);
 
 // A sentence for each patch of a repair that is unlike its surroundings. names: of the loops that there were, by id.
 QStringList patchWarningsOf(const RepairReport& report, const std::map<int, QString>& names);

@@ -84,7 +84,7 @@ std::vector<double> certifiedBlends(const CellScene& scene, const CellPlans& pla
   std::vector<std::size_t> valueOf(path.places.size(), 0);
   for (std::size_t i = 0; i < way.placeOf.size(); ++i) valueOf[way.placeOf[i]] = i + 1;
   for (std::size_t i = 1; i + 1 < path.places.size() && !progress.cancelled(); ++i) {
-    const PathPlace &place = path.places[i], &next = path.places[i + 1];
+    const Waypoint &place = path.places[i], &next = path.places[i + 1];
     if (place.blend <= 0.0) continue;
     const bool hasLine = place.motion == ProgramMotion::Kind::Linear || next.motion == ProgramMotion::Kind::Linear;
     JointPath before(way.joints.begin() + static_cast<std::ptrdiff_t>(valueOf[i - 1]),

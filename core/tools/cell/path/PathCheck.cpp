@@ -61,7 +61,7 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   if (armNumber(*scene.robot, path.arm) != scene.armNumber)
     return Error{CellError::OfOtherArm, {path.name, path.arm}, {}, {}};
   for (std::size_t i = 0; i < path.places.size(); ++i) {
-    const PathPlace& place = path.places[i];
+    const Waypoint& place = path.places[i];
     if (scene.ownStandAs(place.joints)) continue;
     return Error{CellError::OthersMoved, {place.name.empty() ? std::to_string(i + 1) : place.name}, {}, {}};
   }
@@ -107,7 +107,7 @@ TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath&
   std::vector<MotionPace> paces;
   for (std::size_t i = 0; i < way.placeOf.size(); ++i) {
     const std::size_t leadsTo = way.placeOf[i];
-    const PathPlace& to = path.places[leadsTo];
+    const Waypoint& to = path.places[leadsTo];
     if (to.motion == ProgramMotion::Kind::Joint) {
       paces.push_back({.speed = to.speed});
       continue;
@@ -152,7 +152,7 @@ RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const Rob
   program.hasPlainShapes = hasPlainShapes(scene.robot->model, scene.robot->arms, scene.armNumber);
   program.remarks = remarksOn(scene, checked);
   for (std::size_t i = 0; i < path.places.size(); ++i) {
-    const PathPlace& place = path.places[i];
+    const Waypoint& place = path.places[i];
     ProgramMotion motion{place.motion, scene.planned(place.joints), place.speed, checked.blends[i], place.name};
     if (i == 0) motion.kind = ProgramMotion::Kind::Joint;
     program.motions.push_back(std::move(motion));

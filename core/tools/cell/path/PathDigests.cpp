@@ -110,7 +110,7 @@ std::string ofPath(const RobotPath& path) {
   Digest digest;
   digest.add(path.arm);
   digest.add(std::uint64_t{path.places.size()});
-  for (const PathPlace& place : path.places) {
+  for (const Waypoint& place : path.places) {
     digest.add(place.joints);
     digest.add(place.name);
     digest.add(std::uint64_t{place.isCritical ? 1u : 0u});

@@ -63,7 +63,7 @@ std::optional<double> shareFor(const SerialArm& arm, const Pose& tool, const Arm
 double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional<double> share) {
   if (kind == ProgramMotion::Kind::Linear) return std::clamp(motion.speed.value_or(250.0), 1e-3, 1e5);
   const std::optional<double> own = motion.kind == kind ? motion.speed : std::nullopt;
-  return std::clamp(own ? *own : share.value_or(PathPlace().speed), 1e-3, 1.0);
+  return std::clamp(own ? *own : share.value_or(Waypoint().speed), 1e-3, 1.0);
 }
 
 }  // namespace
@@ -147,7 +147,7 @@ Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapsho
     }
     Result<JointValues> within = valuesWithinLimits(cell.robot->model, scene.whole(before));
     if (!within) return located(within.error());
-    PathPlace place{.joints = std::move(within).value()};
+    Waypoint place{.joints = std::move(within).value()};
     place.motion = path.places.empty() ? ProgramMotion::Kind::Joint : motion.kind;
     const bool hasShare = motion.toolSpeed && !path.places.empty();
     place.speed = speedOf(motion, place.motion,

@@ -39,7 +39,7 @@ class PathOptimisation {
   }
 
   // The critical places in their new order, with their new joints; as they were where there is no way through them.
-  std::vector<PathPlace> optimised(const std::vector<PathPlace>& places, OptimisedPath& result, Progress progress) {
+  std::vector<Waypoint> optimised(const std::vector<Waypoint>& places, OptimisedPath& result, Progress progress) {
     m_places = &places;
     findStops(progress.part(0.0, 0.2));
     std::vector<std::size_t> ways;
@@ -51,12 +51,12 @@ class PathOptimisation {
             ? std::nullopt
             : cheapestOrder(ways, costs, {.mayReorder = m_settings.mayReorder, .seconds = m_settings.seconds},
                             progress.part(0.2, 1.0));
-    std::vector<PathPlace> ordered;
+    std::vector<Waypoint> ordered;
     for (std::size_t i = 0; i < m_stops.size(); ++i) {
       const Visit visit = found ? found->visits[i] : Visit{i, 0};
       const Stop& stop = m_stops[visit.stop];
       for (std::size_t k = 0; k < stop.places.size(); ++k) {
-        PathPlace place = places[stop.places[k]];
+        Waypoint place = places[stop.places[k]];
         if (visit.way > 0) {
           place.joints = m_scene.whole(stop.ways[visit.way].values[k]);
           ++result.reconfigured;
@@ -173,7 +173,7 @@ class PathOptimisation {
   const CellPlans& m_plans;
   OptimisationSettings m_settings;
   std::optional<ClosedFormIk> m_ik;
-  const std::vector<PathPlace>* m_places = nullptr;
+  const std::vector<Waypoint>* m_places = nullptr;
   std::vector<Stop> m_stops;
 };
 
@@ -218,16 +218,16 @@ Result<OptimisedPath> optimisedPath(const CellScene& scene, const CellPlans& pla
       .resolution = std::min(PathCheckSettings().resolution, settings.route.plan.check.resolution)};
   const Result<CheckedPath> present = checkPath(scene, plans, path, check, progress.part(0.0, 0.1));
   if (!present) return present.error();
-  std::vector<PathPlace> critical;
+  std::vector<Waypoint> critical;
   if (armNumber(*scene.robot, path.arm) != scene.armNumber)
     return Error{CellError::OfOtherArm, {path.name, path.arm}, {}, {}};
-  for (const PathPlace& place : path.places) {
+  for (const Waypoint& place : path.places) {
     const bool isEnd = &place == &path.places.front() || &place == &path.places.back();
     if (place.isCritical || isEnd) critical.push_back(place);
   }
   OptimisedPath result;
   result.before = present->seconds;
-  const std::vector<PathPlace> places =
+  const std::vector<Waypoint> places =
       PathOptimisation(scene, plans, settings).optimised(critical, result, progress.part(0.1, 0.9));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   Result<PlannedPath> planned = plannedThrough(scene, plans, places, settings.route, progress.part(0.9, 1.0));

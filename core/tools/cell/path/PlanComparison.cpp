@@ -8,7 +8,7 @@
 namespace handwheel {
 
 std::vector<ComparedPath> comparedPaths(const CellScene& scene, const CellPlans& plans,
-                                        std::span<const PathPlace> places, const RouteSettings& settings,
+                                        std::span<const Waypoint> places, const RouteSettings& settings,
                                         Progress progress) {
   assert(places.size() >= 2);
   const PathCheckSettings check{.clearance = settings.plan.check.clearance,
@@ -17,7 +17,7 @@ std::vector<ComparedPath> comparedPaths(const CellScene& scene, const CellPlans&
   const std::size_t between = places.size() - 2;
   const double share = 0.5 / static_cast<double>(between + 1);
   for (std::size_t critical = 0; critical <= between; ++critical) {
-    std::vector<PathPlace> some(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(critical) + 1);
+    std::vector<Waypoint> some(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(critical) + 1);
     some.push_back(places.back());
     for (const bool isOptimised : {false, true}) {
       if (progress.cancelled()) return all;

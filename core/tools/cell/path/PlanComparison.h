@@ -18,7 +18,7 @@ struct ComparedPath {
 // and so on, each without and with the shortcuts of the settings (He 2008, chapter 6: a planner alone, and with
 // critical configurations). What could not be planned is in the list, too. Incomplete once cancelled.
 std::vector<ComparedPath> comparedPaths(const CellScene& scene, const CellPlans& plans,
-                                        std::span<const PathPlace> places, const RouteSettings& settings,
+                                        std::span<const Waypoint> places, const RouteSettings& settings,
                                         Progress progress = {});
 
 }  // namespace handwheel

@@ -60,7 +60,7 @@ std::optional<ArmValues> numbersOf(const std::string& text, Eigen::Index count) 
   return values;
 }
 
-std::string nameOf(const PathPlace& place, std::size_t number) {
+std::string nameOf(const Waypoint& place, std::size_t number) {
   return place.name.empty() ? "place " + std::to_string(number + 1) : place.name;
 }
 
@@ -75,7 +75,7 @@ class LegPlanning {
   std::uint64_t steps() const { return m_steps; }
 
   // Adds the places after `from`, up to `to`. names: of both, for errors.
-  Status plan(const PathPlace& from, const PathPlace& to, const std::array<std::string, 2>& names, RobotPath& path,
+  Status plan(const Waypoint& from, const Waypoint& to, const std::array<std::string, 2>& names, RobotPath& path,
               Progress progress) {
     const ArmValues begin = m_scene.planned(from.joints), end = m_scene.planned(to.joints);
     if (to.motion == ProgramMotion::Kind::Linear) return follow(begin, end, to, names[1], path, progress);
@@ -85,7 +85,7 @@ class LegPlanning {
     if (!route.isSolved()) return problemOf(route, begin, end, names);
     const JointPath& leg = route.legs.front();
     for (std::size_t i = 1; i + 1 < leg.size(); ++i) {
-      PathPlace between{.joints = m_scene.whole(leg[i]), .isCritical = false, .speed = to.speed, .blend = to.blend};
+      Waypoint between{.joints = m_scene.whole(leg[i]), .isCritical = false, .speed = to.speed, .blend = to.blend};
       path.places.push_back(std::move(between));
     }
     path.places.push_back(to);
@@ -93,7 +93,7 @@ class LegPlanning {
   }
 
  private:
-  Status follow(const ArmValues& begin, const ArmValues& end, const PathPlace& to, const std::string& name,
+  Status follow(const ArmValues& begin, const ArmValues& end, const Waypoint& to, const std::string& name,
                 RobotPath& path, Progress progress) {
     const CheckedLine line =
         checkLine(m_scene.scene, m_scene.arm, m_plans.tool, begin, end, {}, m_settings.plan.check, progress);
@@ -213,31 +213,31 @@ const Operation& planOperation() {
   return kOperation;
 }
 
-Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
-                              const JointValues& near) {
+Result<Waypoint> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
+                             const JointValues& near) {
   if (const NamedConfiguration* configuration = cell.plans->configuration(text)) {
     if (armNumber(*scene.robot, configuration->arm) != scene.armNumber)
       return Error{CellError::OfOtherArm, {configuration->name, configuration->arm}, {}, {}};
-    return PathPlace{.joints = withJointsOf(*scene.robot, scene.armNumber, cell.joints, configuration->joints),
-                     .name = configuration->name};
+    return Waypoint{.joints = withJointsOf(*scene.robot, scene.armNumber, cell.joints, configuration->joints),
+                    .name = configuration->name};
   }
   if (const NamedTarget* target = cell.plans->target(text)) {
     const Result<Pose> pose = poseOfTarget(*target, cell.bodies, scene.robot->model, cell.joints);
     if (!pose) return pose.error();
     const Result<ArmValues> values = nearestFree(scene, *cell.plans, *pose, scene.planned(near));
     if (!values) return values.error();
-    return PathPlace{.joints = scene.whole(*values), .name = target->name};
+    return Waypoint{.joints = scene.whole(*values), .name = target->name};
   }
   const bool isHere = text == "here";
   const auto numbers = isHere ? std::nullopt : numbersOf(text, scene.scene.size());
   if (!isHere && !numbers) return Error{CellError::PlaceMissing, {text}, {}, {}};
   Result<JointValues> within = valuesWithinLimits(scene.robot->model, isHere ? cell.joints : scene.whole(*numbers));
   if (!within) return within.error();
-  return PathPlace{.joints = std::move(within).value()};
+  return Waypoint{.joints = std::move(within).value()};
 }
 
-Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene,
-                                        const RobotCellSnapshot& cell) {
+Result<std::vector<Waypoint>> placesOf(const OperationValues& values, const CellScene& scene,
+                                       const RobotCellSnapshot& cell) {
   std::vector<std::string> texts{values.text("from")};
   if (values.isSet("via")) {
     const std::string via = values.text("via");
@@ -247,10 +247,10 @@ Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const Cel
       texts.push_back(std::move(word));
   }
   texts.push_back(values.text("to"));
-  std::vector<PathPlace> places;
+  std::vector<Waypoint> places;
   for (const std::string& text : texts) {
     const JointValues& near = places.empty() ? cell.joints : places.back().joints;
-    Result<PathPlace> place = placeCalled(scene, cell, text, near);
+    Result<Waypoint> place = placeCalled(scene, cell, text, near);
     if (!place) return place.error();
     places.push_back(std::move(place).value());
   }
@@ -268,17 +268,17 @@ RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& pl
   return settings;
 }
 
-Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const PathPlace> places,
+Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const Waypoint> places,
                                    const RouteSettings& settings, Progress progress) {
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<const PathPlace*> kept;
-  for (const PathPlace& place : places) {
+  std::vector<const Waypoint*> kept;
+  for (const Waypoint& place : places) {
     const bool isEnd = &place == &places.front() || &place == &places.back();
     if (place.isCritical || isEnd) kept.push_back(&place);
   }
   PlannedPath planned;
   // Other robots are where they stand now.
-  const auto standing = [&](PathPlace place) {
+  const auto standing = [&](Waypoint place) {
     place.joints = withJointsOf(*scene.robot, scene.armNumber, scene.others, place.joints);
     return place;
   };

@@ -20,13 +20,13 @@ const Operation& planOperation();
 // Joint values by the name of a configuration, "here" for where the robot stands, or a number for each joint between
 // base and tool (rad, mm), separated by spaces or commas; or by the name of a target: then the nearest way to it that
 // is free, from these joint values. Errors: PlaceMissing, ValueOutOfRange; those of poseOfTarget() and nearestFree().
-Result<PathPlace> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
-                              const JointValues& near);
+Result<Waypoint> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
+                             const JointValues& near);
 
 // The places that "from", "via" and "to" name; of targets, as near as may be to the place before, the first to where
 // the robot stands. Errors: those of placeCalled().
-Result<std::vector<PathPlace>> placesOf(const OperationValues& values, const CellScene& scene,
-                                        const RobotCellSnapshot& cell);
+Result<std::vector<Waypoint>> placesOf(const OperationValues& values, const CellScene& scene,
+                                       const RobotCellSnapshot& cell);
 // values: of an operation with the parameters above.
 RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& plans);
 // The same for the verification of what was planned; no coarser than others verify.
@@ -42,7 +42,7 @@ struct PlannedPath {
 // Plans through these places, at least two. Those that are not critical are left out; straight lines to a place stay
 // lines. Errors: PlaceCollides, PlaceBeyondLimits, OthersMoved, RouteNotFound, LineUnreachable, LineCollides,
 // PathTooShort, Cancelled.
-Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const PathPlace> places,
+Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const Waypoint> places,
                                    const RouteSettings& settings, Progress progress = {});
 
 }  // namespace handwheel

@@ -134,9 +134,9 @@ void BoundaryTool::aim(Deed deed, HalfEdge target) {
   m_drag->weld = {};
   m_drag->bridge = {};
   if (target == kNone) return;
-  const BorderPair ends{m_drag->held.at, target};
+  const BoundaryPair ends{m_drag->held.at, target};
   if (deed == Deed::Weld) {
-    m_drag->weld = weldBorder(*m_drag->near, ends);
+    m_drag->weld = weldBoundary(*m_drag->near, ends);
     m_drag->problem = m_drag->weld.problem;
   } else {
     m_drag->bridge = findBridge(*m_drag->near, ends);
@@ -166,7 +166,7 @@ void BoundaryTool::commitDrag(const Drag& drag) {
     return m_services.commit(onlyWhere(isThere, pullChange(v, drag.stop)));
   }
   if (drag.target == kNone || drag.problem != JoinProblem::None) return;
-  const BorderPair ends{drag.held.at, drag.target};
+  const BoundaryPair ends{drag.held.at, drag.target};
   const auto isThere = [known, ends](const HalfEdgeMesh& mesh) {
     for (const HalfEdge h : {ends.a, ends.b}) {
       const Face f = HalfEdgeMesh::face(h);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/boundary/BorderSmoothing.h"
-#include "mesh/boundary/BorderWelding.h"
+#include "mesh/boundary/BoundarySmoothing.h"
+#include "mesh/boundary/BoundaryWelding.h"
 #include "mesh/boundary/VertexPull.h"
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshSelection.h"
-#include "tools/mesh/boundary/BorderPicking.h"
+#include "tools/mesh/boundary/BoundaryPicking.h"
 
 namespace handwheel {
 
@@ -48,7 +48,7 @@ class BoundaryTool : public Tool {
   enum class Deed { Pull, Weld, Bridge };
   struct Drag {
     std::shared_ptr<const FaceLocator> near;
-    BorderPoint held;
+    BoundaryPoint held;
     VertexPull pull;
     Ray grip;                      // at the press
     std::optional<Vec3> tip = {};  // of the device then; mm
@@ -67,7 +67,7 @@ class BoundaryTool : public Tool {
   struct Proposal {
     Kind kind;
     SmoothingOptions options;
-    SmoothedBorder smoothed;
+    SmoothedBoundary smoothed;
     FaceSelection faces;  // that change, or go
     std::shared_ptr<const TriangleSoup> shapes;
   };
@@ -92,12 +92,12 @@ class BoundaryTool : public Tool {
 
   MeshDocument& m_document;
   MeshServices m_services;
-  BorderPicking m_picking;
+  BoundaryPicking m_picking;
   SmoothingOptions m_smoothing;
   Onto m_onto = Onto::Join;
   std::optional<Vertex> m_key;          // of the chosen loop
   std::optional<Vertex> m_hoveredLoop;  // by key
-  std::optional<BorderPoint> m_hovered;
+  std::optional<BoundaryPoint> m_hovered;
   double m_mark = 0.0;  // radius of the mark on a point, mm
   std::optional<Drag> m_drag;
   std::optional<Proposal> m_proposal;

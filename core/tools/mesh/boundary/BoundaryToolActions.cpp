@@ -164,7 +164,7 @@ std::function<BoundaryTool::Proposal(Progress)> BoundaryTool::workFor(Kind kind)
     if (kind != Kind::Smooth) return proposal;
     const FaceLocator near(mesh, faces);
     proposal.options = options;
-    proposal.smoothed = smoothBorder(near, loop, options);
+    proposal.smoothed = smoothBoundary(near, loop, options);
     HalfEdgeMesh moved = mesh;
     moveVertices(moved, proposal.smoothed.moves);
     std::vector<TrianglePoints> shapes;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/Operation.h"
-#include "mesh/boundary/BorderSmoothing.h"
+#include "mesh/boundary/BoundarySmoothing.h"
 
 namespace handwheel {
 

@@ -107,7 +107,7 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
                 [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
                   std::vector<bool> fixed;
                   if (!pairs.empty()) fixed = fixedBut(mesh, pairs, nearWeld, progress.part(0.0, 0.4));
-                  stitchBorders(mesh, fixed, progress.part(0.4, 1.0), nearWeld);
+                  stitchBoundaries(mesh, fixed, progress.part(0.4, 1.0), nearWeld);
                 },
                 kCrowdsEdges},
                step.text());
@@ -139,7 +139,7 @@ MeshChange nonOrientableFix(const FillOptions& options, std::vector<Vertex> vert
                      const Progress now = progress.within(effort);
                      FaceSelection parts;
                      if (!vertices.empty()) parts = componentsAt(mesh, vertices, now.part(0.0, 0.05));
-                     closeNonOrientable(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes,
+                     closeNonOrientable(mesh, options, std::numeric_limits<double>::infinity(), BoundaryCuts::Yes,
                                         now.part(0.05, 1.0), vertices.empty() ? nullptr : &parts);
                      return !effort.isSpent();
                    },

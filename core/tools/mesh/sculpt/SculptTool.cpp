@@ -118,7 +118,7 @@ ToolReply SculptTool::press(const PointerEvent& event) {
     m_stroke->dab(*place);
     m_hovered = place;
   }
-  showLive();
+  showPreviewMesh();
   return ToolReply::Used;
 }
 
@@ -132,7 +132,7 @@ ToolReply SculptTool::drag(const PointerEvent& event) {
   } else {
     m_stroke->dragTo(event.ray);
   }
-  showLive();
+  showPreviewMesh();
   return ToolReply::Used;
 }
 
@@ -163,7 +163,7 @@ ToolReply SculptTool::release(const PointerEvent& event) {
   if (stroke.changedAnything()) {
     take(textOf(stroke.settings().brush), sculpted(stroke));
   } else {
-    showLive();
+    showPreviewMesh();
   }
   return ToolReply::Used;
 }
@@ -171,15 +171,15 @@ ToolReply SculptTool::release(const PointerEvent& event) {
 void SculptTool::dropStroke() {
   m_stroke.reset();
   m_tip.reset();
-  showLive();
+  showPreviewMesh();
 }
 
-void SculptTool::showLive() {
-  m_live.reset();
+void SculptTool::showPreviewMesh() {
+  m_previewMesh.reset();
   if (!m_stroke && m_waiting.empty()) return;
-  auto live = std::make_shared<PreviewMesh>(PreviewMesh{levels().mesh(), m_touched});
-  if (m_stroke) live->touched.add(m_stroke->touched());
-  m_live = std::move(live);
+  auto made = std::make_shared<PreviewMesh>(PreviewMesh{levels().mesh(), m_touched});
+  if (m_stroke) made->touched.add(m_stroke->touched());
+  m_previewMesh = std::move(made);
 }
 
 std::vector<DeviceSpring> SculptTool::forces() const {
@@ -190,7 +190,7 @@ std::vector<DeviceSpring> SculptTool::forces() const {
 ToolPreview SculptTool::preview() const {
   ToolPreview preview;
   const auto onMesh = std::make_shared<MeshPreview>();
-  onMesh->live = m_live;
+  onMesh->previewMesh = m_previewMesh;
   preview.ofKind = onMesh;
   preview.lines = m_outline;
   if (m_hovered) preview.circle = {m_hovered->point, m_settings.radius};

@@ -63,7 +63,7 @@ class SculptTool : public Tool {
   void stepCrossed(std::size_t pairs);
   void restart();
   void setLevels(PatchLevels levels);
-  void showLive();
+  void showPreviewMesh();
   ToolReply revert();
   void cancelJob();
   void dropStroke();
@@ -88,7 +88,7 @@ class SculptTool : public Tool {
   std::deque<Step> m_waiting;
   std::uint64_t m_ticket = 0;  // of the last step
   FaceSelection m_touched;     // by those that wait
-  std::shared_ptr<const PreviewMesh> m_live;
+  std::shared_ptr<const PreviewMesh> m_previewMesh;
 
   std::shared_ptr<const int> m_job;                                    // as in SelectTool
   std::shared_ptr<const int> m_alive = std::make_shared<const int>();  // gone with the tool

@@ -74,7 +74,7 @@ void SculptTool::take(const char* text, SculptResult made) {
   if (isSameDepth) m_level = level;
   m_touched.add(made.touched);
   m_waiting.push_back({m_ticket, std::move(levels)});
-  showLive();
+  showPreviewMesh();
   m_services.commit(std::move(change));
 }
 
@@ -90,7 +90,7 @@ void SculptTool::landed() {
   m_document.keepLevels(m_waiting.front().levels);
   m_waiting.pop_front();
   if (m_waiting.empty()) m_touched = {};
-  showLive();
+  showPreviewMesh();
 }
 
 void SculptTool::stepEnded(std::uint64_t ticket) {
@@ -124,7 +124,7 @@ void SculptTool::restart() {
   patch.dropDead(m_known);
   const PatchLevels* remembered = m_isWhole ? nullptr : m_document.levels(patch);
   setLevels(remembered ? *remembered : PatchLevels(m_known, std::move(patch)));
-  showLive();
+  showPreviewMesh();
 }
 
 ToolReply SculptTool::perform(std::string_view action) {

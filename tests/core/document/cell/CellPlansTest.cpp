@@ -81,7 +81,7 @@ class CellPlansTest : public QObject {
   // as it was is.
   void speedsByHand() {
     CellPlans plans;
-    PathPlace place{.joints = values({0.0, 1.0}), .motion = ProgramMotion::Kind::Linear, .speed = 50.0};
+    Waypoint place{.joints = values({0.0, 1.0}), .motion = ProgramMotion::Kind::Linear, .speed = 50.0};
     plans.paths = {{"way", {place, place}, "", PathProcess{{{"lead", 5.0}}}}};
     for (const auto& [id, same, other] : {std::tuple{"path.way.2.speed", 50.0, 60.0},
                                           {"path.way.2.blend", 0.0, 3.0},

@@ -158,7 +158,7 @@ class CellRobotsTest : public QObject {
       RC_ASSERT(scene.hasValue());
       bool isFound = false;
       const ArmValues now = scene->planned(cell.joints);
-      for (const CellWay& way : waysTo(*scene, *cell.plans, there, now)) {
+      for (const CellIkSolution& way : ikSolutionsTo(*scene, *cell.plans, there, now)) {
         isFound |= (way.arm.values - now).cwiseAbs().maxCoeff() < 1e-4;
         const Pose reached = toolPose(*cell.robot, *cell.plans, scene->whole(way.arm.values));
         RC_ASSERT((reached.matrix() - there.matrix()).cwiseAbs().maxCoeff() < 1e-4);

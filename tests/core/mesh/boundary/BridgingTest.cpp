@@ -6,8 +6,8 @@
 #include "HoleShapes.h"
 #include "OneSidedShapes.h"
 #include "TestClass.h"
-#include "mesh/boundary/BorderWelding.h"
 #include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/boundary/BoundaryWelding.h"
 #include "mesh/structure/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -41,7 +41,7 @@ std::size_t loopCount(const HalfEdgeMesh& mesh) {
   return findBoundaryLoops(mesh).size();
 }
 
-BorderPair between(const HalfEdgeMesh& mesh, const Vec3& a, const Vec3& b) {
+BoundaryPair between(const HalfEdgeMesh& mesh, const Vec3& a, const Vec3& b) {
   return {test::borderAt(mesh, a), test::borderAt(mesh, b)};
 }
 
@@ -55,13 +55,13 @@ HalfEdgeMesh anyMesh() {
 }
 
 // Two points of the border, most often such as are near each other.
-BorderPair anyEnds(const HalfEdgeMesh& mesh) {
+BoundaryPair anyEnds(const HalfEdgeMesh& mesh) {
   std::vector<HalfEdge> border;
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h)
     if (mesh.isBorder(h)) border.push_back(h);
   if (border.empty()) return {};
   const auto any = [&] { return border[*rc::gen::inRange<std::size_t>(0, border.size())]; };
-  BorderPair ends{any(), any()};
+  BoundaryPair ends{any(), any()};
   switch (*rc::gen::inRange(0, 5)) {
     case 0:
       ends.b = mesh.nextOpen(ends.a);
@@ -140,7 +140,7 @@ void BridgingTest::anyTwoPoints() {
   QVERIFY(rc::check([] {
     HalfEdgeMesh mesh = anyMesh();
     for (int i = 0; i < 10; ++i) {
-      const BorderPair ends = anyEnds(mesh);
+      const BoundaryPair ends = anyEnds(mesh);
       if (ends.a == kNone) break;
       const HalfEdgeMesh before = mesh;
       const Bridge bridge = findBridge(test::nearFaces(mesh), ends);
@@ -155,7 +155,7 @@ void BridgingTest::anyTwoPoints() {
 
 void BridgingTest::weldsNeighbours() {
   const HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
-  const Weld weld = weldBorder(test::nearFaces(mesh), between(mesh, Vec3(-1, -2, 0), Vec3(0, -2, 0)));
+  const Weld weld = weldBoundary(test::nearFaces(mesh), between(mesh, Vec3(-1, -2, 0), Vec3(0, -2, 0)));
   QCOMPARE(weld.problem, JoinProblem::None);
   QCOMPARE(test::worse(mesh, weld.mesh), std::string());
   QVERIFY(test::othersStay(mesh, weld.mesh, weld.changed));
@@ -173,8 +173,8 @@ void BridgingTest::weldsTwoEdgesApart() {
   });
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
   for (const std::uint32_t ring : {0u, 1u, 2u}) {
-    const BorderPair ends = between(mesh, soup.points[24 * ring], soup.points[24 * ring + 1]);
-    Weld weld = weldBorder(test::nearFaces(mesh), ends);
+    const BoundaryPair ends = between(mesh, soup.points[24 * ring], soup.points[24 * ring + 1]);
+    Weld weld = weldBoundary(test::nearFaces(mesh), ends);
     QCOMPARE(weld.problem, JoinProblem::None);
     QCOMPARE(test::worse(mesh, weld.mesh), std::string());
     QVERIFY(test::othersStay(mesh, weld.mesh, weld.changed));
@@ -190,7 +190,7 @@ void BridgingTest::weldsAcross() {
   const HalfEdgeMesh mesh =
       buildMesh(test::plateWithout(20, [](double x, double y) { return std::abs(x) < 1.0 && std::abs(y) < 6.0; })).mesh;
   for (const double far : {-1.0, 1.0}) {
-    const Weld weld = weldBorder(test::nearFaces(mesh), between(mesh, Vec3(-far, 0, 0), Vec3(far, 0, 0)));
+    const Weld weld = weldBoundary(test::nearFaces(mesh), between(mesh, Vec3(-far, 0, 0), Vec3(far, 0, 0)));
     // The triangles beside it are one wide and the slot two, so they stretch but do not turn.
     QCOMPARE(weld.problem, JoinProblem::None);
     QCOMPARE(test::worse(mesh, weld.mesh), std::string());
@@ -203,7 +203,7 @@ void BridgingTest::weldsAcross() {
 
 void BridgingTest::weldsAnIsland() {
   const HalfEdgeMesh mesh = buildMesh(test::plateWithIsland()).mesh;
-  const Weld weld = weldBorder(test::nearFaces(mesh), between(mesh, Vec3(-2, 0, 0), Vec3(-6, 0, 0)));
+  const Weld weld = weldBoundary(test::nearFaces(mesh), between(mesh, Vec3(-2, 0, 0), Vec3(-6, 0, 0)));
   QCOMPARE(weld.problem, JoinProblem::None);
   QCOMPARE(test::worse(mesh, weld.mesh), std::string());
   QCOMPARE(loopCount(weld.mesh), loopCount(mesh) - 1);
@@ -213,11 +213,11 @@ void BridgingTest::weldsAnIsland() {
 void BridgingTest::weldRefuses() {
   const HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
   const FaceLocator near = test::nearFaces(mesh);
-  const auto problem = [&](const Vec3& a, const Vec3& b) { return weldBorder(near, between(mesh, a, b)).problem; };
+  const auto problem = [&](const Vec3& a, const Vec3& b) { return weldBoundary(near, between(mesh, a, b)).problem; };
   QVERIFY(problem(Vec3(0, 2, 0), Vec3(0, 2, 0)) == JoinProblem::SamePoint);
   QVERIFY(problem(Vec3(-2, 0, 0), Vec3(-5, 0, 0)) == JoinProblem::FlippedFace);
   const HalfEdgeMesh pinched = buildMesh(test::plateWithPinchedHole()).mesh;
-  const Weld torn = weldBorder(test::nearFaces(pinched), between(pinched, Vec3::Zero(), Vec3(2, 1, 0)));
+  const Weld torn = weldBoundary(test::nearFaces(pinched), between(pinched, Vec3::Zero(), Vec3(2, 1, 0)));
   QVERIFY(torn.problem == JoinProblem::NonManifoldVertex);
 }
 
@@ -225,9 +225,9 @@ void BridgingTest::weldsAnyTwoPoints() {
   QVERIFY(rc::check([] {
     HalfEdgeMesh mesh = anyMesh();
     for (int i = 0; i < 10; ++i) {
-      const BorderPair ends = anyEnds(mesh);
+      const BoundaryPair ends = anyEnds(mesh);
       if (ends.a == kNone) break;
-      Weld weld = weldBorder(test::nearFaces(mesh), ends);
+      Weld weld = weldBoundary(test::nearFaces(mesh), ends);
       if (weld.problem != JoinProblem::None) continue;
       RC_ASSERT(test::worse(mesh, weld.mesh) == "");
       RC_ASSERT(test::othersStay(mesh, weld.mesh, weld.changed));
@@ -241,9 +241,9 @@ void BridgingTest::weldsAnyTwoPoints() {
 void BridgingTest::withinABox() {
   QVERIFY(rc::check([] {
     const HalfEdgeMesh mesh = anyMesh();
-    const BorderPair ends = anyEnds(mesh);
+    const BoundaryPair ends = anyEnds(mesh);
     const FaceLocator near(mesh, reachOf(mesh, ends)), all = test::nearFaces(mesh);
-    const Weld weld = weldBorder(near, ends), other = weldBorder(all, ends);
+    const Weld weld = weldBoundary(near, ends), other = weldBoundary(all, ends);
     RC_ASSERT(weld.problem == other.problem);
     RC_ASSERT(weld.problem != JoinProblem::None || test::sameMesh(weld.mesh, other.mesh));
     RC_ASSERT(findBridge(near, ends).triangles == findBridge(all, ends).triangles);

@@ -17,7 +17,7 @@ TriangleSoup gridToTear(std::uint32_t n) {
 }
 
 VertexPairs pairsThatClose(const HalfEdgeMesh& mesh) {
-  const VertexPairs near = nearBorderVertices(mesh);
+  const VertexPairs near = nearBoundaryVertices(mesh);
   return closingPairs(near, closingEdges(mesh, near));
 }
 
@@ -40,7 +40,7 @@ void ClosingEdgesTest::ofASlit() {
   TriangleSoup soup = gridToTear(5);
   test::append(soup, test::moved(soup, {4.0 + 1e-6, 0, 0}));
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  const VertexPairs near = nearBorderVertices(mesh);
+  const VertexPairs near = nearBoundaryVertices(mesh);
   QCOMPARE(near.size(), std::size_t{5});
   QVERIFY(pairsThatClose(mesh) == near);
   const std::vector<ClosingEdge> edges = closingEdges(mesh, near);
@@ -55,7 +55,7 @@ void ClosingEdgesTest::partnersOfARow() {
   TriangleSoup soup = gridToTear(5);
   test::append(soup, test::moved(soup, {4.0 + 1e-6, 0, 0}));
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  const VertexPairs near = nearBorderVertices(mesh);
+  const VertexPairs near = nearBoundaryVertices(mesh);
   const std::vector<ClosingEdge> edges = closingEdges(mesh, near);
   for (const auto& pair : near) {
     const VertexPairs both = withPartners({pair}, near, edges);
@@ -72,7 +72,7 @@ void ClosingEdgesTest::noneWhereOnlyCornersMeet() {
   TriangleSoup soup = gridToTear(3);
   test::append(soup, test::moved(soup, {2.0 + 1e-6, 2.0 + 1e-6, 0}));
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  QCOMPARE(nearBorderVertices(mesh).size(), std::size_t{1});
+  QCOMPARE(nearBoundaryVertices(mesh).size(), std::size_t{1});
   QVERIFY(pairsThatClose(mesh).empty());
   QVERIFY(closingEdges(mesh, {}).empty());
 }
@@ -84,7 +84,7 @@ void ClosingEdgesTest::runs() {
   test::append(soup, test::moved(sheet, {4.0 + 1e-6, 0, 0}));
   test::append(soup, test::moved(sheet, {8.0 + 2e-6, 0, 0}));
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  const VertexPairs near = nearBorderVertices(mesh);
+  const VertexPairs near = nearBoundaryVertices(mesh);
   const auto runs = connectedRuns(closingEdges(mesh, near), near.size());
   QCOMPARE(runs.size(), std::size_t{2});
   for (const std::vector<ClosingEdge>& run : runs) QCOMPARE(run.size(), std::size_t{4});
@@ -100,7 +100,7 @@ void ClosingEdgesTest::manySheetsOverOneEdge() {
     test::append(soup, {{Vec3(0, 0, shift), Vec3(0, shift, 1), out}, {i % 2 ? Triangle{0, 1, 2} : Triangle{1, 0, 2}}});
   }
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  const VertexPairs near = nearBorderVertices(mesh);
+  const VertexPairs near = nearBoundaryVertices(mesh);
   const std::vector<ClosingEdge> edges = closingEdges(mesh, near);
   QCOMPARE(edges.size(), std::size_t{1});
   std::set<std::size_t> distinct(edges[0].pairs.begin(), edges[0].pairs.end());

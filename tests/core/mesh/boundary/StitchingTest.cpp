@@ -60,7 +60,7 @@ void split(TriangleSoup& s, std::size_t f, int corner, const std::vector<double>
 }
 
 std::vector<Vertex> stitch(HalfEdgeMesh& mesh) {
-  return stitchBorders(mesh, std::vector<bool>(mesh.vertexSlots(), false));
+  return stitchBoundaries(mesh, std::vector<bool>(mesh.vertexSlots(), false));
 }
 
 }  // namespace
@@ -174,13 +174,13 @@ void StitchingTest::slightlyOffTheEdge() {
 void StitchingTest::keptOpenStays() {
   const HalfEdgeMesh before = buildMesh(looseCube(1e-7)).mesh;
   HalfEdgeMesh mesh = before;
-  QVERIFY(stitchBorders(mesh, std::vector<bool>(before.vertexSlots(), true)).empty());
+  QVERIFY(stitchBoundaries(mesh, std::vector<bool>(before.vertexSlots(), true)).empty());
   QVERIFY(test::sameMesh(mesh, before));
 
   std::vector<bool> firstSide(before.vertexSlots(), false);
   for (Face f : {0u, 1u})
     for (Vertex v : before.triangle(f)) firstSide[v] = true;
-  const std::vector<Vertex> moved = stitchBorders(mesh, firstSide);
+  const std::vector<Vertex> moved = stitchBoundaries(mesh, firstSide);
   QVERIFY(!moved.empty());
   for (Vertex v : moved) QVERIFY(!firstSide[v]);
   for (Vertex v = 0; v < before.vertexSlots(); ++v)
@@ -235,7 +235,7 @@ void StitchingTest::nothingToGain() {
 // A mesh may have grown vertices since the fixed ones were marked.
 void StitchingTest::verticesBeyondTheFixedOnes() {
   HalfEdgeMesh mesh = buildMesh(looseCube(1e-7)).mesh;
-  QCOMPARE(stitchBorders(mesh, {}).size(), std::size_t{24 - 8});
+  QCOMPARE(stitchBoundaries(mesh, {}).size(), std::size_t{24 - 8});
   QVERIFY(test::countEdges(mesh).sound());
 }
 
@@ -302,7 +302,7 @@ void StitchingTest::aTearWithAVertexMoreOnOneSide() {
   QVERIFY(listed == (VertexPairs{{1, 3}, {0, 6}}));
   for (const auto& pair : listed) {
     HalfEdgeMesh one = mesh;
-    QVERIFY(!stitchBorders(one, fixedBut(one, {pair}, tolerance::kNearWeld)).empty());
+    QVERIFY(!stitchBoundaries(one, fixedBut(one, {pair}, tolerance::kNearWeld)).empty());
     QCOMPARE(validate(one), std::string());
     // An edge that is split is closed along all of its length.
     QCOMPARE(test::countBorder(one), std::size_t{4});

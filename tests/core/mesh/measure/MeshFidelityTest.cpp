@@ -5,7 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "mesh/boundary/BorderVertices.h"
+#include "mesh/boundary/BoundaryVertices.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/structure/MeshBuilder.h"
 
@@ -60,9 +60,9 @@ void MeshFidelityTest::valuesReachTheOptions() {
   RepairOptions options;
   options.maxEdges = 77;
   const std::pair<const char*, FillMethod> methods[] = {
-      {"ear", FillMethod::Ear},     {"minimal", FillMethod::Minimal}, {"refined", FillMethod::Refined},
-      {"fair", FillMethod::Fair},   {"area", FillMethod::Area},       {"dihedral", FillMethod::Dihedral},
-      {"ridge", FillMethod::Ridge}, {"flat", FillMethod::Flat}};
+      {"ear", FillMethod::Ear},      {"minimal", FillMethod::Minimal}, {"refined", FillMethod::Refined},
+      {"fair", FillMethod::Fair},    {"area", FillMethod::Area},       {"dihedral", FillMethod::Dihedral},
+      {"ridge", FillMethod::Crease}, {"flat", FillMethod::Flat}};
   for (const auto& [word, method] : methods) {
     QVERIFY(values.set(fillMethodSetting(), *valueOf(fillMethodSetting(), word)));
     apply(values, options);

@@ -179,12 +179,12 @@ void CancellingTest::stitching() {
   test::append(upper, test::moved(lower, Vec3(1e-6, 0, 0)));
   const HalfEdgeMesh before = buildMesh(upper).mesh;
   HalfEdgeMesh stitched = before, mesh;
-  QVERIFY(!stitchBorders(stitched, {}).empty());
+  QVERIFY(!stitchBoundaries(stitched, {}).empty());
   QCOMPARE(test::countBorder(stitched), std::size_t{0});
   cancelEverywhere(
       [&](Progress progress) {
         mesh = before;
-        stitchBorders(mesh, {}, progress);
+        stitchBoundaries(mesh, {}, progress);
       },
       [&](bool cancelled) { return test::sameMesh(mesh, stitched) || (cancelled && test::sameMesh(mesh, before)); },
       kFansPerLook);

@@ -165,7 +165,7 @@ void NonOrientableSurfacesTest::twoSidesStay() {
     const HalfEdgeMesh before = buildMesh(soup).mesh;
     HalfEdgeMesh mesh = before;
     QVERIFY(cutNonOrientable(mesh, kAny, NumberType::Float64).isTwoSided);
-    QCOMPARE(closeNonOrientable(mesh, {}, kAny, BorderCuts::Yes), std::size_t{0});
+    QCOMPARE(closeNonOrientable(mesh, {}, kAny, BoundaryCuts::Yes), std::size_t{0});
     QVERIFY(test::sameMesh(mesh, before));
   }
 }
@@ -179,7 +179,7 @@ void NonOrientableSurfacesTest::closesACrossCap() {
       HalfEdgeMesh mesh = before;
       FillOptions options;
       options.numbers = numbers;
-      QCOMPARE(closeNonOrientable(mesh, options, kAny, BorderCuts::No), std::size_t{1});
+      QCOMPARE(closeNonOrientable(mesh, options, kAny, BoundaryCuts::No), std::size_t{1});
       QCOMPARE(validate(mesh), std::string());
       QVERIFY(test::countEdges(mesh).sound());
       QCOMPARE(test::eulerCharacteristic(mesh.compact().soup) % 2, 0L);
@@ -201,10 +201,10 @@ void NonOrientableSurfacesTest::closes() {
   HalfEdgeMesh mesh = before;
   const bool isClosed = test::countEdges(before).closed();
   if (!isClosed) {
-    QCOMPARE(closeNonOrientable(mesh, {}, kAny, BorderCuts::No), std::size_t{0});
+    QCOMPARE(closeNonOrientable(mesh, {}, kAny, BoundaryCuts::No), std::size_t{0});
     QVERIFY(test::sameMesh(mesh, before));
   }
-  QVERIFY(closeNonOrientable(mesh, {}, kAny, BorderCuts::Yes) > 0);
+  QVERIFY(closeNonOrientable(mesh, {}, kAny, BoundaryCuts::Yes) > 0);
   QCOMPARE(validate(mesh), std::string());
   QVERIFY(!isOneSided(mesh));
   QVERIFY(crossings(mesh) <= crossings(before));
@@ -219,7 +219,7 @@ void NonOrientableSurfacesTest::cancelled() {
   HalfEdgeMesh mesh = before;
   JobState state;
   state.cancelled = true;
-  QCOMPARE(closeNonOrientable(mesh, {}, kAny, BorderCuts::Yes, Progress(state)), std::size_t{0});
+  QCOMPARE(closeNonOrientable(mesh, {}, kAny, BoundaryCuts::Yes, Progress(state)), std::size_t{0});
   QVERIFY(test::sameMesh(mesh, before));
 }
 

@@ -36,8 +36,8 @@ void RepairMovesTest::touchedIsWhatWasMoved() {
   const RepairReport report = repair(mesh, options);
   QVERIFY(report.removedDebris > 0);
   QCOMPARE(report.separatedVertices, std::size_t{1});
-  QCOMPARE(report.touchedVertices.size(), std::size_t{2});
-  for (const Vertex v : report.touchedVertices) QVERIFY(input.position(v) == tip);
+  QCOMPARE(report.modifiedVertices.size(), std::size_t{2});
+  for (const Vertex v : report.modifiedVertices) QVERIFY(input.position(v) == tip);
 }
 
 // Two triangles that only touch, in a hole that is to stay open: none of its vertices is moved.
@@ -69,7 +69,7 @@ void RepairMovesTest::touchingRimToBeKeptStays() {
   for (const BoundaryLoop& loop : findBoundaryLoops(input)) options.keepOpen.insert(loop.id);
   const RepairReport report = repair(mesh, options);
   QCOMPARE(report.separatedVertices, std::size_t{0});
-  QVERIFY(report.touchedVertices.empty());
+  QVERIFY(report.modifiedVertices.empty());
   QVERIFY(test::sameMesh(mesh, input));
   // Nobody keeps them: then they are closed, and nothing touches.
   mesh = input;

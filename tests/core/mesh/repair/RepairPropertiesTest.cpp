@@ -156,7 +156,7 @@ void RepairPropertiesTest::randomHoles() {
     RC_ASSERT(edges.nonManifold == std::size_t{0});
     RC_ASSERT(edges.inconsistent == std::size_t{0});
     RC_ASSERT(edges.closed() == (test::count(report, LoopOutcome::Filled) == report.loops.size()));
-    const std::set<Vertex> said(report.touchedVertices.begin(), report.touchedVertices.end());
+    const std::set<Vertex> said(report.modifiedVertices.begin(), report.modifiedVertices.end());
     for (Vertex v : test::reallyTouched(input, mesh)) RC_ASSERT(said.contains(v));
     RC_CLASSIFY(edges.closed(), "closed");
     RC_ASSERT(edges.closed() || (options.rims == RimHandling::Keep && test::pieces(input).size() > 1));
@@ -203,7 +203,7 @@ void RepairPropertiesTest::anySoup() {
     RC_ASSERT(test::inconsistent(input, mesh, report) == std::string());
     RC_CLASSIFY(report.loops.size() > 0 && test::count(report, LoopOutcome::Filled) == report.loops.size(),
                 "all filled");
-    const std::set<Vertex> said(report.touchedVertices.begin(), report.touchedVertices.end());
+    const std::set<Vertex> said(report.modifiedVertices.begin(), report.modifiedVertices.end());
     for (Vertex v = 0; v < input.vertexSlots(); ++v)
       RC_ASSERT(said.contains(v) || test::sameBits(input.position(v), mesh.position(v)));
   }));

@@ -86,7 +86,7 @@ void RepairTest::woundedSphereHeals() {
   QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{5});
   QCOMPARE(report.removedDegenerate, std::size_t{1});
   QCOMPARE(report.removedDuplicates, std::size_t{1});
-  QVERIFY(report.touchedVertices.empty());
+  QVERIFY(report.modifiedVertices.empty());
   QCOMPARE(test::inconsistent(input, mesh, report), std::string());
   for (Vertex v = 0; v < input.vertexSlots(); ++v) QVERIFY(test::sameBits(input.position(v), mesh.position(v)));
   // The sphere's volume less what its facets cut off, h² / 4 for edges of about 0.08; the patches may be a little off.
@@ -100,7 +100,7 @@ void RepairTest::soundShapesStay() {
     HalfEdgeMesh mesh = input;
     const RepairReport report = repair(mesh, {});
     QVERIFY(test::sameMesh(mesh, input));
-    QVERIFY(report.loops.empty() && report.touchedVertices.empty());
+    QVERIFY(report.loops.empty() && report.modifiedVertices.empty());
     QCOMPARE(report.reversedFaces + report.removedDegenerate + report.removedDuplicates, std::size_t{0});
   }
 }
@@ -351,7 +351,7 @@ void RepairTest::needleMovesNothing() {
   QCOMPARE(report.removedDegenerate, std::size_t{1});
   QVERIFY(test::countEdges(mesh).sound());
   QVERIFY(test::reallyTouched(input, mesh).empty());
-  QVERIFY2(report.touchedVertices.empty(), "vertices that stayed where they were are called touched");
+  QVERIFY2(report.modifiedVertices.empty(), "vertices that stayed where they were are called modified");
 }
 
 void RepairTest::cancelledBefore() {

@@ -36,7 +36,7 @@ class PathFileTest : public QObject {
       RobotPath path{"from a to b", {}};
       const int count = *rc::gen::inRange(0, 6);
       for (int i = 0; i < count; ++i) {
-        PathPlace place{.joints = pair(anyNumber(-3, 3), anyNumber(-3, 3)), .name = std::string(1, char('a' + i))};
+        Waypoint place{.joints = pair(anyNumber(-3, 3), anyNumber(-3, 3)), .name = std::string(1, char('a' + i))};
         place.isCritical = *rc::gen::arbitrary<bool>();
         if (*rc::gen::arbitrary<bool>()) {
           place.motion = ProgramMotion::Kind::Linear;
@@ -59,7 +59,7 @@ class PathFileTest : public QObject {
 
   // What was known of a path is compared with it after a robot came or went: other numbers of joints are not equal.
   void ofAnotherNumberOfJoints() {
-    PathPlace one{.joints = JointValues::Zero(6)}, two{.joints = JointValues::Zero(12)};
+    Waypoint one{.joints = JointValues::Zero(6)}, two{.joints = JointValues::Zero(12)};
     QVERIFY(!(one == two) && !(two == one) && one == one);
     QVERIFY(!(RobotPath{"a", {one}} == RobotPath{"a", {two}}));
     QVERIFY(!(NamedConfiguration{"a", one.joints} == NamedConfiguration{"a", two.joints}));

@@ -38,7 +38,7 @@ class BlockCell {
   std::vector<Pose> tools(const PlannedPath& planned) {
     std::vector<Pose> all;
     const auto scene = m_cell.scene();
-    for (const PathPlace& place : planned.path.places) all.push_back(scene->arm.tipPose(scene->planned(place.joints)));
+    for (const Waypoint& place : planned.path.places) all.push_back(scene->arm.tipPose(scene->planned(place.joints)));
     return all;
   }
 

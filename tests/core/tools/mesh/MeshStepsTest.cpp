@@ -147,7 +147,7 @@ void MeshStepsTest::reversing() {
 
 void MeshStepsTest::filling() {
   for (const FillMethod method : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal,
-                                  FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge, FillMethod::Flat}) {
+                                  FillMethod::Area, FillMethod::Dihedral, FillMethod::Crease, FillMethod::Flat}) {
     Work work(test::sphereWithHoles(3, 3, 0.3));
     FillOptions options;
     options.method = method;

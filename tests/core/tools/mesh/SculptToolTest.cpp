@@ -33,15 +33,16 @@ void SculptToolTest::dragsInThePlaneOfTheView() {
   const PointerEvent press = above(Kind::Press, 10, 10);
   QCOMPARE(b.runner.pointer(press), ToolReply::Used);
   b.runner.pointer(above(Kind::Drag, 10.4, 10.2));
-  QVERIFY(meshPreviewOf(b.tool->preview()).live);
-  QVERIFY((meshPreviewOf(b.tool->preview()).live->mesh.position(at(10, 10)) - Vec3(10.4, 10.2, 0)).norm() < 1e-5);
+  QVERIFY(meshPreviewOf(b.tool->preview()).previewMesh);
+  QVERIFY((meshPreviewOf(b.tool->preview()).previewMesh->mesh.position(at(10, 10)) - Vec3(10.4, 10.2, 0)).norm() <
+          1e-5);
   QCOMPARE(b.document->mesh().position(at(10, 10)), Vec3(10, 10, 0));  // only shown
   QCOMPARE(b.tool->forces().size(), std::size_t(1));
   b.runner.pointer(above(Kind::Drag, 10.6, 9.8));
   b.runner.pointer(above(Kind::Release, 10.5, 10.1));
   QVERIFY((b.document->mesh().position(at(10, 10)) - Vec3(10.5, 10.1, 0)).norm() < 1e-5);
   QCOMPARE(b.steps(), 1);
-  QVERIFY(!meshPreviewOf(b.tool->preview()).live && b.tool->forces().empty());
+  QVERIFY(!meshPreviewOf(b.tool->preview()).previewMesh && b.tool->forces().empty());
   QCOMPARE(b.check(), std::string());
   b.document->history()->undo();
   QCOMPARE(b.document->mesh().position(at(10, 10)), Vec3(10, 10, 0));
@@ -64,7 +65,7 @@ void SculptToolTest::aDragAndBackIsNoStep() {
   SculptBench b;
   b.stroke({{10, 10}, {11, 10}, {10, 10}});
   QCOMPARE(b.steps(), 0);
-  QVERIFY(!meshPreviewOf(b.tool->preview()).live);
+  QVERIFY(!meshPreviewOf(b.tool->preview()).previewMesh);
 }
 
 void SculptToolTest::brushes() {
@@ -100,9 +101,9 @@ void SculptToolTest::escapeGivesTheStrokeUp() {
   SculptBench b;
   b.runner.pointer(above(Kind::Press, 10, 10));
   b.runner.pointer(above(Kind::Drag, 12, 10));
-  QVERIFY(meshPreviewOf(b.tool->preview()).live);
+  QVERIFY(meshPreviewOf(b.tool->preview()).previewMesh);
   QCOMPARE(b.runner.perform("revert"), ToolReply::Used);
-  QVERIFY(!meshPreviewOf(b.tool->preview()).live);
+  QVERIFY(!meshPreviewOf(b.tool->preview()).previewMesh);
   QCOMPARE(b.runner.pointer(above(Kind::Release, 12, 10)), ToolReply::Ignored);
   QCOMPARE(b.steps(), 0);
   QCOMPARE(b.runner.perform("revert"), ToolReply::Finished);
@@ -174,7 +175,7 @@ void SculptToolTest::strokesWaitForOneAnother() {
     runner.pointer(above(Kind::Release, x, 10));
   }
   QCOMPARE(waiting.changes.size(), std::size_t(3));
-  QVERIFY((meshPreviewOf(tool->preview()).live->mesh.position(at(10, 10)) - Vec3(11.5, 10, 0)).norm() < 1e-5);
+  QVERIFY((meshPreviewOf(tool->preview()).previewMesh->mesh.position(at(10, 10)) - Vec3(11.5, 10, 0)).norm() < 1e-5);
   for (int step = 1; step <= 3; ++step) {
     const MeshChange change = waiting.changes.front();
     waiting.changes.pop_front();
@@ -183,7 +184,7 @@ void SculptToolTest::strokesWaitForOneAnother() {
     QVERIFY(document->commit(QString(change.text), inspected(mesh)));
     change.ended();
     QCOMPARE(document->history()->count(), step);
-    QCOMPARE(meshPreviewOf(tool->preview()).live != nullptr, step < 3);
+    QCOMPARE(meshPreviewOf(tool->preview()).previewMesh != nullptr, step < 3);
   }
   QVERIFY((document->mesh().position(at(10, 10)) - Vec3(11.5, 10, 0)).norm() < 1e-5);
 }
@@ -198,11 +199,11 @@ void SculptToolTest::whatIsGivenUpIsTakenBack() {
     runner.pointer(above(Kind::Press, 10, 10));
     runner.pointer(above(Kind::Release, 10.5, 10));
   }
-  QVERIFY(meshPreviewOf(runner.tool()->preview()).live);
+  QVERIFY(meshPreviewOf(runner.tool()->preview()).previewMesh);
   waiting.changes[0].ended();  // cancelled
-  QVERIFY(!meshPreviewOf(runner.tool()->preview()).live);
+  QVERIFY(!meshPreviewOf(runner.tool()->preview()).previewMesh);
   waiting.changes[1].ended();  // without the first there is nothing that it could change
-  QVERIFY(!meshPreviewOf(runner.tool()->preview()).live);
+  QVERIFY(!meshPreviewOf(runner.tool()->preview()).previewMesh);
   runner.stop();
   waiting.changes[1].ended();  // reaches nobody
 }
@@ -218,7 +219,7 @@ void SculptToolTest::whoElseChangesTheDocumentWins() {
   HalfEdgeMesh other = document->mesh();
   other.removeFace(0);
   document->commit(QStringLiteral("other"), inspected(other));
-  QVERIFY(!meshPreviewOf(runner.tool()->preview()).live);
+  QVERIFY(!meshPreviewOf(runner.tool()->preview()).previewMesh);
   HalfEdgeMesh mesh = document->mesh();
   waiting.changes.front().apply(mesh, {});
   QVERIFY(sameMesh(mesh, document->mesh()));

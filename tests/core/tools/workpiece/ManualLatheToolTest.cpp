@@ -328,12 +328,12 @@ class ManualLatheToolTest : public QObject {
   // An autosave has what the passes under way have cut, which go on; its part is that of its passes, bit for bit.
   void anAutosaveHasThePassUnderWay() {
     HandLathe lathe;
-    QVERIFY(!lathe.tool->withWork());
+    QVERIFY(!lathe.tool->withGesture());
     QVERIFY(lathe.spin() && lathe.wind(LatheAxis::Carriage, 101.0) && lathe.wind(LatheAxis::Cross, 23.0));
-    QVERIFY(!lathe.tool->withWork());
+    QVERIFY(!lathe.tool->withGesture());
     lathe.send(LatheCommand::Kind::Feed, -0.2);
     QVERIFY(QTest::qWaitFor([&] { return lathe.slide(kCarriageAxis) < 95.0; }));
-    const auto kept = std::static_pointer_cast<const WorkpieceSnapshot>(lathe.tool->withWork());
+    const auto kept = std::static_pointer_cast<const WorkpieceSnapshot>(lathe.tool->withGesture());
     QVERIFY(kept && kept->part && kept->part->passes.size() == 1);
     QVERIFY(std::abs(kept->part->profile.radius(static_cast<std::size_t>(std::lround(97.0 / 0.05))) - 23.0) < 0.02);
     TurnedProfile again(kept->stock, 0.05);

@@ -8,7 +8,7 @@
 #include "proximity/SelfIntersection.h"
 #include "proximity/TriangleHierarchy.h"
 #include "volume/SurfaceToVolume.h"
-#include "volume/surface/CellPolygons.h"
+#include "volume/surface/MarchingCubesTable.h"
 
 #include <rapidcheck.h>
 
@@ -25,11 +25,11 @@ class VolumeToSurfaceTest : public QObject {
  private slots:
   // Each case has a triangle at each edge that is crossed, and at no other.
   void theTableIsWhole() {
-    const CellPolygons& table = CellPolygons::table();
+    const MarchingCubesTable& table = MarchingCubesTable::table();
     for (unsigned inside = 0; inside < 256; ++inside) {
       std::map<int, int> passed;  // corners of triangles by edge
       std::map<std::pair<int, int>, int> sides;
-      for (const CellPolygons::EdgeTriangle& t : table.triangles[inside])
+      for (const MarchingCubesTable::EdgeTriangle& t : table.triangles[inside])
         for (std::size_t k = 0; k < 3; ++k) {
           ++passed[t[k]];
           ++sides[{t[k], t[(k + 1) % 3]}];

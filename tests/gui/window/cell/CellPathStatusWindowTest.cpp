@@ -216,7 +216,7 @@ class CellPathStatusWindowTest : public QObject {
     const auto editor = [&] { return qobject_cast<QLineEdit*>(tree.indexWidget(tree.currentIndex())); };
     QVERIFY(editor());
     editor()->setText("weld");
-    tree.setPlans(plans, nullptr, {{"two", PathRemark()}}, {});
+    tree.setPlans(plans, nullptr, {{"two", PathStatus()}}, {});
     QVERIFY(tree.current() == second);
     QVERIFY(editor());
     QCOMPARE(editor()->text(), QString("weld"));

@@ -137,7 +137,7 @@ class PathDigestsTest : public QObject {
   bool change(RobotCellSnapshot& cell, int what, bool up) const {
     CellPlans plans = *cell.plans;
     Body box = *cell.bodies.withId(m_box);
-    PathPlace& place = plans.paths.front().places.back();
+    Waypoint& place = plans.paths.front().places.back();
     const auto isBodies = what >= 5 && what <= 9;
     switch (what) {
       case 0:

@@ -31,14 +31,14 @@ class PlannedRobot {
     scene = *sceneOf(m_cell, m_meshes);
   }
 
-  PathPlace place(const std::array<double, 6>& q, ProgramMotion::Kind motion = ProgramMotion::Kind::Joint) const {
+  Waypoint place(const std::array<double, 6>& q, ProgramMotion::Kind motion = ProgramMotion::Kind::Joint) const {
     ArmValues values(6);
     std::copy(q.begin(), q.end(), values.data());
-    PathPlace made{.joints = scene->whole(values), .motion = motion};
+    Waypoint made{.joints = scene->whole(values), .motion = motion};
     if (motion == ProgramMotion::Kind::Linear) made.speed = 100.0;
     return made;
   }
-  Pose toolAt(const PathPlace& place) const { return scene->arm.tipPose(scene->planned(place.joints)); }
+  Pose toolAt(const Waypoint& place) const { return scene->arm.tipPose(scene->planned(place.joints)); }
   Result<OptimisedPath> optimised(const RobotPath& path, OptimisationSettings settings = {},
                                   Progress progress = {}) const {
     return optimisedPath(*scene, plans, path, settings, progress);
@@ -60,9 +60,9 @@ double secondsFor(double angle) {
   return angle / speed + ramp;
 }
 
-std::vector<PathPlace> criticalOf(const RobotPath& path) {
-  std::vector<PathPlace> places;
-  for (const PathPlace& each : path.places) {
+std::vector<Waypoint> criticalOf(const RobotPath& path) {
+  std::vector<Waypoint> places;
+  for (const Waypoint& each : path.places) {
     if (each.isCritical) places.push_back(each);
   }
   return places;
@@ -109,7 +109,7 @@ class PathOptimisationTest : public QObject {
     QVERIFY(found && found->isChanged);
     QCOMPARE(found->reconfigured, std::size_t{1});
     QVERIFY(found->after < 0.6 * found->before);
-    const std::vector<PathPlace> places = criticalOf(found->planned.path);
+    const std::vector<Waypoint> places = criticalOf(found->planned.path);
     QCOMPARE(places.size(), std::size_t{3});
     QVERIFY(places.front() == path.places.front() && places.back() == path.places.back());
     QVERIFY(robot.toolAt(places[1]).isApprox(robot.toolAt(path.places[1]), 1e-9));
@@ -130,7 +130,7 @@ class PathOptimisationTest : public QObject {
     const Result<OptimisedPath> found = robot.optimised(path);
     QVERIFY(found && found->isChanged);
     QVERIFY(found->order == (std::vector<std::size_t>{0, 3, 4, 5, 6, 1, 2, 7}));
-    const std::vector<PathPlace> places = criticalOf(found->planned.path);
+    const std::vector<Waypoint> places = criticalOf(found->planned.path);
     for (const std::size_t line : {2, 4, 6}) QVERIFY(places[line].motion == Linear && places[line - 1].motion == Joint);
     const Result<CheckedPath> checked = checkPath(*robot.scene, robot.plans, found->planned.path, {});
     QVERIFY(checked && checked->isCertified());
@@ -164,8 +164,8 @@ class PathOptimisationTest : public QObject {
   // Without critical configurations, with one and with two, each before and after it was made shorter.
   void comparison() {
     const PlannedRobot robot(true);
-    const std::vector<PathPlace> places{robot.place({1.2, 0.5, 0, 0, 0, 0}), robot.place({0.6, -0.6, -0.6, 0, 0, 0}),
-                                        robot.place({-0.6, -0.6, -0.6, 0, 0, 0}), robot.place({-1.2, 0.5, 0, 0, 0, 0})};
+    const std::vector<Waypoint> places{robot.place({1.2, 0.5, 0, 0, 0, 0}), robot.place({0.6, -0.6, -0.6, 0, 0, 0}),
+                                       robot.place({-0.6, -0.6, -0.6, 0, 0, 0}), robot.place({-1.2, 0.5, 0, 0, 0, 0})};
     const std::vector<ComparedPath> all = comparedPaths(*robot.scene, robot.plans, places, {});
     QCOMPARE(all.size(), std::size_t{6});
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -173,7 +173,7 @@ class PathOptimisationTest : public QObject {
       QCOMPARE(each.critical, i / 2);
       QCOMPARE(each.isOptimised, i % 2 == 1);
       QVERIFY(each.checked && each.checked->isCertified());
-      const std::vector<PathPlace> critical = criticalOf(each.planned->path);
+      const std::vector<Waypoint> critical = criticalOf(each.planned->path);
       QCOMPARE(critical.size(), each.critical + 2);
       for (std::size_t k = 0; k < each.critical; ++k) QVERIFY(critical[k + 1] == places[k + 1]);
       if (each.isOptimised) QVERIFY(each.checked->metrics.length <= all[i - 1].checked->metrics.length + 1e-9);

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/cell/PathStatus.h"
+
+#include "controls/QuantityText.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(PathStatus)
+
+ public:
+  Words(LengthUnit unit, const QLocale& locale) : m_unit(unit), m_locale(locale) {}
+
+  static QString notSince(BasisChange change) {
+    switch (change) {
+      case BasisChange::Robots:
+        return tr("not verified since a robot was moved, added or removed");
+      case BasisChange::Path:
+        return tr("not verified since the path was changed");
+      case BasisChange::Joints:
+        return tr("not verified since other joints were moved");
+      case BasisChange::Bodies:
+        return tr("not verified since the bodies were changed");
+      case BasisChange::Pairs:
+        return tr("not verified since the allowed pairs were changed");
+      case BasisChange::Tool:
+        return tr("not verified since the tool centre point was changed");
+      case BasisChange::Clearance:
+        return tr("not verified since the clearance was changed");
+      case BasisChange::Nothing:
+        break;
+    }
+    return tr("not verified yet");
+  }
+
+  QString shortly(const PathResult& result) const {
+    if (!result.found) return tr("cannot be verified");
+    const PathFindings& found = *result.found;
+    if (found.stopsAt) return tr("line cannot be followed, %1").arg(time(result));
+    if (!found.isCertified) return tr("%1, %2").arg(collisions(found), time(result));
+    if (!found.partMoved.empty()) return tr("plan again: %1 has moved").arg(QString::fromStdString(found.partMoved));
+    const QString known = tr("%1, %2").arg(clearanceText(found.leastClearance, m_unit, m_locale), time(result));
+    return moved(found, found.hasShapeless ? tr("free, except for links without meshes, %1").arg(known)
+                                           : tr("free, %1").arg(known));
+  }
+
+  QString found(const PathResult& result) const {
+    if (!result.found) return tr("cannot be verified");
+    const PathFindings& found = *result.found;
+    if (found.stopsAt) return tr("line cannot be followed (%1)").arg(time(result));
+    if (!found.isCertified) return tr("%1 (%2)").arg(collisions(found), time(result));
+    const QString known =
+        tr("%1, clearance %2").arg(time(result), clearanceText(found.leastClearance, m_unit, m_locale));
+    return moved(found, found.hasShapeless ? tr("free of collisions, except for links without meshes (%1)").arg(known)
+                                           : tr("free of collisions (%1)").arg(known));
+  }
+
+  QStringList details(const PathResult& result) const {
+    QStringList lines{tr("Verified at %1.").arg(m_locale.toString(result.at, QLocale::ShortFormat))};
+    if (!result.found) return lines + QStringList{result.problem};
+    const PathFindings& found = *result.found;
+    if (found.stopsAt)
+      return lines + QStringList{tr("The straight line to place %1 leaves the reach of the arm or the limits of its "
+                                    "joints.")
+                                     .arg(*found.stopsAt + 1)};
+    if (!found.isCertified) return lines + collisionsOf(found);
+    if (!found.partMoved.empty()) {
+      lines += tr("It follows the curve at the former position of %1. Plan it again to follow the part.")
+                   .arg(QString::fromStdString(found.partMoved));
+    }
+    const double kept = found.clearance;
+    lines += kept > 0.0 ? tr("Every motion is proven to keep a clearance of %1.")
+                              .arg(quantityText(kept, Quantity::Length, m_unit, m_locale))
+                        : tr("Every motion is proven free of collisions.");
+    lines += tr("Least clearance: %1.").arg(clearanceText(found.leastClearance, m_unit, m_locale));
+    lines += tr("Cycle time: %1 s.").arg(m_locale.toString(found.seconds, 'f', 1));
+    return lines;
+  }
+
+ private:
+  // Of the day; of another one its date.
+  QString time(const PathResult& result) const {
+    const bool isToday = result.at.date() == QDate::currentDate();
+    return isToday ? m_locale.toString(result.at.time(), QLocale::ShortFormat)
+                   : m_locale.toString(result.at.date(), QLocale::ShortFormat);
+  }
+  static QString collisions(const PathFindings& found) {
+    return tr("%Ln collision(s)", nullptr, static_cast<int>(found.collisions));
+  }
+  static QString moved(const PathFindings& found, const QString& text) {
+    if (found.robotsMoved.empty()) return text;
+    return tr("%1; %2 has moved since").arg(text, QString::fromStdString(*found.robotsMoved.begin()));
+  }
+
+  LengthUnit m_unit;
+  QLocale m_locale;
+};
+
+}  // namespace
+
+QStringList collisionsOf(const PathFindings& found) {
+  QStringList texts;
+  for (const PathFindings::Meeting& each : found.listed) {
+    texts += Words::tr("On the way to place %1: %2 with %3")
+                 .arg(each.place + 1)
+                 .arg(QString::fromStdString(each.link), QString::fromStdString(each.other));
+  }
+  return texts;
+}
+
+QString clearanceText(double least, LengthUnit unit, const QLocale& locale) {
+  constexpr double kFarthest = PathMetricsSettings().farthest;
+  if (!(least < kFarthest)) return QStringLiteral("> ") + quantityText(kFarthest, Quantity::Length, unit, locale);
+  const int digits = unit == LengthUnit::Millimetre ? 1 : 3;
+  const double step = std::pow(10.0, -digits);  // rounded down: it is never said to be more
+  const double shown = std::floor(least / perShownUnit(Quantity::Length, unit) / step) * step;
+  return locale.toString(shown, 'f', digits) + QLatin1Char(' ') + unitSymbol(Quantity::Length, unit);
+}
+
+PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, LengthUnit unit, const QLocale& locale) {
+  const Words words(unit, locale);
+  const auto plain = [](const QString& text, const QString& details, const char* icon) {
+    return PathStatus{text, text, details, QLatin1String(icon), false};
+  };
+  if (path.places.size() < 2)
+    return plain(Words::tr("too few places"), Words::tr("A path needs at least two places."), "info");
+  if (state.isUnderWay) return plain(Words::tr("verifying…"), Words::tr("The path is being verified."), "");
+  if (!state.last) {
+    return plain(Words::tr("not verified yet"),
+                 Words::tr("It was never verified: select the path, or choose Verify all paths."), "info");
+  }
+  const QString found = words.found(*state.last);
+  if (state.change != BasisChange::Nothing) {
+    const QString text = Words::notSince(state.change);
+    return plain(text, text + QLatin1Char('\n') + Words::tr("Before: %1").arg(found), "info");
+  }
+  const bool isFree = state.last->found && state.last->found->isCertified && state.last->found->partMoved.empty();
+  // Only what was proven in this session is shown as such.
+  const bool isStored = isFree && !state.last->checked;
+  const QString summary = isStored ? Words::tr("%1, as stored with the cell").arg(found) : found;
+  const char* const icon = !isFree ? "warning" : isStored ? "info" : "ok";
+  return {words.shortly(*state.last), summary, (QStringList{summary} + words.details(*state.last)).join('\n'),
+          QLatin1String(icon), isFree};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Units.h"
+#include "window/cell/PathChecks.h"
+
+#include <QLocale>
+
+namespace handwheel {
+
+// The verification state of a path as text: short, as a sentence, and in full. Never empty. Any thread.
+struct PathStatus {
+  QString text;     // short enough for a column: "free, 12.3 mm, 14:05"
+  QString summary;  // "free of collisions (14:05, clearance 12.3 mm)"
+  QString details;  // sentences, a line each
+  QString icon;     // its name; empty: none
+  bool isFree = false;
+};
+PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, LengthUnit unit, const QLocale& locale);
+
+// "12.3 mm": the least clearance that was found; "> 1000 mm" where everything is further away than is measured.
+QString clearanceText(double least, LengthUnit unit, const QLocale& locale);
+
+// The first collisions that were found, a text each.
+QStringList collisionsOf(const PathFindings& found);
+
+}  // namespace handwheel

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QToolButton>
+
+namespace handwheel {
+
+class HapticSession;
+
+// A status bar button that shows for how long the device is being recorded. Hidden while nothing is recorded.
+class RecordingIndicator : public QToolButton {
+  Q_OBJECT
+
+ public:
+  explicit RecordingIndicator(HapticSession& session, QWidget* parent = nullptr);  // the session outlives it
+
+ private:
+  void refresh();
+
+  HapticSession& m_session;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/repair/SheetThickening.h"
+#include "mesh/repair/VertexOffsets.h"
+
+#include <unordered_map>
+#include <unordered_set>
+
+namespace handwheel {
+
+// The vertex behind one of a sheet.
+struct SheetOffset {
+  Vec3 from;
+  Vec3 direction;  // as of offsetBehind()
+  double depth;    // times the direction
+  double reach;    // mm behind the nearest plane of its faces for each mm of depth, at most 1
+  Vertex front;    // of which it is the back; kNone behind the middle of an edge or face
+  bool isOnOutline;
+  int halvings = 0;
+};
+
+// Builds the backs of thickened sheets and the side faces along their outlines. For thickenSheets().
+class OffsetSheetBuilder {
+ public:
+  // kept: vertices without an offset.
+  OffsetSheetBuilder(HalfEdgeMesh& mesh, NumberType numbers, const std::unordered_set<Vertex>& kept)
+      : m_mesh(mesh), m_numbers(numbers), m_kept(kept) {}
+
+  // False, without a change, where the numbers of the file cannot show the thickness.
+  bool add(const OpenSheet& sheet);
+
+  const std::vector<Face>& faces() const { return m_faces; }
+  // Pairs of a back and its face in the sheet. Side faces, faces of a split back and those between the parts of a
+  // divided one are in no pair: no face is in front of them. Where one is turned over it intersects others.
+  const std::vector<std::pair<Face, Face>>& facePairs() const { return m_facePairs; }
+  // Null for a vertex of a sheet.
+  const SheetOffset* offsetOf(Vertex v) const;
+  // Halves the depth of a vertex behind a sheet; false where that was done too often.
+  bool halve(Vertex v);
+  // Of the faces that are still live.
+  SheetThickness reached() const;
+
+ private:
+  struct Corner {
+    std::vector<HalfEdge> fan;
+    bool isOpen = false;
+    VertexOffsets behind;
+    std::array<double, 2> reaches{1.0, 1.0};  // of the offsets
+    std::array<Vertex, 2> backs{kNone, kNone};
+
+    bool stays() const { return behind.offsets.empty(); }
+    std::size_t offsetOf(Face f) const;
+  };
+
+  Corner cornerOf(HalfEdge h) const;
+  bool hasRoom() const;
+  Vec3 place(const SheetOffset& offset) const;
+  Vertex behind(const SheetOffset& offset);
+  Vertex back(Vertex v, Face f);
+  Vertex middle(HalfEdge h);
+  Face add(Vertex a, Vertex b, Vertex c);
+  void cover(Face f);
+  void coverWhole(Face f, const std::array<Vertex, 3>& v);
+  void addSides(Face f);
+  void closeGaps(Face f);
+
+  HalfEdgeMesh& m_mesh;
+  NumberType m_numbers;
+  const std::unordered_set<Vertex>& m_kept;
+  double m_thickness = 0.0;                         // of the sheet that is added
+  std::size_t m_vertices = 0, m_sharpVertices = 0;  // of all sheets; without an offset
+  std::unordered_map<Vertex, Corner> m_corners;     // of that sheet
+  std::unordered_map<HalfEdge, Vertex> m_middles;   // the same; by the smaller half-edge
+  std::unordered_map<Vertex, SheetOffset> m_offsets;
+  std::vector<std::pair<Face, Face>> m_facePairs;
+  std::vector<Face> m_faces;
+};
+
+// The normal of a face; zero where it is degenerate.
+Vec3 unitNormal(const HalfEdgeMesh& mesh, Face f);
+
+}  // namespace handwheel

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Snapshot.h"
+
+#include <QString>
+
+namespace handwheel {
+
+// Optional interface of a tool whose gestures take minutes, for autosave. A pass with the automatic feed takes so long;
+// an autosave must not wait for its end. Window thread.
+class UnfinishedGesture {
+ public:
+  virtual ~UnfinishedGesture() = default;
+
+  // The value of the document as Tool::settle() would leave it. Nothing changes by it, and the work goes on. Null:
+  // nothing is under way.
+  virtual SnapshotPointer withGesture() = 0;
+  // What undo takes back now, in the user's words; empty: nothing is under way.
+  virtual QString underWay() const = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/IkSolutionText.h"
+
+#include <QCoreApplication>
+
+namespace handwheel {
+
+namespace {
+
+QString solutionWord(const char* text) {
+  return QCoreApplication::translate("IkSolutionText", text);
+}
+
+constexpr const char* kShoulders[] = {
+    QT_TRANSLATE_NOOP("IkSolutionText", "Shoulder in front"), QT_TRANSLATE_NOOP("IkSolutionText", "Shoulder behind"),
+    QT_TRANSLATE_NOOP("IkSolutionText", "Shoulder left"), QT_TRANSLATE_NOOP("IkSolutionText", "Shoulder right")};
+
+}  // namespace
+
+QString stanceText(const ArmStance& stance) {
+  const char* const elbow = stance.isElbowUp ? QT_TRANSLATE_NOOP("IkSolutionText", "elbow up")
+                                             : QT_TRANSLATE_NOOP("IkSolutionText", "elbow down");
+  const char* const wrist = stance.isWristFlipped ? QT_TRANSLATE_NOOP("IkSolutionText", "wrist flipped")
+                                                  : QT_TRANSLATE_NOOP("IkSolutionText", "wrist not flipped");
+  return solutionWord(kShoulders[static_cast<int>(stance.shoulder)]) + QStringLiteral(", ") + solutionWord(elbow) +
+         QStringLiteral(", ") + solutionWord(wrist);
+}
+
+QString problemText(const CellScene& scene, const CellIkSolution& solution) {
+  if (solution.arm.beyond) {
+    const std::uint32_t dof = scene.dofs[static_cast<std::size_t>(*solution.arm.beyond)];
+    return solutionWord(QT_TRANSLATE_NOOP("IkSolutionText", "%1 beyond its limits"))
+        .arg(QString::fromStdString(scene.robot->model.jointOfDof(dof).name));
+  }
+  if (solution.isFree()) return {};
+  const auto [link, other] = scene.namesOf(solution.blocked);
+  return solutionWord(QT_TRANSLATE_NOOP("IkSolutionText", "collides: %1 with %2"))
+      .arg(QString::fromStdString(link), QString::fromStdString(other));
+}
+
+QString ikSolutionText(const CellScene& scene, const CellIkSolution& solution, std::size_t number) {
+  const QString stance = solution.arm.stance ? stanceText(*solution.arm.stance)
+                                             : solutionWord(QT_TRANSLATE_NOOP("IkSolutionText", "Way %1")).arg(number);
+  const QString problem = problemText(scene, solution);
+  return stance + QStringLiteral(": ") +
+         (problem.isEmpty() ? solutionWord(QT_TRANSLATE_NOOP("IkSolutionText", "free")) : problem);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/boundary/BoundaryPick.h"
+#include "mesh/boundary/FaceJoining.h"
+#include "tools/mesh/MeshServices.h"
+
+#include <optional>
+
+namespace handwheel {
+
+// The message for a problem: English, context "Property"; empty for none.
+const char* textOf(JoinProblem problem);
+// The hint about the effect of releasing the button. None, and why, or `otherwise`. English, context "Tool".
+const char* hintOf(JoinProblem problem, const char* otherwise);
+
+// Why a change of an edge may have no effect; English, context "Tool".
+extern const char* const kEdgeChanged;
+
+// Picks points and loops on the boundaries of a document's mesh. Queries refer to the present mesh, even while its
+// hierarchy is still that of an older one.
+class BoundaryPicking {
+ public:
+  BoundaryPicking(const MeshDocument& document, const MeshServices& services)
+      : m_document(document), m_faces(services.faces) {}
+
+  // A point of a loop within reach; points at the position "without" do not count.
+  std::optional<BoundaryPoint> pointAt(const PickRay& pickRay, const std::optional<Vec3>& without = {}) const;
+  // The key of the loop under the pointer.
+  std::optional<Vertex> loopAt(const PickRay& pickRay) const;
+  // Null until the first hierarchy is there. The answer holds until the document changes.
+  std::shared_ptr<const FaceLocator> near();
+
+ private:
+  const MeshDocument& m_document;
+  std::function<std::shared_ptr<const FaceHierarchy>()> m_faces;
+  std::shared_ptr<const FaceHierarchy> m_older;
+  std::shared_ptr<const FaceLocator> m_near;
+  std::uint64_t m_revision = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/HandGuidingTool.h"
+
+#include "TestClass.h"
+#include "ToolEvents.h"
+#include "document/cell/CellImport.h"
+#include "document/cell/RobotCellKind.h"
+#include "document/scene/BodyChanges.h"
+#include "robot/dh/DhTable.h"
+#include "scene/PrimitiveGeometry.h"
+#include "tools/cell/path/PathCheck.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// An IRB 120 with a wall at x = 420 mm, whose tool is led.
+class HandGuidingBench {
+ public:
+  HandGuidingBench() {
+    auto cell = std::make_shared<RobotCellSnapshot>(*cellOf(*libraryTable("irb120")));
+    cell->joints = start();
+    OpenedFile opened;
+    opened.kind = &m_kind;
+    opened.content = cell;
+    m_document = std::make_unique<RobotCellDocument>(std::move(opened));
+    Body wall{.name = "wall", .geometry = *PrimitiveGeometry::make(Primitive::Cuboid, {100, 2000, 2000})};
+    wall.pose.translation() = Vec3(470, 0, 600);
+    document().commit("Add", std::move(addBodyEdit(document().bodies(), wall)).value());
+    prepare();
+  }
+  void prepare() {
+    auto prepared = sceneOf(static_cast<const RobotCellSnapshot&>(*document().snapshot()), m_meshes);
+    m_scene = std::make_shared<const CellScene>(std::move(prepared).value());
+  }
+  static JointValues start() {
+    JointValues values(6);
+    values << 0.2, 0.1, 0.3, 0.1, 0.7, 0.0;
+    return values;
+  }
+  RobotCellDocument& document() { return *m_document; }
+  HandGuidingTool tool() {
+    HandGuidingServices services;
+    services.scene = [this] { return isUnderWay ? nullptr : m_scene; };
+    services.addPlace = [this] { ++places; };
+    services.time = [this] { return time; };
+    services.trials = &trials;
+    services.guide = [this](const std::string& name) {
+      const RobotPath* const path = isUnderWay || guideComesAt > time ? nullptr : document().plans()->path(name);
+      return path ? std::make_shared<const GuideCurve>(toolCurve(*m_scene, *document().plans(), *path)) : nullptr;
+    };
+    return {document(), std::move(services)};
+  }
+  Pose toolPose(const JointValues& joints) const { return m_scene->arm.tipPose(m_scene->planned(joints)); }
+  Pose toolPose() { return toolPose(document().joints()); }
+  double clearance() { return m_scene->scene.nearest(m_scene->planned(document().joints()), 1e3).distance; }
+  int steps() { return document().history()->count(); }
+  // A path on which the first joint alone turns.
+  void addTurn(double angle) {
+    CellPlans plans = *document().plans();
+    RobotPath path{"turn", {{.joints = start()}, {.joints = start()}}};
+    path.places.back().joints[0] += angle;
+    plans.paths.push_back(path);
+    document().commit("Add a path", document().plansEdit(plans));
+  }
+
+  int places = 0;
+  bool isUnderWay = false;  // the cell is being prepared
+  double time = 0.0, guideComesAt = 0.0;
+  std::vector<HandGuidingTrial> trials;
+
+ private:
+  RobotCellKind m_kind;
+  std::unique_ptr<RobotCellDocument> m_document;
+  CollisionMeshes m_meshes;
+  std::shared_ptr<const CellScene> m_scene;
+};
+
+PointerEvent byHand(Kind kind, const Pose& hand) {
+  PointerEvent event = above(kind, hand.translation().x(), hand.translation().y());
+  event.device = hand;
+  return event;
+}
+
+Pose moved(const Vec3& by) {
+  return Pose(Eigen::Translation3d(by));
+}
+
+// Turns the tool along the path of HandGuidingBench::addTurn(), beside it by a wave of so many mm, with a device; a
+// step is 20 ms.
+void followTurn(HandGuidingBench& bench, HandGuidingTool& tool, double angle, double wave) {
+  constexpr int kSteps = 50;
+  const Pose begin = bench.toolPose();
+  const Pose hand = moved({7, 8, 9});
+  tool.pointer(byHand(Kind::Press, hand));
+  for (int i = 1; i <= kSteps; ++i) {
+    bench.time += 0.02;
+    JointValues joints = HandGuidingBench::start();
+    joints[0] += angle * i / kSteps;
+    Vec3 way = bench.toolPose(joints).translation() - begin.translation();
+    way.z() += wave * std::sin(M_PI * i / 5.0);
+    tool.pointer(byHand(Kind::Drag, moved(hand.translation() + way)));
+  }
+  tool.pointer(byHand(
+      Kind::Release,
+      tool.toolPose() ? moved(hand.translation() + tool.toolPose()->translation() - begin.translation()) : hand));
+}
+
+}  // namespace
+
+// Leads the tool of a robot by hand.
+class HandGuidingToolTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // In the plane of the view, as far as the pointer: the tool keeps its turn, and undo brings the joints back.
+  void theMouseMovesTheTool() {
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
+    const Pose before = bench.toolPose();
+    const Vec3 at = before.translation();
+    const int steps = bench.steps();
+    QCOMPARE(tool.pointer(above(Kind::Press, at.x(), at.y())), ToolReply::Used);
+    QVERIFY(tool.isLeading());
+    tool.pointer(above(Kind::Drag, at.x() - 25.0, at.y() + 40.0));
+    QVERIFY(tool.preview().replaced);
+    QCOMPARE(bench.steps(), steps);
+    tool.pointer(above(Kind::Release, at.x() - 30.0, at.y() + 50.0));
+    QVERIFY(!tool.isLeading());
+    QCOMPARE(bench.steps(), steps + 1);
+    QVERIFY((bench.toolPose().translation() - at - Vec3(-30.0, 50.0, 0.0)).norm() < 0.05);
+    QVERIFY((bench.toolPose().linear() - before.linear()).norm() < 1e-3);
+    bench.document().history()->undo();
+    QVERIFY(bench.document().joints() == HandGuidingBench::start());
+  }
+
+  void aClickChangesNothing() {
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
+    const int steps = bench.steps();
+    tool.pointer(above(Kind::Press, 300, 50));
+    tool.pointer(above(Kind::Release, 300, 50));
+    QCOMPARE(bench.steps(), steps);
+    tool.pointer(above(Kind::Press, 300, 50));
+    tool.pointer(above(Kind::Drag, 290, 50));
+    QCOMPARE(tool.perform("revert"), ToolReply::Used);
+    QCOMPARE(bench.steps(), steps);
+    QVERIFY(tool.joints() == HandGuidingBench::start());
+    QCOMPARE(tool.perform("revert"), ToolReply::Finished);
+  }
+
+  // With Shift the tool turns, and stays where it is.
+  void shiftTurns() {
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
+    const Pose before = bench.toolPose();
+    tool.pointer(above(Kind::Press, 300, 50, kShift));
+    tool.pointer(above(Kind::Drag, 300.4, 50, kShift));  // 40 pixels to the right: about the axis that points up there
+    tool.pointer(above(Kind::Release, 300.4, 50, kShift));
+    const Eigen::AngleAxisd turned(bench.toolPose().linear() * before.linear().transpose());
+    QVERIFY((bench.toolPose().translation() - before.translation()).norm() < 0.05);
+    QVERIFY(std::abs(turned.angle() - 0.2) < 1e-3);
+    QVERIFY(std::abs(turned.axis().y()) > 0.999);
+  }
+
+  // However far the hand goes, the robot stays before the wall, and the settings say why.
+  void neverThroughAWall() {
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
+    const Vec3 at = bench.toolPose().translation();
+    tool.pointer(above(Kind::Press, at.x(), at.y()));
+    for (int i = 1; i <= 10; ++i) tool.pointer(above(Kind::Drag, at.x() + 30.0 * i, at.y()));
+    const auto settings = tool.settings();
+    const Property* behind = propertyNamed(settings, "behind");
+    QVERIFY(behind && std::get<double>(behind->value) > 50.0);
+    QCOMPARE(behind->problem, std::string("something is in the way"));
+    tool.pointer(above(Kind::Release, at.x() + 300.0, at.y()));
+    QVERIFY(bench.clearance() > 0.0 && bench.clearance() < 5.0);
+  }
+
+  // A device leads from where it is, by its own way times the scale, and turns the tool. Nothing holds it in the open.
+  void aDeviceMovesAndTurns() {
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
+    tool.setSetting("scale", PropertyValue(2.0));
+    const Pose before = bench.toolPose();
+    Pose hand = moved({50, 60, 70});
+    hand.rotate(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
+    const Pose grip = hand;
+    tool.pointer(byHand(Kind::Press, hand));
+    QVERIFY(tool.forces().empty());
+    hand.translation() += Vec3(-10, 15, 5);
+    hand.linear() = Eigen::AngleAxisd(0.3, Vec3::UnitZ()) * grip.linear();
+    tool.pointer(byHand(Kind::Drag, hand));
+    QCOMPARE(tool.forces().size(), std::size_t{1});
+    QVERIFY((tool.forces()[0].target - hand.translation()).norm() < 0.05);
+    tool.pointer(byHand(Kind::Release, hand));
+    QVERIFY((bench.toolPose().translation() - before.translation() - Vec3(-20, 30, 10)).norm() < 0.05);
+    const Eigen::AngleAxisd turned(bench.toolPose().linear() * before.linear().transpose());
+    QVERIFY(std::abs(turned.angle() - 0.3) < 1e-3 && turned.axis().z() > 0.999);
+  }
+
+  // Where the robot is held back, the spring draws the hand back to where it would be.
+  void aDeviceFeelsTheWall() {
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
+    Pose hand = moved({0, 0, 0});
+    tool.pointer(byHand(Kind::Press, hand));
+    for (int i = 1; i <= 30; ++i) tool.pointer(byHand(Kind::Drag, moved({10.0 * i, 0, 0})));
+    const auto springs = tool.forces();
+    QCOMPARE(springs.size(), std::size_t{1});
+    const Vec3 pull = springs[0].stiffness * (springs[0].target - Vec3(300, 0, 0));
+    QVERIFY(pull.x() < -5.0);
+    tool.setSetting("felt", PropertyValue(false));
+    QVERIFY(tool.forces().empty());
+  }
+
+  // The second button of a device adds a place and goes on leading.
+  void aDeviceAddsPlaces() {
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
+    tool.pointer(byHand(Kind::Press, moved({0, 0, 0})));
+    tool.pointer(byHand(Kind::Drag, moved({-10, 0, 0})));
+    PointerEvent second = byHand(Kind::Press, moved({-10, 0, 0}));
+    second.button = PointerButton::Second;
+    const int steps = bench.steps();
+    tool.pointer(second);
+    QCOMPARE(bench.places, 1);
+    QCOMPARE(bench.steps(), steps + 1);  // where the place is
+    QVERIFY(tool.isLeading());
+  }
+
+  // Joint by joint: 100 mm of the hand are half of a joint's range.
+  void jointByJoint() {
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
+    tool.setSetting("way", PropertyValue(1.0));
+    tool.pointer(byHand(Kind::Press, moved({0, 0, 0})));
+    tool.pointer(byHand(Kind::Release, moved({-10, 0, 0})));
+    const double range = 330.0 / 180.0 * M_PI;  // of the first joint of an IRB 120
+    QVERIFY(std::abs(bench.document().joints()[0] - (0.2 - 0.1 * 0.5 * range)) < 1e-6);
+    QVERIFY((bench.document().joints().tail(5) - HandGuidingBench::start().tail(5)).norm() < 1e-12);
+  }
+
+  // What changes below the tool ends the move: nothing of it stays.
+  void anUndoInBetween() {
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
+    tool.pointer(above(Kind::Press, 300, 50));
+    tool.pointer(above(Kind::Drag, 280, 50));
+    bench.document().history()->undo();
+    tool.documentChanged();
+    QVERIFY(!tool.isLeading());
+    QCOMPARE(tool.pointer(above(Kind::Release, 280, 50)), ToolReply::Ignored);
+    QVERIFY(bench.document().joints() == HandGuidingBench::start());
+  }
+
+  void whileTheCellIsPrepared() {
+    HandGuidingBench bench;
+    HandGuidingServices services;
+    services.scene = [] { return std::shared_ptr<const CellScene>(); };
+    HandGuidingTool tool(bench.document(), std::move(services));
+    QCOMPARE(tool.pointer(above(Kind::Press, 300, 50)), ToolReply::Ignored);
+    QVERIFY(!isEnabled(tool, "place"));
+    QVERIFY(tool.preview().lines.empty());
+  }
+
+  // A hand that waves by 6 mm beside a path: with the fixture the tool is nearer to it, by the cube of the share of the
+  // snap distance; each try is kept with its help.
+  void aPathIsFollowed() {
+    HandGuidingBench bench;
+    bench.addTurn(-0.6);
+    HandGuidingTool tool = bench.tool();
+    const auto settings = tool.settings();
+    const Property* paths = propertyNamed(settings, "path");
+    QVERIFY(paths && paths->choices.size() == 2);
+    tool.setSetting("path", PropertyValue(1.0));
+    for (const double snap : {0.0, 12.0}) {
+      tool.setSetting("snap", PropertyValue(snap));
+      followTurn(bench, tool, -0.6, 6.0);
+      bench.document().history()->undo();
+      tool.documentChanged();
+    }
+    QCOMPARE(bench.trials.size(), std::size_t{2});
+    QVERIFY(bench.trials[0].help == HandGuidingTrial::Help::Force &&
+            bench.trials[1].help == HandGuidingTrial::Help::Fixture);
+    QVERIFY(bench.trials[0].figures.isComplete() && bench.trials[1].figures.isComplete());
+    // The largest value of the wave in steps of 36 degrees, and what becomes of it.
+    const double largest = 6.0 * std::sin(0.4 * M_PI);
+    QVERIFY(std::abs(bench.trials[0].figures.most - largest) < 0.2);
+    QVERIFY(std::abs(bench.trials[1].figures.most - 12.0 * std::pow(largest / 12.0, 3.0)) < 0.2);
+    QVERIFY(bench.trials[1].figures.rms < 0.3 * bench.trials[0].figures.rms);
+    QVERIFY(std::abs(bench.trials[0].figures.seconds - 1.0) < 0.1);
+    const auto shown = tool.settings();
+    QVERIFY(propertyNamed(shown, "try.1") && propertyNamed(shown, "try.2") && !propertyNamed(shown, "try.0"));
+  }
+
+  // A path that was chosen is followed also when the cell has been prepared anew since.
+  void thePathOutlivesThePreparation() {
+    HandGuidingBench bench;
+    bench.addTurn(-0.6);
+    HandGuidingTool tool = bench.tool();
+    tool.setSetting("path", PropertyValue(1.0));
+    bench.isUnderWay = true;
+    tool.documentChanged();
+    bench.isUnderWay = false;
+    followTurn(bench, tool, -0.6, 6.0);
+    QCOMPARE(bench.trials.size(), std::size_t{1});
+  }
+
+  // A hand that presses before the way along the path has been found is drawn to it from then on.
+  void theGuideComesWhileLeading() {
+    HandGuidingBench bench;
+    bench.addTurn(-0.6);
+    HandGuidingTool tool = bench.tool();
+    tool.setSetting("path", PropertyValue(1.0));
+    tool.setSetting("snap", PropertyValue(12.0));
+    bench.guideComesAt = 0.01;  // after the press, which is at 0
+    followTurn(bench, tool, -0.6, 6.0);
+    QCOMPARE(bench.trials.size(), std::size_t{1});
+    QVERIFY(bench.trials[0].figures.isComplete());
+    QVERIFY(std::abs(bench.trials[0].figures.most - 12.0 * std::pow(0.5 * std::sin(0.4 * M_PI), 3.0)) < 0.2);
+  }
+
+  // NaN and leaps from a device.
+  void anyHand() {
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
+    tool.pointer(byHand(Kind::Press, moved({0, 0, 0})));
+    for (const double value : {std::nan(""), 1e300, -1e9, std::numeric_limits<double>::infinity(), 0.0}) {
+      tool.pointer(byHand(Kind::Drag, moved({value, 0, value})));
+      QVERIFY(tool.joints().allFinite());
+      for (const DeviceSpring& spring : tool.forces()) QVERIFY(spring.target.allFinite());
+    }
+    tool.pointer(byHand(Kind::Release, moved({0, 0, 0})));
+    QVERIFY(bench.clearance() > 0.0);
+  }
+};
+
+HANDWHEEL_TEST(HandGuidingToolTest)
+#include "HandGuidingToolTest.moc"
