@@ -90,10 +90,12 @@ FollowedLine followLine(const SerialArm& arm, const Pose& tool, const ArmValues&
     const double share = std::min(1.0, line.reached + step);
     const ArmValues& before = line.path.back();
     std::optional<ArmValues> next = following.at(share, before);
-    const auto off = next ? following.off(before, line.reached, *next, share) : std::nullopt;
+    auto off = next ? following.off(before, line.reached, *next, share) : std::nullopt;
     if (off) {
       if (share == 1.0) {
-        if ((*next - to).cwiseAbs().maxCoeff() > kSameEnd) return line;
+        const ArmValues replaced = (*next - to).cwiseAbs();
+        if (replaced.maxCoeff() > kSameEnd) return line;
+        *off += replaced;
         next = to;
       }
       line.path.push_back(*next);

@@ -26,7 +26,6 @@ void leaveOut(const RobotScene& scene, JointPath& path, const MotionCheckSetting
       }
       path.erase(path.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                  path.begin() + static_cast<std::ptrdiff_t>(i + span));
-      if (span >= path.size()) return;
     }
   }
 }

@@ -67,6 +67,16 @@ double RobotScene::travelBound(const ArmValues& values, const ArmValues& spread)
   return most;
 }
 
+double RobotScene::travelBound(const ArmValues& from, const ArmValues& to, const ArmValues& spread) const {
+  const ArmValues middle = 0.5 * (from + to);
+  double turns = 0.0;
+  for (std::size_t j = 0; j < m_joints.size(); ++j)
+    if (!m_joints[j].joint.isPrismatic) turns += std::abs(spread[static_cast<Eigen::Index>(j)]);
+  // A point and an axis each move by this at most to either end.
+  const double levers = 2.0 * travelBound(middle, 0.5 * (to - from).cwiseAbs());
+  return travelBound(middle, spread) + turns * levers;
+}
+
 bool RobotScene::isFreeAround(const ArmValues& values, const ArmValues& spread, double clearance,
                               double ownClearance) const {
   Places places;

@@ -255,8 +255,8 @@ CheckedLine checkLine(const RobotScene& scene, const SerialArm& arm, const Pose&
   const FollowedLine followed = followLine(arm, tool, from, to, line, progress);
   CheckedLine checked{.reached = followed.reached};
   for (std::size_t i = 1; i < followed.path.size() && checked.reached >= 1.0; ++i) {
-    const MotionCheckSettings wider =
-        widened(check, scene.travelBound(followed.path[i], followed.offs[i - 1]));  // by which the arm may be off
+    const double off = scene.travelBound(followed.path[i - 1], followed.path[i], followed.offs[i - 1]);
+    const MotionCheckSettings wider = widened(check, off);  // by which the arm may be off
     MotionCheck motion(scene, followed.path[i - 1], followed.path[i], wider);
     motion.run(progress);
     checked.steps += motion.steps();

@@ -73,16 +73,18 @@ std::vector<Property> RemeshAction::shown() const {
   std::vector<Property> all = {
       choiceSetting("goal", QT_TRANSLATE_NOOP("Property", "Triangles"), static_cast<int>(m_goal),
                     {QT_TRANSLATE_NOOP("Property", "All of the surface"),
-                     QT_TRANSLATE_NOOP("Property", "Within a distance"), QT_TRANSLATE_NOOP("Property", "So many")})};
+                     QT_TRANSLATE_NOOP("Property", "Within a distance"), QT_TRANSLATE_NOOP("Property", "So many")}),
+      settingOf(m_values, "method")};
   if (m_goal == Goal::Distance) all.push_back(settingOf(m_values, "error"));
   if (m_goal == Goal::Count) {
     all.push_back(settingOf(m_values, "faces"));
     all.back().least = 4.0;
   }
+  // The other method makes some more of them along sharp edges.
+  const bool isExact = m_goal == Goal::All && m_values.index("method") == 0;
   const QString count =
-      m_predicted
-          ? (m_goal == Goal::All ? tr("%1") : tr("about %1")).arg(QLocale().toString(std::round(*m_predicted), 'f', 0))
-          : tr("being counted…");
+      m_predicted ? (isExact ? tr("%1") : tr("about %1")).arg(QLocale().toString(std::round(*m_predicted), 'f', 0))
+                  : tr("being counted…");
   Property predicted{.id = "predicted",
                      .group = {},
                      .label = QT_TRANSLATE_NOOP("Property", "Triangles of the mesh"),

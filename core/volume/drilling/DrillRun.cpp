@@ -40,19 +40,22 @@ DrillTick DrillRun::move(const Vec3& place, const Vec3& axis, double time) {
   m_energy += 1e-3 * (-tick.force.dot(way) + load.torque * std::abs(m_setup.spindle) * dt);
   m_maxThrust = std::max(m_maxThrust, load.thrust);
   m_maxTorque = std::max(m_maxTorque, load.torque);
-  if (way.dot(axis) > 0.0) {
-    m_isFrontInside = false;  // on its way out nothing is broken through
-  } else if (way.norm() > 0.0) {
-    watchFront(place, way, time);
-  }
+  watchTip(axis, way.norm(), time);
   return tick;
 }
 
-void DrillRun::watchFront(const Vec3& place, const Vec3& way, double time) {
-  const Vec3 front = place + m_setup.tool.reach() * way.normalized();
-  const bool isInside = VolumeReader(m_before).depthAt(front).depth > 0.0;
-  if (m_isFrontInside && !isInside && !m_breakthrough) m_breakthrough = time;
-  m_isFrontInside = isInside;
+// A hand trembles: what counts is where the tip is, not where this cycle went. Where it has come out on the other side,
+// there is material behind it; where it is drawn back, or slips over the surface, there is none.
+void DrillRun::watchTip(const Vec3& axis, double way, double time) {
+  if (m_breakthrough) return;
+  const VolumeReader before(m_before);
+  const Vec3 tip = *m_place - m_setup.tool.reach() * axis;
+  const auto isInside = [&](double behind) { return before.depthAt(tip + behind * axis).depth > 0.0; };
+  const bool wasInside = std::exchange(m_isTipInside, isInside(0.0));
+  if (!wasInside || m_isTipInside) return;
+  const int steps = static_cast<int>(std::min(1e4, std::ceil(way / m_volume.voxel()))) + 1;
+  for (int i = 1; i <= steps && !m_breakthrough; ++i)
+    if (isInside(i * m_volume.voxel())) m_breakthrough = time;
 }
 
 std::vector<VoxelIndex> DrillRun::takeChangedBlocks() {

@@ -46,18 +46,18 @@ class DrillRun {
   double energy() const { return m_energy; }        // J: ∫(−F·v − T·ω)dt of what was returned
   double maxThrust() const { return m_maxThrust; }  // N
   double maxTorque() const { return m_maxTorque; }  // N·mm
-  // s, when the foremost point of the head came out of the material that was there before; none: it did not.
+  // s, when the tip came out on the other side of the material that was there before; none: it did not.
   std::optional<double> breakthrough() const { return m_breakthrough; }
 
  private:
-  void watchFront(const Vec3& place, const Vec3& way, double time);
+  void watchTip(const Vec3& axis, double way, double time);
 
   SparseVolume& m_volume;
   const SparseVolume m_before;
   DrillSetup m_setup;
   std::optional<Vec3> m_place;
   double m_time = 0.0;
-  bool m_isFrontInside = false;
+  bool m_isTipInside = false;
   std::vector<VoxelIndex> m_changed;
   double m_removed = 0.0, m_energy = 0.0, m_maxThrust = 0.0, m_maxTorque = 0.0;
   std::optional<double> m_breakthrough;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace handwheel {
@@ -20,6 +21,24 @@ double DrillTool::inside(const Vec3& from, const Vec3& axis) const {
   const double up = from.dot(axis), across = (from - up * axis).norm(), half = 0.5 * pointAngle;
   const double cone = (up + reach()) * std::sin(half) - across * std::cos(half);
   return std::min({radius() - across, cone, length - up});
+}
+
+double DrillTool::signedDepth(const Vec3& from, const Vec3& axis) const {
+  const double bound = inside(from, axis);
+  if (shape != DrillShape::Twist || bound >= 0.0) return bound;
+  // In the half plane through the axis: from the tip to the rim, the back and the axis again.
+  using Point = Eigen::Vector2d;
+  const double up = from.dot(axis);
+  const Point p((from - up * axis).norm(), up);
+  const std::array<Point, 4> outline{Point(0.0, -reach()), Point(radius(), 0.0), Point(radius(), length),
+                                     Point(0.0, length)};
+  double squared = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+    const Point along = outline[i + 1] - outline[i];
+    const double t = std::clamp((p - outline[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    squared = std::min(squared, (outline[i] + t * along - p).squaredNorm());
+  }
+  return -std::sqrt(squared);
 }
 
 std::optional<DrillTool> drillToolOf(std::string_view word) {

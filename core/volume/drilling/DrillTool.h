@@ -31,6 +31,8 @@ struct DrillTool {
   // How deep a place is inside the head, mm; below 0 outside, where it is less than the distance at most. from: from
   // the centre; axis: to the shank, of length 1.
   double inside(const Vec3& from, const Vec3& axis) const;
+  // The same, but outside exactly the negative distance.
+  double signedDepth(const Vec3& from, const Vec3& axis) const;
 };
 
 // "ball:6", "twist:6", "burr:4": the shape and its diameter in mm. None where it is no such word.

@@ -26,19 +26,9 @@ double DrillWatch::deviation(const Vec3& p) const {
 }
 
 double DrillWatch::forbiddenDepth(const Vec3& centre, const Vec3& axis) const {
-  const DrillTool& tool = m_setup.tool;
   double deepest = -std::numeric_limits<double>::infinity();
-  for (const SolidBall& ball : m_plan.forbidden) {
-    const auto depth = [&](const Vec3& p) { return ball.radius - (p - ball.centre).norm(); };
-    if (tool.shape != DrillShape::Twist) {
-      deepest = std::max(deepest, depth(centre) + tool.radius());
-      continue;
-    }
-    // Of the cone the point and the rim.
-    const Vec3 to = ball.centre - centre, across = to - to.dot(axis) * axis;
-    const Vec3 rim = across.norm() > 0.0 ? Vec3(tool.radius() * across.normalized()) : Vec3(Vec3::Zero());
-    deepest = std::max({deepest, depth(centre - tool.reach() * axis), depth(centre + rim)});
-  }
+  for (const SolidBall& ball : m_plan.forbidden)
+    deepest = std::max(deepest, ball.radius + m_setup.tool.signedDepth(ball.centre - centre, axis));
   return deepest;
 }
 

@@ -76,9 +76,11 @@ class TextReader {
   }
 
   bool linesAreTooFew(TextScanner ahead) {
-    for (std::int64_t needed = m_vertices - m_read + m_faces; needed > 0; --needed) {
-      if (!m_assembly.step() || !ahead.findWord()) return true;
-      ahead.nextLine();
+    for (const std::int64_t needed : {m_vertices - m_read, m_faces}) {  // a header may name more than a sum can hold
+      for (std::int64_t i = 0; i < needed; ++i) {
+        if (!m_assembly.step() || !ahead.findWord()) return true;
+        ahead.nextLine();
+      }
     }
     return false;
   }

@@ -22,7 +22,7 @@ ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const Robo
     if (i > 0 && path.places[i].motion == ProgramMotion::Kind::Linear) {
       const FollowedLine line = followLine(scene.arm, plans.tool, way.joints.back(), values, {}, progress);
       for (std::size_t k = 1; k < line.path.size(); ++k)
-        way.offs.push_back(scene.scene.travelBound(line.path[k], line.offs[k - 1]));
+        way.offs.push_back(scene.scene.travelBound(line.path[k - 1], line.path[k], line.offs[k - 1]));
       way.joints.insert(way.joints.end(), line.path.begin() + 1, line.path.end());
       way.placeOf.resize(way.joints.size() - 1, i);
       if (line.reached >= 1.0) continue;

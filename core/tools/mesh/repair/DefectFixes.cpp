@@ -9,6 +9,7 @@
 #include "mesh/repair/Cleaning.h"
 #include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/repair/NonOrientableSurfaces.h"
+#include "mesh/repair/SheetThickening.h"
 #include "mesh/repair/intersections/IntersectionClusters.h"
 #include "mesh/structure/FaceComponents.h"
 #include "mesh/structure/MeshBuilder.h"

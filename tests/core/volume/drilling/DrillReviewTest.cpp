@@ -8,6 +8,7 @@
 
 #include <QtTest>
 #include <cmath>
+#include <random>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -155,6 +156,52 @@ class DrillReviewTest : public QObject {
     QVERIFY(!DrillPose::of(Vec3::Zero(), Vec3(nan, 0.0, 1.0), 0.0).isSound());
     const Vec3 place(123.4567891, -987.654321, 0.000001);
     QVERIFY((DrillPose::of(place, Vec3::UnitX(), 0.0).place() - place).norm() < 1e-6);
+  }
+
+  // A hand trembles, sideways and along the drill: it is through when the tip is, and not when it slips on the surface.
+  void trembling_data() {
+    QTest::addColumn<double>("sideways");
+    QTest::addColumn<double>("along");
+    QTest::newRow("steady") << 0.0 << 0.0;
+    QTest::newRow("sideways") << 0.05 << 0.0;
+    QTest::newRow("along") << 0.0 << 0.02;
+    QTest::newRow("both") << 0.05 << 0.02;
+  }
+  void trembling() {
+    QFETCH(double, sideways);
+    QFETCH(double, along);
+    auto record = std::make_shared<DrillRecord>();
+    record->setup.tool = *drillToolOf("ball:6");
+    const double reach = record->setup.tool.reach();
+    std::mt19937 random(7);
+    std::normal_distribution<double> trembling;
+    double time = 0.0;
+    const auto add = [&](double tip, double beside) {
+      const Vec3 place(beside + sideways * trembling(random), sideways * trembling(random),
+                       tip + reach + along * trembling(random));
+      record->poses.push_back(DrillPose::of(place, Vec3::UnitZ(), time));
+      time += 1e-3;
+    };
+    // Over the surface, a little into it, and out of it again; then through the plate at 2 mm/s.
+    for (int i = 0; i < 500; ++i) add(0.05 * std::cos(0.1 * i), 0.5 * std::sin(0.03 * i));
+    const double begun = time;
+    for (double tip = 0.1; tip > -kPlate - 0.5; tip -= 0.002) add(tip, 0.0);
+    const DrillReview review = reviewOf({record});
+    QVERIFY(review.figures.breakthrough);
+    const double tip = 0.1 - 2.0 * (*review.figures.breakthrough - begun);
+    QVERIFY(isNear(tip, -kPlate, 0.15));
+    QVERIFY(isNear(review.figures.plunge, 0.5, 0.25));
+  }
+
+  // A nerve that is thinner than the drill and lies between its axis and its rim is drilled away, not missed.
+  void forbiddenBesideTheAxis() {
+    DrillPlan plan;
+    plan.forbidden = {{Vec3(1.5, 0.0, -1.5), 1.0}};
+    DrillReview review = reviewOf({hole("twist:6", -5.0)}, plan);
+    QVERIFY(isNear(review.figures.forbidden, 1.0 + 1.5, 0.1));  // its centre ends 1.5 mm below the side of the drill
+    plan.forbidden = {{Vec3(5.0, 0.0, -1.5), 1.0}};
+    review = reviewOf({hole("twist:6", -5.0)}, plan);
+    QCOMPARE(review.figures.forbidden, 0.0);
   }
 };
 

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planning/RobotScene.h"
+
+#include "../robot/Robots.h"
+#include "Scenes.h"
+#include "TestClass.h"
+#include "planning/PathShortcuts.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// A ball of 2 mm on two slides, along x and y.
+RobotModel slidingBall() {
+  DhTable table;
+  for (const char* const name : {"y", "x"}) {
+    DhJoint joint;
+    joint.name = name;
+    joint.isPrismatic = true;
+    joint.alpha = M_PI / 2;
+    joint.lower = -100.0;
+    joint.upper = 100.0;
+    table.joints.push_back(joint);
+  }
+  RobotModel robot = handwheel::robotOf(table);
+  robot.shapes.clear();
+  for (Link& link : robot.links) {
+    link.visuals.clear();
+    link.collisions.clear();
+  }
+  robot.links[2].collisions.push_back({0, Pose::Identity(), {}});
+  robot.shapes.emplace_back(SphereShape{2.0});
+  return robot;
+}
+
+ArmValues two(double first, double second) {
+  ArmValues values(2);
+  values << first, second;
+  return values;
+}
+
+}  // namespace
+
+class RobotSceneTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Wherever on a motion the joints are off by at most so much, no point of the arm is farther away than it says.
+  void boundAlongAMotion() {
+    QVERIFY(rc::check([] {
+      const std::vector<double> lengths{400.0, 300.0, 200.0};
+      const RobotModel robot = test::planarArm(lengths, 5.0);
+      const RobotScene scene = sceneOf(robot);
+      ArmValues from(3), to(3), spread(3), off(3);
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        from[i] = evenly(-2.0, 2.0);
+        to[i] = from[i] + evenly(-0.1, 0.1);
+        spread[i] = evenly(0.0, 0.01);
+        off[i] = evenly(-1.0, 1.0) * spread[i];
+      }
+      const auto end = [&](const ArmValues& values) {
+        double turn = 0.0;
+        Vec3 at = Vec3::Zero();
+        for (Eigen::Index i = 0; i < 3; ++i) {
+          turn += values[i];
+          at += lengths[static_cast<std::size_t>(i)] * Vec3(std::cos(turn), std::sin(turn), 0.0);
+        }
+        return at;
+      };
+      const ArmValues on = from + evenly(0.0, 1.0) * (to - from);
+      RC_ASSERT((end(on + off) - end(on)).norm() <= scene.travelBound(from, to, spread));
+      // It is of use only while it is not much more than what one place has.
+      RC_ASSERT(scene.travelBound(from, to, spread) <= 1.5 * scene.travelBound(from, spread) + 1e-9);
+    }));
+  }
+
+  // A joint that follows one outside of the arm has the limits and the velocity of that one, as inverse kinematics has.
+  void limitsOfAFollower() {
+    const RobotModel robot =
+        readOrThrow(test::robotOf(link("a") + link("b") + link("c") +
+                                  joint("j", "revolute", "a", "b", "<limit lower='0' upper='2' velocity='3'/>") +
+                                  joint("k", "revolute", "a", "c",
+                                        "<limit lower='-2' upper='0' velocity='1'/>"
+                                        "<mimic joint='j' multiplier='-1'/>")))
+            .robot;
+    const auto arm = SerialArm::of(robot, 0, 2);
+    QVERIFY(arm);
+    const RobotScene scene = sceneOf(robot);
+    QVERIFY(scene.isSound());
+    QCOMPARE(scene.joint(0).lower, 0.0);
+    QCOMPARE(scene.joint(0).upper, 2.0);
+    QCOMPARE(*scene.joint(0).velocity, 3.0);
+    QCOMPARE(scene.joint(0).lower, arm->arm.joints()[0].lower);
+    QCOMPARE(scene.joint(0).upper, arm->arm.joints()[0].upper);
+  }
+
+  // Around a ball in the corner: along one side and along the other, without the places in between.
+  void shortcutsLeaveOutWhatTheyCan() {
+    RobotScene scene = sceneOf(slidingBall());
+    QVERIFY(scene.isSound());
+    // Where the ball on the slides is, at these values.
+    const auto at = [&](double first, double second) {
+      const SerialArm arm =
+          armOf(std::vector<DhRow>{{.alpha = M_PI / 2, .isPrismatic = true}, {.alpha = M_PI / 2, .isPrismatic = true}});
+      return arm.tipPose(two(first, second)).translation().eval();
+    };
+    addBall(scene, at(30.0, 16.0), 13.0, 7);
+    JointPath path;
+    for (int i = 0; i <= 6; ++i) path.push_back(two(10.0 * i, 0.0));
+    for (int i = 1; i <= 3; ++i) path.push_back(two(60.0, 10.0 * i));
+    const JointPath found = shortened(scene, path, {}, 0, 10.0, 1);
+    QCOMPARE(found.size(), std::size_t{3});
+    QVERIFY(found.front() == path.front() && found.back() == path.back());
+    QVERIFY(leastAlong(scene, found, 0.1) > 0.0);
+  }
+};
+
+HANDWHEEL_TEST(RobotSceneTest)
+#include "RobotSceneTest.moc"

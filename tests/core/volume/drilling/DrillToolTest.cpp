@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/drilling/DrillTool.h"
+
+#include "TestClass.h"
+
+#include <rapidcheck.h>
+
+#include <QtTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+double drawnBetween(double low, double high) {
+  return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6;
+}
+
+}  // namespace
+
+class DrillToolTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The distance from a twist drill is that to the nearest of many points of its outline, turned to the place.
+  void distanceFromTheHead() {
+    QVERIFY(rc::check([] {
+      const DrillTool tool = *drillToolOf("twist:6");
+      const double across = drawnBetween(0.0, 8.0), up = drawnBetween(-8.0, 66.0), turn = drawnBetween(0.0, 6.3);
+      const Vec3 axis = Vec3(drawnBetween(-1.0, 1.0), drawnBetween(-1.0, 1.0), 1.5).normalized();
+      const Vec3 x = axis.unitOrthogonal(), y = axis.cross(x);
+      const Vec3 from = up * axis + across * (std::cos(turn) * x + std::sin(turn) * y);
+      const double reach = tool.radius() / std::tan(0.5 * tool.pointAngle);
+      double nearest = 1e9;
+      constexpr int kPoints = 20'000;
+      for (int i = 0; i <= kPoints; ++i) {
+        const double t = static_cast<double>(i) / kPoints;
+        nearest = std::min(nearest, std::hypot(across - t * tool.radius(), up - (t - 1.0) * reach));  // cone
+        nearest = std::min(nearest, std::hypot(across - tool.radius(), up - t * tool.length));        // side
+        nearest = std::min(nearest, std::hypot(across - t * tool.radius(), up - tool.length));        // back
+      }
+      const bool isInside = across < tool.radius() && up < tool.length && across < (up + reach) / reach * tool.radius();
+      RC_ASSERT(std::abs(tool.signedDepth(from, axis) - (isInside ? nearest : -nearest)) < 1e-2);
+    }));
+  }
+
+  void distanceFromABall() {
+    const DrillTool tool = *drillToolOf("ball:6");
+    QCOMPARE(tool.signedDepth(Vec3(0.0, 4.0, 3.0), Vec3::UnitZ()), -2.0);
+    QCOMPARE(tool.signedDepth(Vec3(0.0, 0.0, 1.0), Vec3::UnitZ()), 2.0);
+  }
+};
+
+HANDWHEEL_TEST(DrillToolTest)
+#include "DrillToolTest.moc"
