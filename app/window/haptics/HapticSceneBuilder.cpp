@@ -18,7 +18,7 @@ namespace {
 // mm at the device: what draws from further, as the edges of a large cube would, is in the way.
 constexpr double kFarthestSnap = 5.0;
 
-bool isSame(const DeviceSpring& a, const DeviceSpring& b) {
+bool isSameSpring(const DeviceSpring& a, const DeviceSpring& b) {
   return a.target == b.target && a.stiffness == b.stiffness && a.damping == b.damping;
 }
 
@@ -73,7 +73,7 @@ void HapticSceneBuilder::setHolding(bool isHolding) {
 }
 
 void HapticSceneBuilder::setSprings(const std::vector<DeviceSpring>& terms) {
-  if (std::equal(terms.begin(), terms.end(), m_terms.begin(), m_terms.end(), isSame)) return;
+  if (std::equal(terms.begin(), terms.end(), m_terms.begin(), m_terms.end(), isSameSpring)) return;
   m_terms = terms;
   if (terms.empty()) return setSource(kSpringSource, {}, true);
   const auto make = [terms](const TouchContext& context) {
