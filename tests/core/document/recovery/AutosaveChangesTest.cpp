@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/recovery/AutosaveChanges.h"
 
-#include "RecoveryChecks.h"
+#include "../RecoveryChecks.h"
 #include "TestClass.h"
 
 #include <rapidcheck.h>

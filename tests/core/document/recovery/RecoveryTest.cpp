@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "RecoveryChecks.h"
+#include "../RecoveryChecks.h"
 #include "TestClass.h"
 
 #include <sys/resource.h>

@@ -27,7 +27,7 @@ class DistanceBoundTest : public QObject {
 
 namespace {
 
-SurfaceDistance surfaceOf(const TriangleSoup& soup) {
+SurfaceDistance distanceSurfaceOf(const TriangleSoup& soup) {
   return SurfaceDistance(buildMesh(soup).mesh);
 }
 
@@ -39,7 +39,7 @@ TriangleSoup sheet(std::uint32_t n, double height) {
 }  // namespace
 
 void DistanceBoundTest::parallelSheets() {
-  const SurfaceDistance low = surfaceOf(sheet(7, 0.0)), high = surfaceOf(sheet(3, 0.25));
+  const SurfaceDistance low = distanceSurfaceOf(sheet(7, 0.0)), high = distanceSurfaceOf(sheet(3, 0.25));
   for (const auto& [a, b] : {std::pair(&low, &high), std::pair(&high, &low)}) {
     QCOMPARE(liesWithin(*a, *b, 0.26), Within::Yes);
     QCOMPARE(liesWithin(*a, *b, 0.24), Within::No);
@@ -51,18 +51,18 @@ void DistanceBoundTest::peakBetweenSamples() {
   TriangleSoup ground = sheet(1, 0.0);
   test::append(ground, test::moved(sheet(1, 0.0), Vec3(1.2, 0, 0)));
   const TriangleSoup over{{Vec3(0.1, 0.1, 0), Vec3(2.1, 0.1, 0), Vec3(0.1, 0.9, 0)}, {{0, 1, 2}}};
-  const SurfaceDistance a = surfaceOf(over), b = surfaceOf(ground);
+  const SurfaceDistance a = distanceSurfaceOf(over), b = distanceSurfaceOf(ground);
   QCOMPARE(liesWithin(a, b, 0.102), Within::Yes);  // half the slot is 0.1
   QCOMPARE(liesWithin(a, b, 0.099), Within::No);
 }
 
 // Each way between a sphere's tessellations: the coarse one's inner radius is the farthest, in the middle of a face.
 void DistanceBoundTest::aroundTheTruth() {
-  const SurfaceDistance coarse = surfaceOf(test::icosphere(1));
+  const SurfaceDistance coarse = distanceSurfaceOf(test::icosphere(1));
   QVERIFY(rc::check("Yes above the truth, No below it", [&] {
     const Vec3 shift(0.0, 0.0, *rc::gen::inRange(1, 1000) / 1000.0);
-    const SurfaceDistance moved = surfaceOf(test::moved(sheet(4, 0.0), shift));
-    const SurfaceDistance ground = surfaceOf(test::moved(sheet(9, 0.0), Vec3(-4, -4, 0), 9.0));
+    const SurfaceDistance moved = distanceSurfaceOf(test::moved(sheet(4, 0.0), shift));
+    const SurfaceDistance ground = distanceSurfaceOf(test::moved(sheet(9, 0.0), Vec3(-4, -4, 0), 9.0));
     const double factor = *rc::gen::inRange(500, 2000) / 1000.0;
     RC_PRE(std::abs(factor - 1.0) > 2.0 * kBoundSlack);
     RC_ASSERT(liesWithin(moved, ground, factor * shift.z()) == (factor > 1.0 ? Within::Yes : Within::No));
@@ -72,20 +72,20 @@ void DistanceBoundTest::aroundTheTruth() {
     const TrianglePoints t = coarse.mesh().points(f);
     inner = std::min(inner, std::abs(t[0].dot((t[1] - t[0]).cross(t[2] - t[0]).normalized())));
   }
-  const SurfaceDistance fine = surfaceOf(test::icosphere(5));
+  const SurfaceDistance fine = distanceSurfaceOf(test::icosphere(5));
   QCOMPARE(liesWithin(coarse, fine, 1.03 * (1.0 - inner)), Within::Yes);
   QCOMPARE(liesWithin(coarse, fine, 0.95 * (1.0 - inner)), Within::No);
 }
 
 void DistanceBoundTest::itself() {
   for (const TriangleSoup& soup : {test::cube(), test::bumpySphere(3), test::moved(test::cube(), Vec3(1e6, 0, 0))}) {
-    const SurfaceDistance surface = surfaceOf(soup);
+    const SurfaceDistance surface = distanceSurfaceOf(soup);
     QCOMPARE(liesWithin(surface, surface, 1e-6), Within::Yes);
   }
 }
 
 void DistanceBoundTest::nothingToBeNearTo() {
-  const SurfaceDistance none = surfaceOf({}), cube = surfaceOf(test::cube());
+  const SurfaceDistance none = distanceSurfaceOf({}), cube = distanceSurfaceOf(test::cube());
   QCOMPARE(liesWithin(none, cube, 1.0), Within::Yes);
   QCOMPARE(liesWithin(cube, none, 1.0), Within::No);
 }
@@ -94,14 +94,14 @@ void DistanceBoundTest::nothingToBeNearTo() {
 void DistanceBoundTest::tooFineToProve() {
   TriangleSoup other = sheet(1, 0.0);
   other.triangles = {{0, 2, 1}, {1, 2, 3}};
-  QCOMPARE(liesWithin(surfaceOf(other), surfaceOf(sheet(1, 0.0)), 1e-3), Within::Yes);
-  QCOMPARE(liesWithin(surfaceOf(other), surfaceOf(sheet(1, 0.0)), 1e-12), Within::Unknown);
+  QCOMPARE(liesWithin(distanceSurfaceOf(other), distanceSurfaceOf(sheet(1, 0.0)), 1e-3), Within::Yes);
+  QCOMPARE(liesWithin(distanceSurfaceOf(other), distanceSurfaceOf(sheet(1, 0.0)), 1e-12), Within::Unknown);
 }
 
 void DistanceBoundTest::cancelled() {
   JobState job;
   job.cancelled = true;
-  const SurfaceDistance cube = surfaceOf(test::cube());
+  const SurfaceDistance cube = distanceSurfaceOf(test::cube());
   QCOMPARE(liesWithin(cube, cube, 1.0, Progress(job)), Within::Unknown);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planning/planners/Roadmap.h"
 
-#include "Scenes.h"
+#include "../Scenes.h"
 #include "TestClass.h"
 
 #include <QtTest>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planning/planners/SblPlanner.h"
 
-#include "Scenes.h"
+#include "../Scenes.h"
 #include "TestClass.h"
 #include "planning/PathShortcuts.h"
 

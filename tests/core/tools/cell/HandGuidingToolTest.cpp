@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/HandGuidingTool.h"
 
+#include "../ToolEvents.h"
 #include "TestClass.h"
-#include "ToolEvents.h"
 #include "document/cell/CellImport.h"
 #include "document/cell/RobotCellKind.h"
 #include "document/scene/BodyChanges.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/IkSolutionsTool.h"
 
+#include "../ToolEvents.h"
 #include "ArmCell.h"
 #include "TestClass.h"
-#include "ToolEvents.h"
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/surface/ScanlineCrossings.h"
 
+#include "../SolidAngles.h"
 #include "MeshShapes.h"
-#include "SolidAngles.h"
 #include "TestClass.h"
 #include "proximity/ClosestPoint.h"
 #include "volume/repair/BoundaryCaps.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/surface/SharpSurface.h"
 
+#include "../SolidShapes.h"
 #include "ClosedSurface.h"
-#include "SolidShapes.h"
 #include "TestClass.h"
 #include "proximity/SelfIntersection.h"
 #include "proximity/TriangleHierarchy.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../StlFiles.h"
+#include "../WindowTestMain.h"
 #include "CellWindow.h"
-#include "StlFiles.h"
-#include "WindowTestMain.h"
 
 #include <QInputDialog>
 #include <QPointer>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowTestMain.h"
 #include "CellWindow.h"
-#include "WindowTestMain.h"
 #include "controls/ActionText.h"
 #include "controls/CommandModel.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "WindowDriver.h"
+#include "../WindowDriver.h"
 #include "controls/property/PropertyList.h"
 #include "panels/bodies/BodyList.h"
 #include "viewport/surface/PartsLayer.h"

@@ -52,7 +52,7 @@ double unionVolume(const Boxes& boxes) {
 }
 
 // Tilts all planes; volumes stay, and so do the coordinates exact.
-TriangleSoup sheared(TriangleSoup s) {
+TriangleSoup shearedWalls(TriangleSoup s) {
   for (Vec3& p : s.points) {
     p.z() += 0.5 * p.x() + 0.25 * p.y();
     p.x() += 0.5 * p.y();
@@ -128,7 +128,7 @@ void SharedWallsTest::unions() {
     const double tolerance = numbers == NumberType::Float32 ? 1e-3 : 1e-8;
     QVERIFY2(std::abs(test::volume(left) - unionVolume(boxes)) < tolerance,
              qPrintable(QString::number(test::volume(left), 'g', 15)));
-    const TriangleSoup tilted = repaired(sheared(given), NumberType::Float64);
+    const TriangleSoup tilted = repaired(shearedWalls(given), NumberType::Float64);
     QVERIFY(test::countEdges(tilted).sound());
     QVERIFY(std::abs(test::volume(tilted) - unionVolume(boxes)) < 1e-3);
   }

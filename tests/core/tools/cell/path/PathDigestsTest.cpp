@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/path/PathDigests.h"
 
-#include "ArmCell.h"
+#include "../ArmCell.h"
 #include "TestClass.h"
 #include "document/Container.h"
 #include "document/cell/RobotChanges.h"
