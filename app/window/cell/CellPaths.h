@@ -114,7 +114,8 @@ class CellPaths : public QObject {
   void setStraight(bool isStraight);
   void removeCurrent();
   void rename(const PlanTree::Entry& entry, const QString& name);
-  void reportStored(const QString& title, const QString& detail);
+  // named: what may be given a better name at once.
+  void reportStored(const QString& title, const QString& detail, std::optional<PlanTree::Entry> named = {});
   void showDetail();
   void readSemantics(const QString& file);
   void reportSemantics(const RobotSemantics& read, const QString& file, const QString& robot);
@@ -152,6 +153,7 @@ class CellPaths : public QObject {
   QLabel* m_detail;
   std::shared_ptr<PathLayer> m_layer;
   PathChecks m_checks;
+  std::optional<OperationValues> m_planned;  // what was chosen in the dialog last
   // How a path is to be worked off that is being planned for it; the owner of that job.
   struct WantedProcess {
     std::string path;

@@ -84,13 +84,22 @@ void CellPaths::store() {
   changed.configurations.push_back({name, cell().joints(), changed.arm});
   if (!commit(tr("Store %1").arg(QString::fromStdString(name)), std::move(changed))) return;
   m_tree->select({Kind::Configuration, name});
-  reportStored(tr("%1 was stored").arg(QString::fromStdString(name)), tr("It is selected in the list."));
+  reportStored(tr("%1 was stored").arg(QString::fromStdString(name)), tr("It is selected in the list."),
+               PlanTree::Entry{Kind::Configuration, name});
 }
 
 // Also while a tool is used, when nobody looks at the list.
-void CellPaths::reportStored(const QString& title, const QString& detail) {
+void CellPaths::reportStored(const QString& title, const QString& detail, std::optional<PlanTree::Entry> named) {
   m_parts.log.add(title);
   Message said{Message::Weight::Info, title, detail};
+  if (named) {
+    said.actionText = tr("&Rename");
+    said.action = [this, named, document = m_document] {
+      if (document != m_document) return;
+      m_tree->select(*named);
+      m_rename.trigger();
+    };
+  }
   said.about = &m_document->document;
   emit message(said);
 }
@@ -112,8 +121,10 @@ void CellPaths::storeTarget() {
       body ? tr("Store %1 on %2").arg(name, QString::fromStdString(body->name)) : tr("Store %1").arg(name);
   if (!commit(text, std::move(changed))) return;
   m_tree->select(entry);
-  reportStored(tr("%1 was stored").arg(name), body ? tr("It moves with %1.").arg(QString::fromStdString(body->name))
-                                                   : tr("It is selected in the list."));
+  reportStored(
+      tr("%1 was stored").arg(name),
+      body ? tr("It moves with %1.").arg(QString::fromStdString(body->name)) : tr("It is selected in the list."),
+      entry);
 }
 
 // It stays on its body.

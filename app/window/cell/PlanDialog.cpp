@@ -11,7 +11,8 @@
 
 namespace handwheel {
 
-PlanDialog::PlanDialog(const CellPlans& plans, const FidelityValues& fidelity, LengthUnit unit, QWidget* parent)
+PlanDialog::PlanDialog(const CellPlans& plans, const FidelityValues& fidelity,
+                       const std::optional<OperationValues>& before, LengthUnit unit, QWidget* parent)
     : QDialog(parent),
       m_places{"here"},
       m_values(planOperation()),
@@ -24,6 +25,11 @@ PlanDialog::PlanDialog(const CellPlans& plans, const FidelityValues& fidelity, L
   for (const NamedConfiguration& each : plans.configurations) m_places.push_back(each.name);
   for (const NamedTarget& each : plans.targets) m_places.push_back(each.name);
   setFidelity(m_values, fidelity);
+  for (const Parameter& parameter : planOperation().parameters) {
+    const std::string& id = parameter.id();
+    const bool isOfOnePath = id == "from" || id == "to" || id == "via" || id == "name" || id == "seed";
+    if (before && !isOfOnePath && before->isSet(id)) m_values.setValid(id, *before->value(id));
+  }
   m_values.setValid("from", m_places.size() > 2 ? m_places[1] : m_places[0]);
   m_values.setValid("to", m_places.back());
   auto* layout = new QVBoxLayout(this);

@@ -21,7 +21,9 @@ class PlanDialog : public QDialog {
   Q_OBJECT
 
  public:
-  PlanDialog(const CellPlans& plans, const FidelityValues& fidelity, LengthUnit unit, QWidget* parent);
+  // before: what was chosen the time before; but for ends and name it is offered again.
+  PlanDialog(const CellPlans& plans, const FidelityValues& fidelity, const std::optional<OperationValues>& before,
+             LengthUnit unit, QWidget* parent);
 
  signals:
   void chosen(const handwheel::OperationValues& values);
