@@ -59,7 +59,8 @@ Result<BothWays> repairFileBothWays(const RepairRequest& byTriangles, const Volu
   both.isByVolume = both.volume && both.volume->after.isSound() && !both.triangles.after.isSound();
   const Status written = both.isByVolume
                              ? writeRepairedByVolume(*input, *repaired, byVolume, progress.part(0.9, 1.0))
-                             : writeFilesAtomically({{byTriangles.output, both.run.output}}, progress.part(0.9, 1.0));
+                             : writeFilesAtomically(std::vector<FileContent>{{byTriangles.output, both.run.output}},
+                                                    progress.part(0.9, 1.0));
   if (!written) return written.error();
   return both;
 }
@@ -74,7 +75,7 @@ std::string rowOf(std::string_view name, const RepairWay& way) {
          rightAligned(roundedText(way.seconds, 2), 11) + "  " + stateText(way.after).toStdString() + "\n";
 }
 
-std::string textOf(const BothWays& both, const RepairRequest& request) {
+std::string tableOf(const BothWays& both, const RepairRequest& request) {
   std::string text = "      way   triangles    99 % within mm   farthest mm    seconds  state\n";
   text += rowOf("triangles", both.triangles);
   text += both.volume ? rowOf("volume", *both.volume) : "   volume  " + sentenceFor(*both.volumeError) + "\n";
@@ -127,7 +128,7 @@ int runRepairBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
   const BothWays& both = result->value();
   if (both.run.output.empty()) return reportNothingWritten(both.run, byTriangles);
   reportLosses(both.run.file);
-  const int code = print(arguments.has("json") ? jsonOf(both).dump() + "\n" : textOf(both, byTriangles));
+  const int code = print(arguments.has("json") ? jsonOf(both).dump() + "\n" : tableOf(both, byTriangles));
   if (code != kExitDone) return code;
   return (both.isByVolume ? *both.volume : both.triangles).after.isSound() ? kExitDone : kExitSomethingLeft;
 }

@@ -231,6 +231,13 @@ class CellPathStatusWindowTest : public QObject {
     auto* bar = driver.find<QWidget>("messageText");
     driver.choose("storeConfiguration");
     QVERIFY(driver.text("messageText").contains("Configuration 3 was stored"));
+    // Another name can be given at once.
+    driver.click("messageAction");
+    auto& tree = *driver.find<QTreeWidget>("planTree");
+    auto* const editor = qobject_cast<QLineEdit*>(tree.indexWidget(tree.currentIndex()));
+    QVERIFY(editor);
+    QCOMPARE(editor->text(), QString("Configuration 3"));
+    QTest::keyClick(editor, Qt::Key_Escape);
     driver.choose("storeConfiguration");
     QVERIFY(driver.text("messageText").contains("Configuration 4 was stored"));
     QVERIFY(driver.configurations()->child(3)->isSelected());
