@@ -81,7 +81,7 @@ std::vector<Property> RemeshAction::shown() const {
     all.back().least = 4.0;
   }
   // The other method makes some more of them along sharp edges.
-  const bool isExact = m_goal == Goal::All && m_values.index("method") == 0;
+  const bool isExact = m_goal == Goal::All && m_values.whole("method") == 0;
   const QString count =
       m_predicted ? (isExact ? tr("%1") : tr("about %1")).arg(QLocale().toString(std::round(*m_predicted), 'f', 0))
                   : tr("being counted…");
