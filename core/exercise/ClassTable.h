@@ -19,8 +19,8 @@ struct ClassRow {
 // The submissions of a class as one table. It has a row for each, and a column for each criterion.
 class ClassTable {
  public:
-  // The columns before those of the criteria.
-  enum Column : std::size_t { Student, File, HandedIn, Minutes, Hints, Points, Percent, FirstCriterion };
+  // The columns before those of the criteria; what a teacher looks for is first.
+  enum Column : std::size_t { Student, Points, Percent, Minutes, Hints, HandedIn, File, FirstCriterion };
 
   explicit ClassTable(const Exercise& exercise);
 
@@ -30,7 +30,7 @@ class ClassTable {
   std::size_t columns() const { return m_criteria.size() + FirstCriterion; }
   // English, or the name of a criterion.
   std::string heading(std::size_t column) const;
-  bool isNumber(std::size_t column) const { return column >= Minutes; }
+  bool isNumber(std::size_t column) const { return column != Student && column != HandedIn && column != File; }
   // As a text; numbers with a decimal point. Empty where there is none.
   std::string cell(std::size_t row, std::size_t column) const;
 

@@ -147,6 +147,10 @@ class ExerciseTest : public QObject {
     const Ran broken = bench.run({"mark", kShaft, "broken.handwheel"});
     QVERIFY2(broken.out.contains("The file is damaged"), broken.out);
     QVERIFY(!bench.run({"mark", kShaft, "ada.handwheel"}).out.contains("The file is damaged"));
+    // Nobody moves twice alike.
+    QCOMPARE(bench.run({"exercise", kShaft, "--hand-in", "work.json", "--name", "Eve", "-o", "eve.handwheel"}).code, 0);
+    const QByteArray both = bench.run({"mark", kShaft, "ada.handwheel", "eve.handwheel"}).out;
+    QVERIFY2(both.contains("the same as that of Ada (ada.handwheel)") && both.contains("that of Eve (eve."), both);
     exercise["criteria"][0]["lower"] = 1.0;
     exercise["criteria"][0]["upper"] = 99.0;
     bench.put("other.exercise.json", QByteArray::fromStdString(exercise.dump()));

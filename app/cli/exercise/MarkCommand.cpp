@@ -97,6 +97,7 @@ int runMark(const Arguments& arguments, const DocumentKinds& kinds) {
     }
   });
   if (isCancelled) return fail({ErrorCode::Cancelled, {}, {}, {}});
+  remarkEqualWorks(report.works);
   if (arguments.has("sort") && !sortBy(report.works, report.exercise, arguments.valueOf("sort")))
     return failUsage("There is no column “" + arguments.valueOf("sort") + "” to sort by.", "mark");
   if (const int code = writeFiles(report, arguments); code != kExitDone) return code;

@@ -7,6 +7,7 @@
 #include "document/exercise/Submission.h"
 #include "report/exercise/MarkingWords.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
@@ -84,6 +85,24 @@ ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::pat
   }
   if (submission && submission->attempt) work.row.attempt = *submission->attempt;
   return work;
+}
+
+void remarkEqualWorks(std::vector<ReportedWork>& works) {
+  const auto isSame = [](const ReportDetails& a, const ReportDetails& b) {
+    const auto sameCurve = [](const ReportCurve& c, const ReportCurve& d) {
+      return std::ranges::equal(c.series, d.series, {}, &ReportCurve::Series::points, &ReportCurve::Series::points);
+    };
+    const auto isRecorded = [](const ReportCurve& curve) { return !curve.series.empty(); };
+    return a.seconds > 0.0 && a.seconds == b.seconds && std::ranges::any_of(a.curves, isRecorded) &&
+           std::ranges::equal(a.curves, b.curves, sameCurve);
+  };
+  const auto nameOf = [](const ClassRow& row) {
+    return row.attempt.student.empty() ? row.file : row.attempt.student + " (" + row.file + ")";
+  };
+  for (std::size_t i = 0; i < works.size(); ++i)
+    for (std::size_t j = 0; j < works.size(); ++j)
+      if (i != j && isSame(works[i].details, works[j].details))
+        works[i].row.remarks.push_back("The recording is the same as that of " + nameOf(works[j].row) + ".");
 }
 
 Json toJson(const ClassReport& report) {

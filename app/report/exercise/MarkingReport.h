@@ -27,6 +27,9 @@ struct ClassReport {
 ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::path& path, const DocumentKinds& kinds,
                       std::string (*describe)(const Error&), Progress progress);
 
+// Adds a remark to works that have the same recording as another one: nobody moves twice alike. O(works² · points).
+void remarkEqualWorks(std::vector<ReportedWork>& works);
+
 // All figures, marks and reasons as JSON, without curves.
 nlohmann::ordered_json toJson(const ClassReport& report);
 

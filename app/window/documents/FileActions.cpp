@@ -242,8 +242,10 @@ void FileActions::askForName(DocumentTab* document, std::function<void(bool)> en
   if (isCopy || (needsNewName(*document) && suggestion == document->document.path()))
     suggestion = freeName(document->document.kind(), suggestion);
   const bool sample = isSample(QFileInfo(document->document.path()));
-  const bool writable = QFileInfo(QFileInfo(suggestion).path()).isWritable();
-  dialog->setDirectory(writable && !sample ? QFileInfo(suggestion).path() : lastFolder());
+  // A document without a file is called by its title alone, which is in no folder.
+  const QFileInfo folder(QFileInfo(suggestion).path());
+  const bool isOwn = QFileInfo(suggestion).isAbsolute() && folder.isWritable() && !sample;
+  dialog->setDirectory(isOwn ? folder.filePath() : lastFolder());
   dialog->selectFile(QFileInfo(suggestion).fileName());
   dialog->setDefaultSuffix(endingOf(document->document.kind(), suggestion));
   connect(dialog, &QFileDialog::fileSelected, this, [this, document, ended](const QString& path) {

@@ -18,11 +18,13 @@ const auto kFolderKey = QStringLiteral("lastFolder");
 }
 
 QString lastFolder() {
-  return QSettings().value(kFolderKey, QDir::homePath()).toString();
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const bool hasDocuments = !documents.isEmpty() && QFileInfo(documents).isDir();
+  return QSettings().value(kFolderKey, hasDocuments ? documents : QDir::homePath()).toString();
 }
 
 void rememberFolder(const QString& path) {
-  QSettings().setValue(kFolderKey, QFileInfo(path).absolutePath());
+  if (!isSample(QFileInfo(path))) QSettings().setValue(kFolderKey, QFileInfo(path).absolutePath());
 }
 
 QString folderFor(const Document& document) {
@@ -33,12 +35,11 @@ QString folderFor(const Document& document) {
 
 void beginInFolderOf(QFileDialog& dialog, const QString& purpose) {
   const QString key = QStringLiteral("folders/") + purpose;
-  const auto isThere = [](const QString& folder) { return !folder.isEmpty() && QFileInfo(folder).isDir(); };
-  QString folder = QSettings().value(key).toString();
-  if (!isThere(folder)) folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  dialog.setDirectory(isThere(folder) ? folder : QDir::homePath());
+  const QString folder = QSettings().value(key).toString();
+  dialog.setDirectory(!folder.isEmpty() && QFileInfo(folder).isDir() ? folder : lastFolder());
   QObject::connect(&dialog, &QFileDialog::filesSelected, &dialog, [key](const QStringList& paths) {
     QSettings().setValue(key, QFileInfo(paths.first()).absolutePath());
+    rememberFolder(paths.first());
   });
 }
 

@@ -56,6 +56,7 @@ void ExerciseUi::mark(const QStringList& paths) {
     for (int i = 0; i < paths.size() && !progress.cancelled(); ++i)
       marked->works.push_back(markFile(*scheme, QFile::encodeName(paths[i]).toStdString(), kinds, markProblem,
                                        progress.part(i * share, (i + 1) * share)));
+    remarkEqualWorks(marked->works);
     return Job::Finish([this, marked, paths, owner] {
       if (!parts().tabs.contains(owner)) return;
       m_classes[owner] = {std::move(*marked), paths};

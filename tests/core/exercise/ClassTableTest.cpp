@@ -95,12 +95,12 @@ class ClassTableTest : public QObject {
     QCOMPARE(
         QByteArray::fromStdString(table.csv()),
         QByteArray(
-            "\xEF\xBB\xBFStudent,File,Handed in,Minutes,Hints,Points,Percent,\"Diameter \"\"front\"\", 20 "
+            "\xEF\xBB\xBFStudent,Points,Percent,Minutes,Hints,Handed in,File,\"Diameter \"\"front\"\", 20 "
             "(points)\",Time (points)\r\n"
-            "'=Bob,'=Bob.handwheel,2026-11-23T08:15:00Z,1.5,3,10,100,8,2\r\n"
-            "\"Cleo, \"\"the 2nd\"\"\",\"Cleo, \"\"the 2nd\"\".handwheel\",2026-11-23T08:15:00Z,1.5,3,0,0,0,0\r\n"));
+            "'=Bob,10,100,1.5,3,2026-11-23T08:15:00Z,'=Bob.handwheel,8,2\r\n"
+            "\"Cleo, \"\"the 2nd\"\"\",0,0,1.5,3,2026-11-23T08:15:00Z,\"Cleo, \"\"the 2nd\"\".handwheel\",0,0\r\n"));
     QCOMPARE(ClassTable(Exercise()).csv(),
-             std::string("\xEF\xBB\xBFStudent,File,Handed in,Minutes,Hints,Points,Percent\r\n"));
+             std::string("\xEF\xBB\xBFStudent,Points,Percent,Minutes,Hints,Handed in,File\r\n"));
   }
 };
 
