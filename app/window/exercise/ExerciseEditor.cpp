@@ -215,9 +215,10 @@ void ExerciseEditor::refresh() {
   const std::vector<Property> properties = exerciseProperties(m_document->exercise());
   m_task->setProperties(ofTask(properties));
   QStringList criteria, steps;
-  for (const MarkingCriterion& c : exercise.criteria)
+  for (const MarkingCriterion& c : exercise.criteria) {
     const QString points = c.points == 1.0 ? tr("1 point") : tr("%1 points").arg(QLocale().toString(c.points));
-  criteria += tr("%1 (%2)").arg(QString::fromStdString(c.name.empty() ? c.id : c.name), points);
+    criteria += tr("%1 (%2)").arg(QString::fromStdString(c.name.empty() ? c.id : c.name), points);
+  }
   for (std::size_t i = 0; i < exercise.steps.size(); ++i)
     steps += tr("%1. %2").arg(i + 1).arg(QString::fromStdString(exercise.steps[i].title));
   fillRows(m_criteria, criteria, properties,
