@@ -108,9 +108,11 @@ void DrillView::follow() {
     isRunning ? m_sounding.start() : m_sounding.stop();
   }
   if (!now || !m_dock) return;
-  if (const auto hole = now->hole()) show(*now, *hole);
-  if (!m_shown) {
+  if (const auto hole = now->hole()) {
+    show(*now, *hole);
+  } else if (!m_shown || !m_shown->moments.empty()) {
     show(*now, DrillState());
+    m_figures->clear();
     m_shown = std::make_shared<DrillState>();
   }
 }
@@ -129,7 +131,7 @@ void DrillView::show(const DrillingTool& tool, const DrillState& hole) {
   if (!hole.moments.empty()) {
     const DrillMoment& moment = hole.moments[hole.moments.size() - 1];
     m_figures->setText(tr("%1 mm deep, %2 N, %3 N·mm, +%4 K (estimate)")
-                           .arg(lengthText(moment.depth), locale.toString(moment.thrust, 'f', 1),
+                           .arg(lengthText(moment.holeDepth), locale.toString(moment.thrust, 'f', 1),
                                 locale.toString(moment.torque, 'f', 0), locale.toString(moment.temperature, 'f', 0)));
   }
   const bool isDue = !m_plotted.isValid() || m_plotted.elapsed() >= kPlotMs || !tool.isLive();

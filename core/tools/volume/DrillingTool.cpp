@@ -10,6 +10,7 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 namespace {
@@ -105,15 +106,42 @@ std::shared_ptr<const DrillState> DrillingTool::state() const {
   return std::static_pointer_cast<const DrillState>(m_gesture.state());
 }
 
+// The hole that was drilled last and is pointed into goes on along its axis: its wall is no surface to begin on.
+std::optional<Vec3> DrillingTool::startOfFeed(const PointerEvent& event) {
+  const VolumeSnapshot& volume = *m_document.volume();
+  m_isBlocked = false;
+  const auto hit = firstHit(volume.volume, event.ray.origin, event.ray.direction);
+  if (!hit) return std::nullopt;
+  m_feed = DrillFeed{event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : hit->normal, m_speed};
+  if (!event.modifiers.shift && !volume.holes.empty() && !volume.holes.back()->poses.empty()) {
+    const DrillRecord& before = *volume.holes.back();
+    const DrillPose last = before.poses[before.poses.size() - 1];
+    const Vec3 way = hit->point - last.place(), axis = last.direction();
+    const double across = (way - way.dot(axis) * axis).norm(), slack = 2.0 * volume.volume.voxel();
+    const bool isInHole =
+        across < before.setup.tool.radius() + slack && way.dot(axis) > -before.setup.tool.reach() - slack;
+    if (isInHole && before.setup.tool.radius() >= m_head.radius()) {
+      m_feed->axis = axis;
+      return last.place();
+    }
+  }
+  const Vec3 start = hit->point + m_head.reach() * m_feed->axis;
+  const VolumeReader material(volume.volume);
+  const double step = std::max(volume.volume.voxel(), 0.01 * m_head.length);
+  for (double behind = step; m_head.shape == DrillShape::Twist && behind < m_head.length && !m_isBlocked;
+       behind += step)
+    m_isBlocked = material.depthAt(start + behind * m_feed->axis).depth > 0.0;
+  return m_isBlocked ? std::nullopt : std::optional(start);
+}
+
 ToolReply DrillingTool::press(const PointerEvent& event) {
   if (event.button != PointerButton::First || m_gesture.isOn()) return ToolReply::Ignored;
   m_feed.reset();
   std::optional<Vec3> start;
-  if (!event.device) {
-    const auto hit = firstHit(m_document.volume()->volume, event.ray.origin, event.ray.direction);
-    if (!hit) return ToolReply::Ignored;
-    m_feed = DrillFeed{event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : hit->normal, m_speed};
-    start = hit->point + m_head.reach() * m_feed->axis;
+  if (!event.device && !(start = startOfFeed(event))) {
+    m_feed.reset();
+    reportUpdated();
+    return m_isBlocked ? ToolReply::Used : ToolReply::Ignored;
   }
   m_last.reset();
   m_begun = setup();
@@ -143,12 +171,19 @@ ToolReply DrillingTool::pointer(const PointerEvent& event) {
   }
   if (m_gesture.isOn()) return isOwn ? ToolReply::Used : ToolReply::Ignored;
   m_hovered.reset();
+  if (std::exchange(m_isBlocked, false)) reportUpdated();
   if (isOfDevice) return ToolReply::Ignored;
   if (const auto hit = firstHit(m_document.volume()->volume, event.ray.origin, event.ray.direction)) {
     m_hovered = hit->point;
     m_normal = event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : hit->normal;
   }
   return ToolReply::Ignored;
+}
+
+// What is undone is not shown any more.
+void DrillingTool::documentChanged() {
+  if (m_document.volume()->holes.size() != m_lastCount) m_last.reset();
+  m_gesture.restart();
 }
 
 // The edit comes back as documentChanged(), and the next simulation begins there.
@@ -166,6 +201,7 @@ ToolReply DrillingTool::release() {
   hole->setup = m_begun;
   hole->poses = m_last->poses;
   after->holes.push_back(std::move(hole));
+  m_lastCount = after->holes.size();
   m_document.commit(holeText(*m_last), std::make_unique<VolumeEdit>(std::move(after), m_last->changedBlocks));
   return ToolReply::Used;
 }
@@ -179,6 +215,7 @@ ToolReply DrillingTool::perform(std::string_view action) {
 
 // What holding the button does, or is to be stopped for.
 const char* DrillingTool::holdText() const {
+  if (m_isBlocked) return QT_TRANSLATE_NOOP("Tool", "the drill would cut sideways here: begin on a free surface");
   if (!m_gesture.isOn()) return QT_TRANSLATE_NOOP("Tool", "drill across the surface");
   const std::shared_ptr<const DrillState> now = state();
   if (now->figures.forbidden > 0.0) return QT_TRANSLATE_NOOP("Tool", "in the forbidden region: release the button");

@@ -32,7 +32,7 @@ class DrillingTool : public VolumeTool {
   bool isLive() const override { return m_gesture.isOn(); }
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
-  void documentChanged() override { m_gesture.restart(); }
+  void documentChanged() override;
   std::vector<std::string> needs() const override { return {"simulation"}; }
 
   // The hole that is drilled, or else the one before; null: there was none.
@@ -45,6 +45,9 @@ class DrillingTool : public VolumeTool {
   std::unique_ptr<Simulation> simulation() const;
   std::shared_ptr<const DrillState> state() const;
   const char* holdText() const;
+  // Where a feed by the mouse begins, its head's centre; sets m_feed. None: the pointer is beside the volume, or
+  // (m_isBlocked) a twist drill would stand in the material with its whole length.
+  std::optional<Vec3> startOfFeed(const PointerEvent& event);
   ToolReply press(const PointerEvent& event);
   ToolReply release();
 
@@ -58,7 +61,9 @@ class DrillingTool : public VolumeTool {
   DrillSetup m_begun;               // that the present hole was begun with
   SimulatedGesture m_gesture;
   std::shared_ptr<const DrillState> m_last;  // of the hole before; null: none
+  std::size_t m_lastCount = 0;               // of the document's holes, with that one
   std::optional<Vec3> m_hovered, m_normal;   // on the surface
+  bool m_isBlocked = false;                  // where it was pressed last, a drill has no way in
 };
 
 }  // namespace handwheel

@@ -17,6 +17,8 @@ void DrillWatch::beginHole(const DrillSetup& setup) {
   m_time = 0.0;
   m_setup = setup;
   m_place.reset();
+  m_contact.reset();
+  m_exit.reset();
   m_temperature = 0.0;
 }
 
@@ -47,25 +49,25 @@ DrillMoment DrillWatch::add(const DrillTick& tick, const Vec3& axis, bool isThro
   const Vec3 tip = tick.place - m_setup.tool.reach() * axis;
   moment.temperature = m_temperature;
   moment.depth = (tip - m_plan.entry).dot(m_plan.direction);
+  if (tick.removed > 0.0 && !m_contact) m_contact = tip;
+  moment.holeDepth = m_contact ? (*m_contact - tip).dot(axis) : 0.0;
   moment.deviation = std::max(deviation(tick.place), deviation(tip));
   moment.forbidden = forbiddenDepth(tick.place, axis);
   moment.isCutting = tick.removed > 0.0;
   moment.isThrough = isThrough;
   m_place = tick.place;
   m_time = tick.time;
-  count(moment);
+  count(moment, tip, axis);
   return moment;
 }
 
-void DrillWatch::count(const DrillMoment& moment) {
+void DrillWatch::count(const DrillMoment& moment, const Vec3& tip, const Vec3& axis) {
   DrillFigures& f = m_figures;
   if (moment.isCutting && !f.contact) f.contact = moment.time;
-  if (moment.isThrough && !f.breakthrough) {
-    f.breakthrough = moment.time;
-    m_exit = moment.depth;
-  }
+  if (moment.isThrough && !f.breakthrough) f.breakthrough = moment.time;
+  if (moment.isThrough && !m_exit) m_exit = tip;
   if (moment.isCutting) f.deviation = std::max(f.deviation, moment.deviation);
-  if (f.breakthrough) f.plunge = std::max(f.plunge, moment.depth - m_exit);
+  if (m_exit) f.plunge = std::max(f.plunge, (*m_exit - tip).dot(axis));
   f.forbidden = std::max(f.forbidden, moment.forbidden);
   f.thrust = std::max(f.thrust, moment.thrust);
   f.torque = std::max(f.torque, moment.torque);

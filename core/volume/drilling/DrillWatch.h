@@ -24,6 +24,7 @@ struct DrillMoment {
   double torque = 0.0;       // N·mm
   double feed = 0.0;         // mm/s
   double depth = 0.0;        // mm, of the tip along the plan, from the entry
+  double holeDepth = 0.0;    // mm, of the tip along the drill, from where this hole was begun in the material
   double deviation = 0.0;    // mm, of centre or tip from the line, whichever is further
   double forbidden = 0.0;    // mm, of the head in the forbidden region; below 0: so far from it. No region: −∞
   double temperature = 0.0;  // K, estimated rise of the bone at the head
@@ -36,7 +37,7 @@ struct DrillFigures {
   std::optional<double> contact;       // when something was taken first
   std::optional<double> breakthrough;  // when the tip came out on the other side
   double deviation = 0.0;              // mm, largest while something was taken
-  double plunge = 0.0;                 // mm, of the tip beyond where it came out
+  double plunge = 0.0;                 // mm, of the tip along the drill beyond where it came out; of any hole
   double forbidden = 0.0;              // mm, deepest in the region; 0: it was not entered
   double thrust = 0.0, torque = 0.0;   // largest; N, N·mm
   double temperature = 0.0;            // K, largest
@@ -70,15 +71,15 @@ class DrillWatch {
  private:
   double forbiddenDepth(const Vec3& centre, const Vec3& axis) const;
   double deviation(const Vec3& p) const;
-  void count(const DrillMoment& moment);
+  void count(const DrillMoment& moment, const Vec3& tip, const Vec3& axis);
 
   DrillPlan m_plan;
   DrillSetup m_setup;
   DrillFigures m_figures;
   double m_begin = 0.0, m_time = 0.0;  // s: of the hole, and of the last tick in it
   std::optional<Vec3> m_place;
-  double m_temperature = 0.0;  // K
-  double m_exit = 0.0;         // mm, depth of the breakthrough
+  double m_temperature = 0.0;             // K
+  std::optional<Vec3> m_contact, m_exit;  // of the tip in this hole: where it met the material, and where it came out
 };
 
 }  // namespace handwheel

@@ -280,12 +280,11 @@ ReportDetails DrillingSubject::details(const ExerciseTask& task, const Snapshot&
 DisplayModel DrillingSubject::display(const ExerciseTask& task) const {
   const DrillingTask& drilling = drillingOf(task);
   DisplayModel model{planParts(drilling.plan)};
-  if (drilling.stock) return model;  // which may be large; it is shown once the exercise is begun
-  constexpr double kCoarse = 3.0;    // mm, of voxels: in less than a frame or two of the window
+  constexpr double kCoarse = 3.0;  // mm, of voxels: in less than a frame or two of the window
   static const auto skull = std::make_shared<const TriangleSoup>(surfaceOf(skullOfVoxels(kCoarse)));
   DisplayPart bone;
   bone.name = bone.group = "stock";
-  bone.soup = skull;
+  bone.soup = drilling.stock ? drilling.stock->shown : skull;
   bone.colour = {0.90f, 0.86f, 0.76f};
   model.parts.push_back(std::move(bone));
   return model;

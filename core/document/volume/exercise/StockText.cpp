@@ -6,11 +6,30 @@
 #include "base/JsonText.h"
 #include "document/Container.h"
 #include "volume/VolumeRegions.h"
+#include "volume/VolumeResampling.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QByteArray>
 #include <QtEndian>
+#include <algorithm>
 
 namespace handwheel {
+
+namespace {
+
+// In voxels by which a teacher sees where to plan the path, and which cost no more than a frame or two of the window.
+std::shared_ptr<const TriangleSoup> shownSurface(const SparseVolume& volume) {
+  constexpr double kMostAcross = 96.0;
+  constexpr int kRegion = 64;
+  Eigen::AlignedBox3i regions;
+  for (const VoxelIndex& region : regionsOf(volume)) regions.extend(region);
+  const double across = regions.isEmpty() ? 0.0 : kRegion * (regions.sizes().maxCoeff() + 1);
+  const double voxel = volume.voxel() * std::max(1.0, across / kMostAcross);
+  const Result<SparseVolume> coarse = resampled(volume, volume.origin(), voxel);
+  return std::make_shared<const TriangleSoup>(coarse ? surfaceOf(*coarse) : TriangleSoup());
+}
+
+}  // namespace
 
 std::size_t stockBytes(const SparseVolume& volume) {
   constexpr std::size_t kRegionHead = 70;  // numbers before the samples of a region
@@ -24,7 +43,7 @@ DrillingStock stockOf(const SparseVolume& volume) {
   nlohmann::json json = {{"voxel", volume.voxel()},
                          {"origin", {volume.origin().x(), volume.origin().y(), volume.origin().z()}},
                          {"data", data.toStdString()}};
-  return {volume, std::make_shared<const nlohmann::json>(std::move(json))};
+  return {volume, std::make_shared<const nlohmann::json>(std::move(json)), shownSurface(volume)};
 }
 
 Result<DrillingStock> stockFrom(const nlohmann::json& json) {
@@ -43,7 +62,8 @@ Result<DrillingStock> stockFrom(const nlohmann::json& json) {
   if (!volume.origin().allFinite() || volume.origin().norm() > 1e12 || numbers.empty() ||
       !readRegions(numbers, volume) || !closeOff(volume, numbers.size()))
     return malformed;
-  return DrillingStock{std::move(volume), std::make_shared<const nlohmann::json>(json)};
+  auto shown = shownSurface(volume);
+  return DrillingStock{std::move(volume), std::make_shared<const nlohmann::json>(json), std::move(shown)};
 }
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
+#include "mesh/structure/TriangleSoup.h"
 #include "volume/SparseVolume.h"
 
 #include <cstddef>
@@ -17,6 +18,7 @@ namespace handwheel {
 struct DrillingStock {
   SparseVolume volume;
   std::shared_ptr<const nlohmann::json> json;
+  std::shared_ptr<const TriangleSoup> shown;  // its surface, coarse, for the view of the exercise
 };
 
 // Bytes of the data before they are compressed, and the most of which a stock is read.

@@ -96,6 +96,31 @@ class DrillingToolTest : public QObject {
     QVERIFY(bench.document.volume()->holes.empty());
   }
 
+  // Held again within the hole, it goes on along it, not across its wall; and what is undone is not shown any more.
+  void goesOnAlongItsHole() {
+    DrillBench bench;
+    bench.runner.setSetting("head", PropertyValue(1.0));
+    bench.runner.setSetting("diameter", PropertyValue(6.0));
+    bench.runner.setSetting("feed", PropertyValue(20.0));
+    bench.event(PointerEvent::Kind::Press, 1.0, 2.0);
+    QVERIFY(QTest::qWaitFor([&] { return bench.setting("removed") > 100.0; }, 20'000));
+    bench.event(PointerEvent::Kind::Release, 1.0, 2.0);
+    const auto axisOf = [&](std::size_t hole) {
+      const DrillRecord& record = *bench.document.volume()->holes[hole];
+      return record.poses[record.poses.size() - 1].direction();
+    };
+    const Vec3 axis = axisOf(0);
+    const double thrust = bench.setting("max_thrust");
+    bench.event(PointerEvent::Kind::Press, 2.5, 2.0);  // the ray meets the cone or the wall
+    QVERIFY(QTest::qWaitFor([&] { return bench.setting("removed") > 50.0; }, 20'000));
+    bench.event(PointerEvent::Kind::Release, 2.5, 2.0);
+    QCOMPARE(bench.document.volume()->holes.size(), std::size_t{2});
+    QVERIFY((axisOf(1) - axis).norm() < 1e-6);
+    QVERIFY(bench.setting("max_thrust") < 1.2 * thrust);
+    bench.document.history()->undo();
+    QCOMPARE(bench.setting("max_thrust"), -1.0);
+  }
+
   // In an exercise the drill is that of the task, and it says where the head must not be.
   void inAnExercise() {
     DrillBench bench(R"({"stock": "skull", "entry": [0, 0, 20], "direction": [0, 0, -1], "tolerance": 1,
