@@ -14,8 +14,10 @@
 #include "mesh/measure/Deviation.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "text/RepairText.h"
+#include "tools/mesh/voxels/VolumeRepairChange.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeFidelity.h"
+#include "volume/repair/TriangleWalls.h"
 #include "volume/repair/VolumeRepair.h"
 
 #include <algorithm>
@@ -26,8 +28,8 @@
 namespace handwheel {
 namespace {
 
-constexpr std::array<std::string_view, 7> kVolumeRepairOptions{"by",     "voxel",   "close-gaps", "fidelity",
-                                                               "output", "partial", "json"};
+constexpr std::array<std::string_view, 8> kVolumeRepairOptions{"by",       "voxel",  "close-gaps", "wall",
+                                                               "fidelity", "output", "partial",    "json"};
 
 // The triangles of a mesh, or of the surface of a volume.
 Result<TriangleSoup> surfaceIn(const Input& input, const VolumeRepairRequest& request) {
@@ -91,7 +93,8 @@ std::vector<OptionSpec> volumeRepairOptions() {
   return {{"by", 0, "WAY",
            "triangles (default); volume: the surface of the enclosed volume replaces all; both: the better is written"},
           {"voxel", 0, "MM", "By volume: edge of a voxel; default: a 256th of the largest extent"},
-          {"close-gaps", 0, "MM", "By volume: fill gaps that a ball of this radius does not get into"}};
+          {"close-gaps", 0, "MM", "By volume: fill gaps that a ball of this radius does not get into"},
+          {"wall", 0, "MM", "By volume: make walls of this thickness of triangles that enclose nothing"}};
 }
 
 std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& request) {
@@ -103,7 +106,7 @@ std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& r
     const FidelitySetting read[] = {volumeVoxelsSetting(), volumeReductionSetting()};
     if (std::string problem = readFidelity(arguments, "repair", read, request.values); !problem.empty()) return problem;
   }
-  for (const char* const option : {"voxel", "close-gaps"}) {
+  for (const char* const option : {"voxel", "close-gaps", "wall"}) {
     if (!arguments.has(option)) continue;
     double length = 0.0;
     if (!readNumber(arguments.valueOf(option), length) || !(length > 0.0) || !std::isfinite(length))
@@ -111,7 +114,7 @@ std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& r
     if (option == std::string_view("voxel"))
       request.voxel = length;
     else
-      request.gaps = length;
+      (option == std::string_view("wall") ? request.wall : request.gaps) = length;
   }
   return {};
 }
@@ -121,10 +124,12 @@ Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRep
   const Result<TriangleSoup> soup = surfaceIn(input, request);
   if (!soup) return soup.error();
   RepairedByVolume done;
-  done.voxel = request.voxel.value_or(usualVoxel(*soup, request.values.of(volumeVoxelsSetting())));
-  Result<VolumeRepair> repair = repairByVolume(
-      *soup, {.voxel = done.voxel, .gaps = request.gaps, .within = request.values.of(volumeReductionSetting())},
-      progress.part(0.0, 0.75));
+  const VolumeRepairWish wish{request.voxel.value_or(0.0), request.gaps, request.wall};
+  done.voxel = voxelFor(wish, usualVoxel(*soup, request.values.of(volumeVoxelsSetting())));
+  Result<VolumeRepair> repair =
+      repairByVolume(request.wall > 0.0 ? wallsOf(*soup, request.wall) : *soup,
+                     {.voxel = done.voxel, .gaps = request.gaps, .within = request.values.of(volumeReductionSetting())},
+                     progress.part(0.0, 0.75));
   if (!repair) {
     Error error = repair.error();
     error.subject = request.input.string();

@@ -20,6 +20,7 @@ struct VolumeRepairRequest {
   ReadOptions read;
   std::optional<double> voxel;  // mm
   double gaps = 0.0;            // mm
+  double wall = 0.0;            // mm, of walls that are made of the triangles; 0: they enclose the volume
   FidelityValues values;
 };
 

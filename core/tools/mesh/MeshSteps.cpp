@@ -244,7 +244,8 @@ constexpr Verb kVerbs[] = {
     {"cut-crossings", readCutCrossings, nullptr},
     {"by-volume",
      [](StepReader&, const OperationValues& v, const MeshDocument& d) {
-       return volumeRepairChange(v.given("voxel").value_or(0.0), v.number("close-gaps"), numbersFor(d, v));
+       return volumeRepairChange({v.given("voxel").value_or(0.0), v.number("close-gaps"), v.number("wall")},
+                                 numbersFor(d, v));
      },
      nullptr},
     {"decimate", readDecimate, nullptr},

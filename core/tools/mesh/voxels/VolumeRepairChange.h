@@ -7,8 +7,17 @@
 
 namespace handwheel {
 
+// What is wanted of a repair by volume.
+struct VolumeRepairWish {
+  double voxel = 0.0;  // mm; 0: the usual one, or finer where walls need it
+  double gaps = 0.0;   // mm, as VolumeRepairOptions has it
+  double wall = 0.0;   // mm, of walls that are made of the triangles; 0: the surface encloses the volume
+};
+
 // Replaces a mesh by the surface of the volume that it encloses (repairByVolume()). No face or vertex keeps its index.
-// voxel: mm; 0: the usual one. gaps: mm, as VolumeRepairOptions has it.
-MeshChange volumeRepairChange(double voxel, double gaps, NumberType numbers);
+MeshChange volumeRepairChange(const VolumeRepairWish& wish, NumberType numbers);
+
+// The voxel that is used where this is the usual one; mm.
+double voxelFor(const VolumeRepairWish& wish, double usual);
 
 }  // namespace handwheel

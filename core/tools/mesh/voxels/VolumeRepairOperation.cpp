@@ -34,6 +34,18 @@ Parameter gapsParameter() {
           .word = "MM"};
 }
 
+Parameter wallParameter() {
+  return {.property = {.id = "wall",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Wall thickness"),
+                       .value = 0.0,
+                       .quantity = Quantity::Length,
+                       .least = 0.0,
+                       .largest = 1e9},
+          .meaning = "Make walls of this thickness, in mm, of the triangles, where they enclose nothing",
+          .word = "MM"};
+}
+
 }  // namespace
 
 const Operation& volumeRepairOperation() {
@@ -43,7 +55,7 @@ const Operation& volumeRepairOperation() {
       .meaning =
           "Replace everything by the surface of the volume that is enclosed, which is closed and free of "
           "self-intersections",
-      .parameters = {voxelParameter(), gapsParameter(), numbersParameter()}};
+      .parameters = {voxelParameter(), gapsParameter(), wallParameter(), numbersParameter()}};
   return operation;
 }
 

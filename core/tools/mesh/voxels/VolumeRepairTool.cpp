@@ -39,10 +39,11 @@ void VolumeRepairTool::measure() {
 
 // As the repair asks for it, which fills gaps beside the volume that is made by then.
 double VolumeRepairTool::predictedBytes() const {
-  const double making = predictedMakingBytes(m_area, m_extent, voxel());
-  if (m_gaps == 0.0) return making;
-  const double blocks = predictedBlocks(m_area, voxel());
-  return std::max(making, predictedOffsetBytes(blocks) + predictedVolumeBytes(m_area, voxel()));
+  const double voxel = voxelFor(m_wish, m_usual), area = m_wish.wall > 0.0 ? 2.0 * m_area : m_area;  // of either side
+  const double making = predictedMakingBytes(area, m_extent, voxel);
+  if (m_wish.gaps == 0.0) return making;
+  const double blocks = predictedBlocks(area, voxel);
+  return std::max(making, predictedOffsetBytes(blocks) + predictedVolumeBytes(area, voxel));
 }
 
 void VolumeRepairTool::documentChanged() {
@@ -52,7 +53,7 @@ void VolumeRepairTool::documentChanged() {
 ToolReply VolumeRepairTool::perform(std::string_view action) {
   if (action == "revert") return ToolReply::Finished;
   if (action != "commit") return ToolReply::Ignored;
-  m_services.commit(volumeRepairChange(m_own, m_gaps, m_document.fileNumbers()));
+  m_services.commit(volumeRepairChange(m_wish, m_document.fileNumbers()));
   return ToolReply::Used;
 }
 
@@ -70,23 +71,26 @@ std::vector<ToolAction> VolumeRepairTool::actions() const {
 std::vector<Property> VolumeRepairTool::settings() const {
   if (!(m_usual > 0.0)) return {};
   Property voxel = volumeRepairOperation().find("voxel")->property;
-  voxel.value = this->voxel();
+  voxel.value = voxelFor(m_wish, m_usual);
   Property memory;
   memory.id = "memory";
   memory.label = QT_TRANSLATE_NOOP("Property", "Memory for the voxels (MB)");
   memory.value = std::ceil(predictedBytes() / 1e6);
   memory.editable = false;
+  Property wall = volumeRepairOperation().find("wall")->property;
+  wall.value = m_wish.wall;
   Property gaps = volumeRepairOperation().find("close-gaps")->property;
   gaps.id = "close_gaps";
-  gaps.value = m_gaps;
-  return {std::move(voxel), std::move(gaps), std::move(memory)};
+  gaps.value = m_wish.gaps;
+  return {std::move(voxel), std::move(gaps), std::move(wall), std::move(memory)};
 }
 
 void VolumeRepairTool::setSetting(std::string_view id, const PropertyValue& value) {
   const auto* number = std::get_if<double>(&value);
   if (!number || !std::isfinite(*number)) return;
-  if (id == "close_gaps") m_gaps = std::max(0.0, *number);
-  if (id == "voxel" && *number > 0.0) m_own = *number;
+  if (id == "close_gaps") m_wish.gaps = std::max(0.0, *number);
+  if (id == "wall") m_wish.wall = std::max(0.0, *number);
+  if (id == "voxel" && *number > 0.0) m_wish.voxel = *number;
 }
 
 }  // namespace handwheel

@@ -5,6 +5,7 @@
 #include "base/Geometry.h"
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshServices.h"
+#include "tools/mesh/voxels/VolumeRepairChange.h"
 
 namespace handwheel {
 
@@ -28,7 +29,6 @@ class VolumeRepairTool : public Tool {
 
  private:
   void measure();
-  double voxel() const { return m_own > 0.0 ? m_own : m_usual; }
   double predictedBytes() const;
 
   MeshDocument& m_document;
@@ -36,8 +36,7 @@ class VolumeRepairTool : public Tool {
   double m_area = 0.0;           // of the mesh, mm²
   Vec3 m_extent = Vec3::Zero();  // of the mesh, mm
   double m_usual = 0.0;          // voxel, mm; 0: there are no triangles
-  double m_own = 0.0;            // voxel that the user has set, mm; 0: none
-  double m_gaps = 0.0;           // mm
+  VolumeRepairWish m_wish;
 };
 
 }  // namespace handwheel

@@ -45,6 +45,7 @@ class VolumeRepairToolTest : public QObject {
   void gapsAreFilledOnRequest();
   void noTriangles();
   void aSheetStaysWithTheReason();
+  void aSheetBecomesAWall();
   void aCancelledRepairChangesNothing();
 };
 
@@ -71,7 +72,7 @@ void VolumeRepairToolTest::oneStepMakesItSound() {
 
 void VolumeRepairToolTest::coordinatesAreThoseOfTheFile() {
   HalfEdgeMesh mesh = buildMesh(cubeAndBar()).mesh;
-  volumeRepairChange(0.3, 0.0, NumberType::Float32).apply(mesh, {});
+  volumeRepairChange({.voxel = 0.3}, NumberType::Float32).apply(mesh, {});
   QVERIFY(mesh.liveFaceCount() > 24);
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v)
     QVERIFY(mesh.position(v) == rounded(mesh.position(v), NumberType::Float32));
@@ -127,10 +128,27 @@ void VolumeRepairToolTest::noTriangles() {
 void VolumeRepairToolTest::aSheetStaysWithTheReason() {
   const auto document = test::meshDocument({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}});
   const HalfEdgeMesh before = document->mesh();
-  const MeshChange change = volumeRepairChange(0.0, 0.0, NumberType::Float64);
+  const MeshChange change = volumeRepairChange({}, NumberType::Float64);
   QVERIFY(!commitChange(*document, change));
   QVERIFY2(std::string(reasonOf(change)).find("encloses nothing") != std::string::npos, reasonOf(change));
   QVERIFY(test::sameMesh(document->mesh(), before));
+}
+
+// A square of 10 mm becomes a plate of 2 mm, rounded by less than a voxel.
+void VolumeRepairToolTest::aSheetBecomesAWall() {
+  const auto document =
+      test::meshDocument({{Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(10, 10, 0), Vec3(0, 10, 0)}, {{0, 1, 2}, {0, 2, 3}}});
+  VolumeRepairTool tool(*document, immediateServices(*document));
+  tool.setSetting("wall", 2.0);
+  QCOMPARE(settingOf(tool, "voxel"), 10.0 / 256.0);
+  tool.setSetting("wall", 0.1);
+  QCOMPARE(settingOf(tool, "voxel"), 0.025);  // four to the wall
+  tool.setSetting("wall", 2.0);
+  tool.setSetting("voxel", 0.25);
+  QCOMPARE(tool.perform("commit"), ToolReply::Used);
+  const TriangleSoup soup = document->mesh().compact().soup;
+  QVERIFY(test::isClosedManifold(soup));
+  QVERIFY(std::abs(test::volume(soup) - 200.0) < 0.25 * 280.0);  // its area by a voxel
 }
 
 void VolumeRepairToolTest::aCancelledRepairChangesNothing() {
@@ -138,7 +156,7 @@ void VolumeRepairToolTest::aCancelledRepairChangesNothing() {
   const HalfEdgeMesh before = document->mesh();
   JobState state;
   state.cancelled = true;
-  QVERIFY(!commitChange(*document, volumeRepairChange(0.2, 0.0, NumberType::Float64), Progress(state)));
+  QVERIFY(!commitChange(*document, volumeRepairChange({.voxel = 0.2}, NumberType::Float64), Progress(state)));
   QVERIFY(test::sameMesh(document->mesh(), before));
 }
 
