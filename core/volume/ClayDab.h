@@ -19,7 +19,10 @@ enum class ClayAction {
   Move,     // material goes along with the tool
   Attract,  // material goes towards the middle of the tool; with a strength below 0 away from it
   Pinch,    // towards the line through the middle of the tool along its direction; below 0 away from it
+  Mask,     // protects what is there, ClayMask::paint(); below 0 frees it. No volume is changed.
 };
+
+class ClayMask;
 
 // A touch of a clay tool.
 struct ClayDab {
@@ -28,8 +31,8 @@ struct ClayDab {
   double radius = 5.0;         // mm
   double strength = 1.0;       // -1 to 1, a share of what the action can do at most; not of Add and Carve
   double falloff = 1.0;        // 0: the same within the radius; 1: smoothly less towards it; not of Add and Carve
-  // mm. Add, Carve: where the tool comes from; the ball is swept along it. Move: where it goes, at most a quarter of
-  // the radius of it counts.
+  // mm. Add, Carve, Mask: where the tool comes from; the ball is swept along it. Move: where it goes, at most a quarter
+  // of the radius of it counts.
   Vec3 way = Vec3::Zero();
   Vec3 direction = Vec3::UnitZ();  // of Pinch, of length 1
 
@@ -43,7 +46,11 @@ struct ClayDab {
 //
 // Add and Carve unite and subtract exactly; the others leave depths that are distances again near the surface (to first
 // order, as by Sethian's fast marching, 1996), so that dabs may follow one another without end.
-std::vector<VoxelIndex> applyDab(SparseVolume& volume, const ClayDab& dab);
+//
+// mask: what it protects is changed less by the share that it is protected by, and not at all where that is 1: the
+// balls of Add and Carve lose that share of their radius and of four voxels there. Null, or in another grid: nothing
+// is protected.
+std::vector<VoxelIndex> applyDab(SparseVolume& volume, const ClayDab& dab, const ClayMask* mask = nullptr);
 
 // The same dab on the other side of a plane through a point, across an axis (0 to 2).
 ClayDab mirrored(const ClayDab& dab, const Vec3& point, int axis);

@@ -58,7 +58,7 @@ void VolumeUi::setDocument(DocumentTab* opened) {
   if (opened) {
     const VolumeSnapshot& content = *static_cast<const VolumeDocument&>(opened->document).volume();
     m_volumeLayer->setVisible(opened->visible);
-    m_volumeLayer->setVolume(content.volume, content.surface);
+    m_volumeLayer->setVolume(content.volume, content.surface, content.mask);
     m_drawn = static_cast<const VolumeDocument&>(opened->document).volume();
   }
   m_reshape->setDocument(opened);
@@ -87,8 +87,8 @@ void VolumeUi::showVolume() {
   if (!drawn) drawn = static_cast<const VolumeDocument&>(document()->document).volume();
   if (std::exchange(m_drawn, drawn) == drawn) return;  // the segment of its scan was changed
   offerStill();
-  if (m_live) return m_volumeLayer->setVolume(m_live->volume, m_live->surface);
-  m_volumeLayer->setVolume(volume().volume, volume().surface);
+  if (m_live) return m_volumeLayer->setVolume(m_live->volume, m_live->surface, m_live->mask);
+  m_volumeLayer->setVolume(volume().volume, volume().surface, volume().mask);
 }
 
 // What is felt while no tool runs. This thread is the only one that writes it.

@@ -10,7 +10,8 @@ namespace handwheel {
 void ClayStroke::move(const Vec3& place, double time, const Vec3& normal) {
   if (!place.allFinite() || !std::isfinite(time)) return;
   const bool isMove = m_brush.action == ClayAction::Move;
-  const bool isShape = m_brush.action == ClayAction::Add || m_brush.action == ClayAction::Carve;
+  const bool isSwept =
+      m_brush.action == ClayAction::Add || m_brush.action == ClayAction::Carve || m_brush.action == ClayAction::Mask;
   if (!m_last) {
     m_last = place;
     m_lastTime = time;
@@ -19,7 +20,7 @@ void ClayStroke::move(const Vec3& place, double time, const Vec3& normal) {
   }
   const Vec3 from = *m_last;
   const double length = (place - from).norm();
-  if (isShape) {
+  if (isSwept) {
     if (length < kMoveSpacing * m_brush.radius) return;
     const double count = std::min(std::ceil(length / (kSweep * m_brush.radius)), static_cast<double>(kMostAtOnce));
     for (double i = 1.0; i <= count; ++i) {
@@ -51,6 +52,8 @@ void ClayStroke::add(const Vec3& centre, const Vec3& way, const Vec3& normal) {
   if (!normal.isZero()) dab.direction = normal;
   // A move takes all that is in its middle along.
   if (dab.action == ClayAction::Move) dab.strength = 1.0;
+  // What is painted is protected entirely, or free.
+  if (dab.action == ClayAction::Mask) dab.strength = std::copysign(1.0, m_brush.strength);
   std::vector<ClayDab> all{dab};
   for (int axis = 0; axis < 3; ++axis) {
     if (!m_brush.isMirrored[static_cast<std::size_t>(axis)]) continue;

@@ -22,8 +22,8 @@ struct ClayBrush {
 };
 
 // The places at which a brush stroke acts on a volume. At once where it is pressed, then whenever it has gone a share
-// of its radius, and some times a second where it rests and this does something. What adds or carves is swept from one
-// place to the next.
+// of its radius, and some times a second where it rests and this does something. What adds, carves or masks is swept
+// from one place to the next.
 class ClayStroke {
  public:
   explicit ClayStroke(const ClayBrush& brush) : m_brush(brush) {}

@@ -5,13 +5,14 @@
 #include "document/volume/VolumeDocument.h"
 #include "simulation/SimulatedGesture.h"
 #include "tools/ToolKey.h"
+#include "tools/ToolProperty.h"
 #include "tools/volume/VolumeTool.h"
 
 namespace handwheel {
 
 // Tool that sculpts a volume like clay. While the button is held it adds, carves, inflates, smooths, flattens, moves,
-// attracts or pinches what it passes; that is one undo step. The mouse draws it over the surface as that was when the
-// button was pressed; a haptic device feels the clay and works where its tip is.
+// attracts, pinches or masks what it passes; that is one undo step. The mouse draws it over the surface as that was
+// when the button was pressed; a haptic device feels the clay and works where its tip is.
 class ClayTool : public VolumeTool {
  public:
   static constexpr double kRate = 60.0;  // steps of the simulation a second
@@ -52,6 +53,9 @@ class ClayTool : public VolumeTool {
   void complete();
   void restart();
   void hover(const PointerEvent& event);
+  Limits radiusLimits() const;
+  void invertMask();
+  void setMask(const char* text, std::shared_ptr<const ClayMask> mask);
 
   VolumeDocument& m_document;
   ClayBrush m_brush;    // as it is set

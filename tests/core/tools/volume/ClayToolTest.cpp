@@ -170,6 +170,63 @@ class ClayToolTest : public QObject {
     }
   }
 
+  // What is masked stays as it is; the mask is one undo step, and so is each change of it.
+  void masked() {
+    ClayBench bench;
+    bench.choose(ClayAction::Mask);
+    bench.set("radius", PropertyValue(4.0));
+    bench.set("falloff", PropertyValue(0.0));
+    const double before = bench.document.volume()->volume.material();
+    bench.stroke(-6.0, 0.0);
+    QCOMPARE(bench.steps(), 1);
+    QCOMPARE(bench.document.history()->undoText(), QStringLiteral("Mask clay"));
+    QCOMPARE(bench.document.volume()->volume.material(), before);
+    const auto share = [&](double x) {
+      const auto& mask = bench.document.volume()->mask;
+      return mask ? mask->shareAt({x, 0.0, std::sqrt(400.0 - x * x)}) : 0.0;
+    };
+    QCOMPARE(share(-3.0), 1.0);
+    QCOMPARE(share(6.0), 0.0);
+    bench.choose(ClayAction::Carve);
+    bench.set("radius", PropertyValue(2.0));
+    bench.stroke(-6.0, 10.0);
+    QVERIFY(bench.depthAt({-3.0, 0.0, 19.6}) > 0.0);
+    QVERIFY(bench.depthAt({8.0, 0.0, std::sqrt(400.0 - 64.0) - 0.3}) < 0.0);
+    // Ctrl frees it.
+    bench.choose(ClayAction::Mask);
+    bench.set("radius", PropertyValue(4.0));
+    bench.stroke(-3.0, 0.0, 0.0, {false, true, false});
+    QCOMPARE(bench.document.history()->undoText(), QStringLiteral("Unmask clay"));
+    QCOMPARE(share(-2.0), 0.0);
+    bench.document.history()->undo();
+    QCOMPARE(share(-2.0), 1.0);
+    QCOMPARE(bench.runner.perform("invertMask"), ToolReply::Used);
+    QCOMPARE(share(-3.0), 0.0);
+    QCOMPARE(share(6.0), 1.0);
+    QCOMPARE(bench.runner.perform("clearMask"), ToolReply::Used);
+    QVERIFY(!bench.document.volume()->mask);
+    QCOMPARE(bench.runner.perform("clearMask"), ToolReply::Ignored);
+    bench.document.history()->undo();
+    bench.document.history()->undo();
+    QCOMPARE(share(-3.0), 1.0);
+    QCOMPARE(share(6.0), 0.0);
+    // Nothing inverted is everything; twice it is nothing.
+    bench.runner.perform("clearMask");
+    bench.runner.perform("invertMask");
+    QCOMPARE(share(6.0), 1.0);
+    bench.runner.perform("invertMask");
+    QVERIFY(!bench.document.volume()->mask);
+  }
+
+  // A mask is not changed in the middle of a stroke.
+  void noMaskActionsInAStroke() {
+    ClayBench bench;
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
+    QCOMPARE(bench.runner.perform("invertMask"), ToolReply::Ignored);
+    QVERIFY(bench.tool->isLive());
+    QCOMPARE(bench.steps(), 0);
+  }
+
   // A device carves where its tip is: outside of the clay as through air.
   void byADevice() {
     ClayBench bench;

@@ -138,7 +138,7 @@ class VolumeRepairTest : public QObject {
 
   void usualVoxels() {
     QCOMPARE(usualVoxel(cube(256.0)), 1.0);
-    QVERIFY(usualVoxel({}) > 0.0);
+    QVERIFY(usualVoxel(TriangleSoup{}) > 0.0);
   }
 };
 
