@@ -3,6 +3,7 @@
 #include "volume/ClayDab.h"
 
 #include "volume/ClayMask.h"
+#include "volume/ClayStamp.h"
 #include "volume/DabBlocks.h"
 #include "volume/VolumeFilters.h"
 #include "volume/VolumeReader.h"
@@ -18,27 +19,40 @@ constexpr double kDepths = DepthWindow::kMargin;  // voxels from the surface tha
 constexpr double kInflation = 0.5;                // voxels that a dab of full strength moves the surface by
 constexpr double kLargestShift = 0.25;            // of the radius that material goes in a dab
 
+bool isShapeAction(ClayAction action) {
+  return action == ClayAction::Add || action == ClayAction::Carve;
+}
+
 // A dab in voxels.
 struct VoxelDab : SweptBall {
   ClayAction action;
-  Vec3 direction;
+  Vec3 direction, right, up;
   double strength, falloff;
-  const ClayMask* mask;  // null: all is free
+  const ClayStamp* stamp;  // of Add and Carve; null: a ball
+  const ClayMask* mask;    // null: all is free
 
   VoxelDab(const SparseVolume& volume, const ClayDab& dab, const ClayMask* protecting)
       : SweptBall(volume, dab),
         action(dab.action),
         direction(dab.direction),
+        right(dab.right),
+        up(dab.up),
         strength(std::clamp(dab.strength, -1.0, 1.0)),
         falloff(std::clamp(dab.falloff, 0.0, 1.0)),
+        stamp(isShapeAction(dab.action) ? dab.stamp.get() : nullptr),
         mask(protecting) {
+    // The height is that of a stamp to either side.
+    if (stamp) strength = std::copysign(strength, dab.action == ClayAction::Add ? 1.0 : -1.0);
     if (action == ClayAction::Move && way.norm() > kLargestShift * radius) way *= kLargestShift * radius / way.norm();
   }
 
-  bool isShape() const { return action == ClayAction::Add || action == ClayAction::Carve; }
+  bool isBall() const { return isShapeAction(action) && !stamp; }
+  // How far from the middle something may be affected: a stamp works in a cylinder.
+  double reach() const { return stamp ? std::sqrt(2.0) * radius : radius; }
 
   // How much a place is affected; 0 outside the radius.
   double weight(const Vec3& p) const {
+    if (stamp) return stampAt(p);
     const double share = (p - centre).squaredNorm() / (radius * radius);
     if (share >= 1.0) return 0.0;
     return 1.0 - falloff + falloff * (1.0 - share) * (1.0 - share);
@@ -47,6 +61,7 @@ struct VoxelDab : SweptBall {
   // Where what comes to a place was before, in voxels from it, at full weight.
   Vec3 source(const Vec3& p) const {
     const Vec3 from = p - centre;
+    if (stamp) return -ClayDab::kStampHeight * radius * direction;
     if (action == ClayAction::Move) return -way;
     if (action == ClayAction::Attract) return kLargestShift * from;
     return kLargestShift * (from - direction.dot(from) * direction);
@@ -54,8 +69,23 @@ struct VoxelDab : SweptBall {
   // The longest of those.
   double longestShift() const {
     if (action == ClayAction::Move) return std::abs(strength) * way.norm();
+    if (stamp) return std::abs(strength) * ClayDab::kStampHeight * radius;
     const bool isShift = action == ClayAction::Attract || action == ClayAction::Pinch;
     return isShift ? std::abs(strength) * kLargestShift * radius : 1.0;
+  }
+
+  // The height of the stamp over a place. Along the direction it ends within the radius, so slowly that nothing is
+  // folded, as the far side of what is thin stays.
+  double stampAt(const Vec3& p) const {
+    const Vec3 from = p - centre;
+    const double along = 2.0 - 2.0 * std::abs(direction.dot(from)) / radius;
+    if (!(along > 0.0)) return 0.0;
+    const double scale = std::sqrt(2.0) / radius, share = std::min(along, 1.0);
+    // The mean over a voxel, as its edges may be steep: walls of steps would be left.
+    const double x = scale * right.dot(from), y = scale * up.dot(from), half = 0.5 * scale;
+    const double height = stamp->at(x - half, y - half) + stamp->at(x + half, y - half) +
+                          stamp->at(x - half, y + half) + stamp->at(x + half, y + half);
+    return 0.25 * height * share * share * (3.0 - 2.0 * share);
   }
 
   bool isFree(const VoxelIndex& block) const { return !mask || mask->block(block).isFree(); }
@@ -169,8 +199,9 @@ class Reshaping {
  public:
   Reshaping(const SparseVolume& volume, const VoxelDab& dab) : m_volume(volume), m_dab(dab) {
     const int away = 1 + static_cast<int>(dab.longestShift()) / VolumeBlock::kSize;
-    m_blocks = blocksAround(dab.centre, dab.centre, dab.radius + kDepths, [&](const VoxelIndex& block) {
-      return (middleOf(block) - dab.centre).norm() < dab.radius + kDepths + kHalfDiagonal && isSurfaceNear(block, away);
+    m_blocks = blocksAround(dab.centre, dab.centre, dab.reach() + kDepths, [&](const VoxelIndex& block) {
+      return (middleOf(block) - dab.centre).norm() < dab.reach() + kDepths + kHalfDiagonal &&
+             isSurfaceNear(block, away);
     });
     if (dab.action == ClayAction::Flatten) m_plane = planeOf(volume, dab, m_blocks);
   }
@@ -181,7 +212,7 @@ class Reshaping {
     return replace(volume, m_blocks, [&](const VoxelIndex& block) {
       DepthWindow window(raw, block);
       window.redistance();
-      const double reach = m_dab.radius + kDepths;
+      const double reach = m_dab.reach() + kDepths;
       return window.content(volume.content(block), [&](int x, int y, int z) {
         const Vec3 p = (firstOf(block) + VoxelIndex(x, y, z)).cast<double>();
         return (p - m_dab.centre).squaredNorm() > reach * reach || m_dab.isProtected(block, VolumeBlock::at(x, y, z));
@@ -205,7 +236,7 @@ class Reshaping {
 
   SparseVolume::Content changed(const VoxelIndex& block) const {
     const SparseVolume::Content old = m_volume.content(block);
-    if ((middleOf(block) - m_dab.centre).norm() > m_dab.radius + kHalfDiagonal) return old;
+    if ((middleOf(block) - m_dab.centre).norm() > m_dab.reach() + kHalfDiagonal) return old;
     if (m_dab.isProtected(block)) return old;
     const bool isFree = m_dab.isFree(block);
     const std::shared_ptr<VolumeBlock> samples = samplesOf(old);
@@ -252,8 +283,9 @@ class Reshaping {
 
 bool isSoundDab(const ClayDab& dab, const SparseVolume& grid) {
   const double limit = SparseVolume::kMostVoxels * grid.voxel();
-  return dab.centre.allFinite() && dab.way.allFinite() && dab.direction.allFinite() && std::isfinite(dab.strength) &&
-         std::isfinite(dab.falloff) && dab.way.norm() <= ClayDab::kMostRadii * dab.radius && dab.radius > 0.0 &&
+  return dab.centre.allFinite() && dab.way.allFinite() && dab.direction.allFinite() && dab.right.allFinite() &&
+         dab.up.allFinite() && std::isfinite(dab.strength) && std::isfinite(dab.falloff) &&
+         dab.way.norm() <= ClayDab::kMostRadii * dab.radius && dab.radius > 0.0 &&
          dab.radius <= ClayDab::kMostVoxels * grid.voxel() &&
          (dab.centre - grid.origin()).cwiseAbs().maxCoeff() < limit;
 }
@@ -261,7 +293,7 @@ bool isSoundDab(const ClayDab& dab, const SparseVolume& grid) {
 std::vector<VoxelIndex> applyDab(SparseVolume& volume, const ClayDab& dab, const ClayMask* mask) {
   if (dab.action == ClayAction::Mask || !isSoundDab(dab, volume)) return {};
   const VoxelDab inVoxels(volume, dab, mask && mask->fits(volume) && !mask->isFree() ? mask : nullptr);
-  if (inVoxels.isShape()) return applyBall(volume, inVoxels);
+  if (inVoxels.isBall()) return applyBall(volume, inVoxels);
   const SparseVolume before = volume;
   return Reshaping(before, inVoxels).apply(volume);
 }
@@ -270,7 +302,8 @@ ClayDab mirrored(const ClayDab& dab, const Vec3& point, int axis) {
   ClayDab other = dab;
   other.centre[axis] = 2.0 * point[axis] - dab.centre[axis];
   other.way[axis] = -dab.way[axis];
-  other.direction[axis] = -dab.direction[axis];
+  for (Vec3 ClayDab::*vector : {&ClayDab::direction, &ClayDab::right, &ClayDab::up})
+    (other.*vector)[axis] = -(dab.*vector)[axis];
   return other;
 }
 

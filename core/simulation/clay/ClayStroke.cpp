@@ -10,8 +10,8 @@ namespace handwheel {
 void ClayStroke::move(const Vec3& place, double time, const Vec3& normal) {
   if (!place.allFinite() || !std::isfinite(time)) return;
   const bool isMove = m_brush.action == ClayAction::Move;
-  const bool isSwept =
-      m_brush.action == ClayAction::Add || m_brush.action == ClayAction::Carve || m_brush.action == ClayAction::Mask;
+  const bool isShape = m_brush.action == ClayAction::Add || m_brush.action == ClayAction::Carve;
+  const bool isStamp = isShape && m_brush.stamp, isSwept = (isShape && !isStamp) || m_brush.action == ClayAction::Mask;
   if (!m_last) {
     m_last = place;
     m_lastTime = time;
@@ -30,10 +30,10 @@ void ClayStroke::move(const Vec3& place, double time, const Vec3& normal) {
     }
     return;
   }
-  const double spacing = (isMove ? kMoveSpacing : kSpacing) * m_brush.radius;
+  const double spacing = (isMove ? kMoveSpacing : isStamp ? kStampSpacing : kSpacing) * m_brush.radius;
   const auto count = std::min(kMostAtOnce, static_cast<std::size_t>(std::max(0.0, length / spacing)));
   if (count == 0) {
-    if (isMove || time - m_lastTime < kRestPeriod) return;
+    if (isMove || isStamp || time - m_lastTime < kRestPeriod) return;
     m_lastTime = time;
     m_last = place;
     return add(place, Vec3::Zero(), normal);
@@ -47,9 +47,22 @@ void ClayStroke::move(const Vec3& place, double time, const Vec3& normal) {
   m_lastTime = time;
 }
 
+// Upright: its upper end is towards z, or towards y where the surface lies flat.
+void ClayStroke::turnStamp(ClayDab& dab) const {
+  constexpr double kFlat = 0.9;  // of the normal along z
+  dab.stamp = m_brush.stamp;
+  if (!dab.stamp) return;
+  const Vec3& out = dab.direction;
+  const Vec3 above = std::abs(out.z()) > kFlat ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitZ());
+  const Vec3 up = (above - above.dot(out) * out).normalized(), right = up.cross(out);
+  dab.up = std::cos(m_brush.turn) * up - std::sin(m_brush.turn) * right;
+  dab.right = std::cos(m_brush.turn) * right + std::sin(m_brush.turn) * up;
+}
+
 void ClayStroke::add(const Vec3& centre, const Vec3& way, const Vec3& normal) {
   ClayDab dab{m_brush.action, centre, m_brush.radius, m_brush.strength, m_brush.falloff, way, Vec3::UnitZ()};
   if (!normal.isZero()) dab.direction = normal;
+  turnStamp(dab);
   // A move takes all that is in its middle along.
   if (dab.action == ClayAction::Move) dab.strength = 1.0;
   // What is painted is protected entirely, or free.

@@ -66,7 +66,12 @@ QString strokeText(const ClayBrush& brush, double change) {
 }  // namespace
 
 ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services)
-    : m_document(document), m_gesture(services, channel()->inputs, kRate, [this] { return simulation(); }) {
+    : ClayTool(document, services, StampServices()) {}
+
+ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services, StampServices stamps)
+    : m_document(document),
+      m_stamps(std::move(stamps)),
+      m_gesture(services, channel()->inputs, kRate, [this] { return simulation(); }) {
   Box box;
   for (const auto& [key, piece] : m_document.volume()->surface.pieces()) box.extend(piece->box);
   const double extent = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
@@ -78,8 +83,8 @@ ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services)
 
 ClayFeel ClayTool::feelAtDevice() const {
   ClayFeel feel{kStiffness, m_resistance};
-  feel.isCutting = m_present.action == ClayAction::Carve;
-  feel.isFree = m_present.action == ClayAction::Add || m_present.action == ClayAction::Move;
+  feel.isCutting = m_present.action == ClayAction::Carve && !m_present.stamp;
+  feel.isFree = (m_present.action == ClayAction::Add && !m_present.stamp) || m_present.action == ClayAction::Move;
   return feel;
 }
 
@@ -111,7 +116,7 @@ std::shared_ptr<const ClayState> ClayTool::state() const {
 // How far outside of the surface the mouse holds the middle of the tool, mm: a ball that adds or carves goes into it,
 // or stands out of it, by its strength.
 double ClayTool::lift() const {
-  if (!isShape(m_present.action)) return 0.0;
+  if (!isShape(m_present.action) || m_present.stamp) return 0.0;
   const double out = (1.0 - m_present.strength) * m_present.radius;
   return m_present.action == ClayAction::Carve ? out : -out;
 }

@@ -6,6 +6,7 @@
 #include "simulation/SimulatedGesture.h"
 #include "tools/ToolKey.h"
 #include "tools/ToolProperty.h"
+#include "tools/volume/ClayStamps.h"
 #include "tools/volume/VolumeTool.h"
 
 namespace handwheel {
@@ -17,7 +18,15 @@ class ClayTool : public VolumeTool {
  public:
   static constexpr double kRate = 60.0;  // steps of the simulation a second
 
+  // Where stamps come from. load: asks for a file and adds its stamp, which the setting "stamp" then chooses by its
+  // number; none: nothing can be loaded.
+  struct StampServices {
+    std::shared_ptr<ClayStamps> stamps = std::make_shared<ClayStamps>();
+    std::function<void()> load = {};
+  };
+
   ClayTool(VolumeDocument& document, const SimulationServices& services);
+  ClayTool(VolumeDocument& document, const SimulationServices& services, StampServices stamps);
 
   ClayFeel feelAtDevice() const override;
 
@@ -61,6 +70,8 @@ class ClayTool : public VolumeTool {
   ClayBrush m_brush;    // as it is set
   ClayBrush m_present;  // of the gesture: with the modifiers that were held
   double m_resistance = 0.05;
+  StampServices m_stamps;
+  std::size_t m_stamp = 0;  // its number
   SimulatedGesture m_gesture;
   // A stroke has ended, and the simulation applies the rest of it; whether it knows. What the hand does meanwhile
   // waits.

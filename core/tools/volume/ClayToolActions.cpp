@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <array>
+#include <cmath>
 
 namespace handwheel {
 namespace {
@@ -15,6 +16,7 @@ constexpr double kRadiusStep = 1.25;  // from one size to the next by key
 constexpr Limits kShares{0.01, 1.0};  // strength
 constexpr Limits kFalloffs{0.0, 1.0};
 constexpr Limits kResistances{1e-3, 10.0};  // N·s/mm
+constexpr Limits kTurns{-M_PI, M_PI};
 
 constexpr ToolKey kKeys[] = {
     {"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")},
@@ -26,6 +28,7 @@ constexpr ToolKey kKeys[] = {
     {"mask", "Shift+M", QT_TRANSLATE_NOOP("Tool", "mask clay")},
     {"invertMask", "Ctrl+I", QT_TRANSLATE_NOOP("Tool", "invert the mask")},
     {"clearMask", "Ctrl+D", QT_TRANSLATE_NOOP("Tool", "clear the mask")},
+    {"loadStamp", "Shift+L", QT_TRANSLATE_NOOP("Tool", "load a stamp")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the stroke")},
 };
 
@@ -82,6 +85,8 @@ ToolReply ClayTool::perform(std::string_view action) {
     setSetting("action", PropertyValue(static_cast<double>(ClayAction::Move)));
   } else if (action == "mask") {
     setSetting("action", PropertyValue(static_cast<double>(ClayAction::Mask)));
+  } else if (action == "loadStamp" && m_stamps.load) {
+    m_stamps.load();
   } else if (action == "invertMask" || action == "clearMask") {
     settle();
     if (m_gesture.isOn() || (action == "clearMask" && !m_document.volume()->mask)) return ToolReply::Ignored;
@@ -113,6 +118,7 @@ std::vector<ToolAction> ClayTool::actions() const {
           actionOf(kKeys, "mask", isIdle),
           actionOf(kKeys, "invertMask", isIdle),
           clear,
+          actionOf(kKeys, "loadStamp", isIdle && m_stamps.load),
           actionOf(kKeys, "revert", !isIdle)};
 }
 
@@ -123,16 +129,23 @@ std::vector<Property> ClayTool::settings() const {
                             numberSetting("radius", QT_TRANSLATE_NOOP("Property", "Brush radius"), m_brush.radius,
                                           Quantity::Length, radiusLimits())};
   if (m_brush.action != ClayAction::Move && m_brush.action != ClayAction::Mask) {
-    all.push_back(numberSetting(
-        "strength",
-        isShape ? QT_TRANSLATE_NOOP("Property", "Depth (mouse)") : QT_TRANSLATE_NOOP("Property", "Strength"),
-        m_brush.strength, Quantity::Number, kShares));
+    all.push_back(numberSetting("strength",
+                                isShape && !m_brush.stamp ? QT_TRANSLATE_NOOP("Property", "Depth (mouse)")
+                                                          : QT_TRANSLATE_NOOP("Property", "Strength"),
+                                m_brush.strength, Quantity::Number, kShares));
     all.back().continuous = true;
   }
   if (!isShape) {
     all.push_back(numberSetting("falloff", QT_TRANSLATE_NOOP("Property", "Falloff"), m_brush.falloff, Quantity::Number,
                                 kFalloffs));
     all.back().continuous = true;
+  }
+  if (isShape) {
+    all.push_back(choiceSetting("stamp", QT_TRANSLATE_NOOP("Property", "Stamp"), static_cast<int>(m_stamp),
+                                m_stamps.stamps->names()));
+    if (m_brush.stamp)
+      all.push_back(
+          numberSetting("turn", QT_TRANSLATE_NOOP("Property", "Turned by"), m_brush.turn, Quantity::Angle, kTurns));
   }
   all.push_back(switchSetting("mirror_x", QT_TRANSLATE_NOOP("Property", "Mirror across X"), m_brush.isMirrored[0]));
   all.push_back(switchSetting("mirror_y", QT_TRANSLATE_NOOP("Property", "Mirror across Y"), m_brush.isMirrored[1]));
@@ -147,6 +160,11 @@ void ClayTool::setSetting(std::string_view id, const PropertyValue& value) {
   if (id == "action") isBrush = assignChoice(m_brush.action, value, static_cast<int>(kActionNames.size()));
   if (id == "radius") isBrush = assignNumber(m_brush.radius, value, radiusLimits());
   if (id == "strength") isBrush = assignNumber(m_brush.strength, value, kShares);
+  if (id == "turn") isBrush = assignNumber(m_brush.turn, value, kTurns);
+  if (id == "stamp" && assignChoice(m_stamp, value, static_cast<int>(m_stamps.stamps->count()))) {
+    m_brush.stamp = m_stamps.stamps->at(m_stamp);
+    isBrush = true;
+  }
   if (id == "falloff") isBrush = assignNumber(m_brush.falloff, value, kFalloffs);
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (id == std::string("mirror_") + "xyz"[axis]) isBrush = assignSwitch(m_brush.isMirrored[axis], value);

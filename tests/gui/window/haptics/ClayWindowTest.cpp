@@ -7,6 +7,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/haptics/HapticSession.h"
+#include "window/tools/ToolHost.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -149,6 +150,44 @@ class ClayWindowTest : public QObject {
     clay.driver.click("quickActions/undo");
     clay.driver.click("quickActions/undo");
     QCOMPARE(clay.document().volume()->mask->shareAt(front), 1.0);
+  }
+
+  // A picture is loaded as a stamp and pressed into the clay; a file that is none is said, and nothing changes.
+  void stamped() {
+    const QTemporaryDir folder;
+    ClayWindow clay;
+    QVERIFY(clay.begin());
+    QImage white(16, 16, QImage::Format_RGB32);
+    white.fill(Qt::white);
+    QVERIFY(white.save(folder.filePath("white.png")));
+    QFile broken(folder.filePath("broken.png"));
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write(QByteArray::fromHex("89504e470d0a1a0a0000"));
+    broken.close();
+    clay.driver.find<QAction>("volumeStamp")->trigger();
+    QVERIFY(clay.driver.enterFileName("stampDialog", broken.fileName()));
+    QTRY_VERIFY_WITH_TIMEOUT(clay.driver.text("messageText").contains("stamp"), kPatienceMs);
+    QTest::keyClick(clay.view, Qt::Key_A, Qt::ShiftModifier);
+    QTest::keyClick(clay.view, Qt::Key_L, Qt::ShiftModifier);
+    QVERIFY(clay.driver.enterFileName("stampDialog", folder.filePath("white.png")));
+    const auto chosen = [&] {
+      for (const Property& setting : clay.driver.window().findChild<ToolHost*>()->runner().tool()->settings())
+        if (setting.id == "stamp") return setting.choices.at(static_cast<std::size_t>(std::get<double>(setting.value)));
+      return std::string();
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(chosen(), std::string("white.png"), kPatienceMs);
+    QVERIFY(clay.driver.settle() && clay.rests());
+    const QPoint middle = clay.view->rect().center();
+    const ViewRay ray = clay.view->rayAt(middle);
+    const auto height = [&] {
+      return firstHit(clay.document().volume()->volume, ray.origin, ray.direction)->point.norm();
+    };
+    QTest::mouseClick(clay.view, Qt::LeftButton, {}, middle);
+    QTRY_COMPARE_WITH_TIMEOUT(clay.document().history()->count(), 1, kPatienceMs);
+    // A quarter of the radius, 2 mm, by the strength, one half.
+    QVERIFY2(std::abs(height() - 20.25) < 0.05, qPrintable(QString::number(height())));
+    clay.driver.click("quickActions/undo");
+    QVERIFY(std::abs(height() - 20.0) < 0.01);
   }
 
   // Undo in the middle of a stroke takes that stroke.
