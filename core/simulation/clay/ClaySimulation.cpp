@@ -45,7 +45,7 @@ void ClaySimulation::step(double, std::span<const SimulationInput> inputs) {
     if (input.isEnd) {
       m_isEnded = true;
     } else {
-      m_stroke.move(input.proxy, input.tip.time, reader.normalAt(input.proxy));
+      m_stroke.move(input.proxy, input.tip.time, reader.normalAt(input.proxy), input.pressure);
     }
   }
   apply(kMostDabs);

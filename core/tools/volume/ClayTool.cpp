@@ -77,6 +77,7 @@ ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services,
   const double extent = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
   m_brush.radius = radiusLimits().bring(kRadiusShare * extent);
   m_brush.mirror = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
+  m_brush.pressure = ClayPressure::Strength;
   m_present = m_brush;
   m_gesture.restart();
 }
@@ -115,9 +116,10 @@ std::shared_ptr<const ClayState> ClayTool::state() const {
 
 // How far outside of the surface the mouse holds the middle of the tool, mm: a ball that adds or carves goes into it,
 // or stands out of it, by its strength.
-double ClayTool::lift() const {
+double ClayTool::lift(double pressure) const {
   if (!isShape(m_present.action) || m_present.stamp) return 0.0;
-  const double out = (1.0 - m_present.strength) * m_present.radius;
+  const ClayBrush pressed = m_present.at(pressure);
+  const double out = (1.0 - pressed.strength) * pressed.radius;
   return m_present.action == ClayAction::Carve ? out : -out;
 }
 
@@ -131,7 +133,7 @@ std::optional<Vec3> ClayTool::placeOf(const PointerEvent& event) const {
   }
   const auto hit = firstHit(m_grip->surface->volume, event.ray.origin, event.ray.direction);
   if (!hit) return std::nullopt;
-  return hit->point + lift() * hit->normal;
+  return hit->point + lift(event.pressure.value_or(1.0)) * hit->normal;
 }
 
 ToolReply ClayTool::press(const PointerEvent& event) {
@@ -146,7 +148,7 @@ ToolReply ClayTool::press(const PointerEvent& event) {
     m_gesture.restart();
   }
   m_gesture.begin(event.device.has_value());
-  if (const auto place = placeOf(event); place && !event.device) m_gesture.feed(*place, event.time);
+  if (const auto place = placeOf(event); place && !event.device) feed(*place, event);
   reportUpdated();
   return ToolReply::Used;
 }
@@ -176,8 +178,12 @@ ToolReply ClayTool::pointer(const PointerEvent& event) {
   if (m_gesture.isOn() && !isOwn) return ToolReply::Ignored;  // the other hand
   hover(event);
   if (!isOwn) return ToolReply::Ignored;
-  if (const auto place = placeOf(event); place && !isOfDevice) m_gesture.feed(*place, event.time);
+  if (const auto place = placeOf(event); place && !isOfDevice) feed(*place, event);
   return ToolReply::Used;
+}
+
+void ClayTool::feed(const Vec3& place, const PointerEvent& event) {
+  m_gesture.feed(place, event.time, TipState().period, event.pressure.value_or(1.0));
 }
 
 void ClayTool::hover(const PointerEvent& event) {

@@ -55,12 +55,13 @@ class ClayTool : public VolumeTool {
   ClayBrush brushFor(const Modifiers& modifiers) const;
   std::unique_ptr<Simulation> simulation() const;
   std::shared_ptr<const ClayState> state() const;
-  double lift() const;
+  double lift(double pressure) const;
   std::optional<Vec3> placeOf(const PointerEvent& event) const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();
   void complete();
   void restart();
+  void feed(const Vec3& place, const PointerEvent& event);
   void hover(const PointerEvent& event);
   Limits radiusLimits() const;
   void invertMask();

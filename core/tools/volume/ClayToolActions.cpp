@@ -41,6 +41,11 @@ constexpr std::array<const char*, 9> kActionNames = {
     QT_TRANSLATE_NOOP("Property", "Mask"),
 };
 
+// In the order of ClayPressure.
+constexpr std::array<const char*, 4> kPressureNames = {
+    QT_TRANSLATE_NOOP("Property", "Nothing"), QT_TRANSLATE_NOOP("Property", "Strength"),
+    QT_TRANSLATE_NOOP("Property", "Radius"), QT_TRANSLATE_NOOP("Property", "Both")};
+
 }  // namespace
 
 Limits ClayTool::radiusLimits() const {
@@ -147,6 +152,8 @@ std::vector<Property> ClayTool::settings() const {
       all.push_back(
           numberSetting("turn", QT_TRANSLATE_NOOP("Property", "Turned by"), m_brush.turn, Quantity::Angle, kTurns));
   }
+  all.push_back(choiceSetting("pressure", QT_TRANSLATE_NOOP("Property", "Pressure changes"),
+                              static_cast<int>(m_brush.pressure), {kPressureNames.begin(), kPressureNames.end()}));
   all.push_back(switchSetting("mirror_x", QT_TRANSLATE_NOOP("Property", "Mirror across X"), m_brush.isMirrored[0]));
   all.push_back(switchSetting("mirror_y", QT_TRANSLATE_NOOP("Property", "Mirror across Y"), m_brush.isMirrored[1]));
   all.push_back(switchSetting("mirror_z", QT_TRANSLATE_NOOP("Property", "Mirror across Z"), m_brush.isMirrored[2]));
@@ -160,6 +167,7 @@ void ClayTool::setSetting(std::string_view id, const PropertyValue& value) {
   if (id == "action") isBrush = assignChoice(m_brush.action, value, static_cast<int>(kActionNames.size()));
   if (id == "radius") isBrush = assignNumber(m_brush.radius, value, radiusLimits());
   if (id == "strength") isBrush = assignNumber(m_brush.strength, value, kShares);
+  if (id == "pressure") isBrush = assignChoice(m_brush.pressure, value, static_cast<int>(kPressureNames.size()));
   if (id == "turn") isBrush = assignNumber(m_brush.turn, value, kTurns);
   if (id == "stamp" && assignChoice(m_stamp, value, static_cast<int>(m_stamps.stamps->count()))) {
     m_brush.stamp = m_stamps.stamps->at(m_stamp);

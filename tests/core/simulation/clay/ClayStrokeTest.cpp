@@ -47,6 +47,43 @@ class ClayStrokeTest : public QObject {
     }
   }
 
+  // Strength and radius go with the pressure where they are to; of the radius a tenth is left.
+  void pressureChanges() {
+    const double nan = std::nan("");
+    for (const ClayPressure what :
+         {ClayPressure::Nothing, ClayPressure::Strength, ClayPressure::Radius, ClayPressure::Both}) {
+      const bool isStrength = what == ClayPressure::Strength || what == ClayPressure::Both;
+      const bool isRadius = what == ClayPressure::Radius || what == ClayPressure::Both;
+      for (const double share : {0.0, 0.02, 0.25, 0.5, 1.0}) {
+        for (const ClayAction action : {ClayAction::Inflate, ClayAction::Move, ClayAction::Mask, ClayAction::Carve}) {
+          ClayBrush brush;
+          brush.action = action;
+          brush.radius = 3.0;
+          brush.strength = -0.6;
+          brush.pressure = what;
+          const double whole = action == ClayAction::Move ? 1.0 : action == ClayAction::Mask ? -1.0 : -0.6;
+          QVERIFY(std::abs(brush.at(share).strength - (isStrength ? share : 1.0) * whole) < 1e-12);
+          QVERIFY(std::abs(brush.at(share).radius - (isRadius ? std::max(0.1, share) : 1.0) * 3.0) < 1e-12);
+        }
+      }
+      ClayBrush brush;
+      brush.pressure = what;
+      for (const double none : {nan, 7.0}) QCOMPARE(brush.at(none), brush.at(1.0));
+      QCOMPARE(brush.at(-1.0), brush.at(0.0));
+    }
+    ClayBrush brush;
+    brush.action = ClayAction::Smooth;
+    brush.radius = 3.0;
+    brush.strength = 0.8;
+    brush.pressure = ClayPressure::Both;
+    ClayStroke stroke(brush);
+    stroke.move(Vec3::Zero(), 0.0, Vec3::UnitZ(), 0.5);
+    stroke.move({0.35, 0.0, 0.0}, 0.01, Vec3::UnitZ(), 0.5);  // a fifth of 1.5 mm
+    QCOMPARE(stroke.dabs().size(), std::size_t{2});
+    QCOMPARE(stroke.dabs()[1].radius, 1.5);
+    QCOMPARE(stroke.dabs()[1].strength, 0.4);
+  }
+
   // Upright as seen from outside: by z on walls, by y on what lies flat.
   void stampsAreUpright() {
     const auto dabOn = [](const Vec3& normal, double turn) {
