@@ -36,12 +36,12 @@ class ClayMask {
     // Of a voxel by its place in the block, as in VolumeBlock.
     double at(std::size_t i) const {
       if (!m_block) return m_uniform;
-      const double share = (m_block->depths[i] - VolumeBlock::kEmpty) * kShare;
+      const double share = (m_block->depths[i] - VolumeBlock::kEmpty) / kRange;  // exactly 1 of kFull
       return m_isInverted ? 1.0 - share : share;
     }
 
    private:
-    static constexpr double kShare = 1.0 / (VolumeBlock::kFull - VolumeBlock::kEmpty);
+    static constexpr double kRange = VolumeBlock::kFull - VolumeBlock::kEmpty;
 
     const VolumeBlock* m_block;
     double m_uniform;

@@ -21,7 +21,7 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kTop = 6.0;  // mm, of the plate
+constexpr double kTop = 12.0;  // mm, of the plate
 constexpr double kCell = 0.25;
 
 SparseVolume plate() {
@@ -168,7 +168,7 @@ class ClayStampTest : public QObject {
       QVERIFY(std::abs(first.depthAt(p).depth - second.depthAt(reversed).depth) < 1e-3);
       if (std::abs(first.depthAt(p).depth - VolumeReader(before).depthAt(p).depth) > 0.1 * kCell) ++changed;
     }
-    QVERIFY(changed > 100);
+    QVERIFY(changed > 30);
     ClayMask all(before);
     all.invert();
     QVERIFY(applyDab(masked, dab, &all).empty());
