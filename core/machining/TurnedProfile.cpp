@@ -92,6 +92,10 @@ TurnedProfile::TurnedProfile(const StockCylinder& stock, double spacing) {
   for (std::size_t i = 0; i <= count; ++i) m_radii.push_back(0.5 * stock.diameter);
 }
 
+TurnedProfile TurnedProfile::barOf(const StockCylinder& stock, std::size_t samples) {
+  return fromRadii(std::vector<double>(samples, 0.5 * stock.diameter), stock.length);
+}
+
 TurnedProfile TurnedProfile::fromRadii(const std::vector<double>& radii, double length) {
   TurnedProfile profile;
   profile.m_spacing = length / static_cast<double>(radii.size() - 1);

@@ -34,6 +34,9 @@ class TurnedProfile {
   // An uncut bar. spacing: mm, the fidelity setting turn.spacing; widened where the bar would have more samples than
   // kMostSamples. The stock must be sound.
   TurnedProfile(const StockCylinder& stock, double spacing);
+  // An uncut bar with as many samples (at least two) as a part has that was cut from it: with the spacing of the part
+  // it may come to one sample more.
+  static TurnedProfile barOf(const StockCylinder& stock, std::size_t samples);
   // From saved radii, at least two, all finite and not negative. length: mm, of the part.
   static TurnedProfile fromRadii(const std::vector<double>& radii, double length);
   // With a bore: as many inner radii, none negative or larger than the outer one.

@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr XmlLimits kSrdfLimits{std::size_t{16} << 20, 100'000, 64};
+constexpr XmlLimits kSrdfLimits{kLargestSrdf, 100'000, 64};
 constexpr std::size_t kMostDamage = 100;
 constexpr double kMetre = 1000.0;  // of a metre
 

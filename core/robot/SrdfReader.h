@@ -26,6 +26,8 @@ struct RobotSemantics {
   std::vector<Error> damage;  // what was left out, as it names links or joints that are not there; the first hundred
 };
 
+constexpr std::size_t kLargestSrdf = std::size_t{16} << 20;  // bytes that are read
+
 // Reads an SRDF of this robot: disable_collisions, disable_default_collisions with enable_collisions, and group_state.
 // O(bytes log links). Errors: ElementMalformed, FileTooLarge, Unsupported, OutOfMemory, Cancelled; with the line.
 Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot, Progress progress = {});

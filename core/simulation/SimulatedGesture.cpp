@@ -25,7 +25,7 @@ void SimulatedGesture::begin(bool isOfDevice) {
   if (isOfDevice) m_inputs->setDeviceGesture(m_number);
 }
 
-void SimulatedGesture::feed(const Vec3& place, std::optional<double> time, double period) {
+void SimulatedGesture::feed(const Vec3& place, std::optional<double> time, double period, double pressure) {
   if (m_isFirst) m_time = time;
   if (m_time) m_time = std::max(*m_time, time.value_or(*m_time));  // one clock for all of a gesture
   SimulationInput input;
@@ -35,6 +35,7 @@ void SimulatedGesture::feed(const Vec3& place, std::optional<double> time, doubl
   input.tip.time = m_time.value_or(static_cast<double>(m_clock.now()) / kNanoseconds);
   input.tip.period = period;
   input.gesture = m_number;
+  input.pressure = pressure;
   m_inputs->pushFromWindow(input);
 }
 

@@ -35,8 +35,10 @@ class SimulatedGesture {
   // None must be on.
   void begin(bool isOfDevice);
   // A place of the mouse in its gesture, mm. time: s, when it was there, by any clock; none: now. The window comes to
-  // several places at once when it is busy. period: s, for simulations that depend on it.
-  void feed(const Vec3& place, std::optional<double> time = {}, double period = TipState().period);
+  // several places at once when it is busy. period: s, for simulations that depend on it. pressure: as that of
+  // SimulationInput.
+  void feed(const Vec3& place, std::optional<double> time = {}, double period = TipState().period,
+            double pressure = 1.0);
   // Nothing more is fed, nor comes of the device. The simulation is told so after all that has arrived, and goes on
   // with what is left. False: there was no room, to be asked again. end() is to follow.
   bool close();

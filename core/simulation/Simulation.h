@@ -19,6 +19,7 @@ struct SimulationInput {
   Vec3 proxy = Vec3::Zero();  // mm: where the tip is held by what it touches
   std::uint32_t gesture = 0;  // number of the gesture in which the hand acts; 0: it only moves
   bool isEnd = false;         // nothing more of the gesture follows; it is no place
+  double pressure = 1.0;      // 0 to 1: of a pen, or of the hand by its force; 1 where it is not known
 };
 
 inline constexpr std::size_t kWaitingInputs = 4096;  // 4 s at 1 kHz

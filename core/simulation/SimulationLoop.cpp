@@ -45,8 +45,8 @@ std::unique_lock<std::mutex> SimulationLoop::own() {
 }
 
 std::unique_ptr<Simulation> SimulationLoop::take() {
-  rethrow();
   const std::unique_lock lock = own();
+  rethrow();  // what a step threw while this waited, too
   step();
   return std::move(m_simulation);
 }
@@ -59,8 +59,8 @@ void SimulationLoop::replace(std::unique_ptr<Simulation> simulation) {
 }
 
 void SimulationLoop::look(const std::function<void(Simulation&)>& at) {
-  rethrow();
   const std::unique_lock lock = own();
+  rethrow();
   at(*m_simulation);
 }
 

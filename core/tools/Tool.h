@@ -44,6 +44,7 @@ struct PointerEvent {
   std::optional<Vec3> proxy;   // mm; where the device tip is shown, which what it touches holds back
   // s, by a clock of its own: when the mouse was there. None: not known.
   std::optional<double> time = {};
+  std::optional<double> pressure = {};  // 0 to 1: of a pen; none: of another pointer, or not known
 
   PickRay pickRay() const { return {ray, eye, pixel, focus}; }
 };

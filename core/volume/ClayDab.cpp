@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/ClayDab.h"
 
+#include "volume/ClayMask.h"
+#include "volume/ClayStamp.h"
+#include "volume/DabBlocks.h"
 #include "volume/VolumeFilters.h"
 #include "volume/VolumeReader.h"
 #include "volume/repair/DepthWindow.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,34 +19,40 @@ constexpr double kDepths = DepthWindow::kMargin;  // voxels from the surface tha
 constexpr double kInflation = 0.5;                // voxels that a dab of full strength moves the surface by
 constexpr double kLargestShift = 0.25;            // of the radius that material goes in a dab
 
-// A dab in voxels.
-struct VoxelDab {
-  ClayAction action;
-  Vec3 centre, way, direction;
-  double radius, strength, falloff;
+bool isShapeAction(ClayAction action) {
+  return action == ClayAction::Add || action == ClayAction::Carve;
+}
 
-  VoxelDab(const SparseVolume& volume, const ClayDab& dab)
-      : action(dab.action),
-        centre((dab.centre - volume.origin()) / volume.voxel()),
-        way(dab.way / volume.voxel()),
+// A dab in voxels.
+struct VoxelDab : SweptBall {
+  ClayAction action;
+  Vec3 direction, right, up;
+  double strength, falloff;
+  const ClayStamp* stamp;  // of Add and Carve; null: a ball
+  const ClayMask* mask;    // null: all is free
+
+  VoxelDab(const SparseVolume& volume, const ClayDab& dab, const ClayMask* protecting)
+      : SweptBall(volume, dab),
+        action(dab.action),
         direction(dab.direction),
-        radius(dab.radius / volume.voxel()),
+        right(dab.right),
+        up(dab.up),
         strength(std::clamp(dab.strength, -1.0, 1.0)),
-        falloff(std::clamp(dab.falloff, 0.0, 1.0)) {
+        falloff(std::clamp(dab.falloff, 0.0, 1.0)),
+        stamp(isShapeAction(dab.action) ? dab.stamp.get() : nullptr),
+        mask(protecting) {
+    // The height is that of a stamp to either side.
+    if (stamp) strength = std::copysign(strength, dab.action == ClayAction::Add ? 1.0 : -1.0);
     if (action == ClayAction::Move && way.norm() > kLargestShift * radius) way *= kLargestShift * radius / way.norm();
   }
 
-  bool isShape() const { return action == ClayAction::Add || action == ClayAction::Carve; }
-
-  // Of the ball swept along its way: how deep a place is in it.
-  double inside(const Vec3& p) const {
-    const double length = way.squaredNorm();
-    const double share = length > 0.0 ? std::clamp((centre - p).dot(way) / length, 0.0, 1.0) : 0.0;
-    return radius - (p - centre + share * way).norm();
-  }
+  bool isBall() const { return isShapeAction(action) && !stamp; }
+  // How far from the middle something may be affected: a stamp works in a cylinder.
+  double reach() const { return stamp ? std::sqrt(2.0) * radius : radius; }
 
   // How much a place is affected; 0 outside the radius.
   double weight(const Vec3& p) const {
+    if (stamp) return stampAt(p);
     const double share = (p - centre).squaredNorm() / (radius * radius);
     if (share >= 1.0) return 0.0;
     return 1.0 - falloff + falloff * (1.0 - share) * (1.0 - share);
@@ -54,6 +61,7 @@ struct VoxelDab {
   // Where what comes to a place was before, in voxels from it, at full weight.
   Vec3 source(const Vec3& p) const {
     const Vec3 from = p - centre;
+    if (stamp) return -ClayDab::kStampHeight * radius * direction;
     if (action == ClayAction::Move) return -way;
     if (action == ClayAction::Attract) return kLargestShift * from;
     return kLargestShift * (from - direction.dot(from) * direction);
@@ -61,61 +69,55 @@ struct VoxelDab {
   // The longest of those.
   double longestShift() const {
     if (action == ClayAction::Move) return std::abs(strength) * way.norm();
+    if (stamp) return std::abs(strength) * ClayDab::kStampHeight * radius;
     const bool isShift = action == ClayAction::Attract || action == ClayAction::Pinch;
     return isShift ? std::abs(strength) * kLargestShift * radius : 1.0;
   }
+
+  // The height of the stamp over a place. Along the direction it ends within the radius, so slowly that nothing is
+  // folded, as the far side of what is thin stays.
+  double stampAt(const Vec3& p) const {
+    const Vec3 from = p - centre;
+    const double along = 2.0 - 2.0 * std::abs(direction.dot(from)) / radius;
+    if (!(along > 0.0)) return 0.0;
+    const double scale = std::sqrt(2.0) / radius, share = std::min(along, 1.0);
+    // The mean over a voxel, as its edges may be steep: walls of steps would be left.
+    const double x = scale * right.dot(from), y = scale * up.dot(from), half = 0.5 * scale;
+    const double height = stamp->at(x - half, y - half) + stamp->at(x + half, y - half) +
+                          stamp->at(x - half, y + half) + stamp->at(x + half, y + half);
+    return 0.25 * height * share * share * (3.0 - 2.0 * share);
+  }
+
+  bool isFree(const VoxelIndex& block) const { return !mask || mask->block(block).isFree(); }
+  bool isProtected(const VoxelIndex& block) const {
+    return mask && mask->block(block).isUniform() && !mask->block(block).isFree();
+  }
+  // What is protected entirely keeps its samples bit for bit.
+  bool isProtected(const VoxelIndex& block, std::size_t sample) const {
+    return mask && mask->block(block).at(sample) >= 1.0;
+  }
 };
 
-bool isSound(const ClayDab& dab, const SparseVolume& volume) {
-  const double limit = SparseVolume::kMostVoxels * volume.voxel();
-  return dab.centre.allFinite() && dab.way.allFinite() && dab.direction.allFinite() && std::isfinite(dab.strength) &&
-         std::isfinite(dab.falloff) && dab.way.norm() <= ClayDab::kMostRadii * dab.radius && dab.radius > 0.0 &&
-         dab.radius <= ClayDab::kMostVoxels * volume.voxel() &&
-         (dab.centre - volume.origin()).cwiseAbs().maxCoeff() < limit;
-}
-
-VoxelIndex firstOf(const VoxelIndex& block) {
-  return VolumeBlock::kSize * block;
-}
-
-constexpr double kHalfDiagonal = 6.1;  // voxels, from the middle of a block to its farthest samples
-
-Vec3 middleOf(const VoxelIndex& block) {
-  return firstOf(block).cast<double>() + Vec3::Constant(3.5);
-}
-
-// The blocks that match within a box around two places, in voxels.
-template <class Matches>
-std::vector<VoxelIndex> blocksAround(const Vec3& a, const Vec3& b, double reach, Matches matches) {
-  const VoxelIndex low = SparseVolume::blockOf((a.cwiseMin(b).array() - reach).floor().cast<int>().matrix());
-  const VoxelIndex high = SparseVolume::blockOf((a.cwiseMax(b).array() + reach).ceil().cast<int>().matrix());
+// Makes depths distances again beside the edge of the mask, where the surface does not go by the ball alone.
+void correctAtMask(SparseVolume& volume, const VoxelDab& dab, const std::vector<VoxelIndex>& changed) {
   std::vector<VoxelIndex> blocks;
-  for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y)
-      for (int x = low.x(); x <= high.x(); ++x)
-        if (matches(VoxelIndex(x, y, z))) blocks.emplace_back(x, y, z);
-  return blocks;
-}
-
-// Replaces the content of the blocks by what make(block) gives. Returns those that are others now.
-template <class Make>
-std::vector<VoxelIndex> replace(SparseVolume& volume, const std::vector<VoxelIndex>& blocks, Make make) {
-  std::vector<SparseVolume::Content> made(blocks.size());
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) { made[i] = make(blocks[i]); });
-  std::vector<VoxelIndex> changed;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const SparseVolume::View before = volume.view(blocks[i]);
-    const bool isSame = before.block && made[i].block
-                            ? before.block->depths == made[i].block->depths
-                            : !before.block && !made[i].block && before.isFull == made[i].isFull;
-    if (isSame) continue;
-    volume.setContent(blocks[i], std::move(made[i]));
-    changed.push_back(blocks[i]);
+  for (const VoxelIndex& block : changed) {
+    bool isBeside = false;
+    for (int k = 0; k < 27 && !isBeside; ++k)
+      isBeside = !dab.mask->block(block + VoxelIndex(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1)).isUniform();
+    if (isBeside) blocks.push_back(block);
   }
-  return changed;
+  const SparseVolume raw = volume;
+  replace(volume, blocks, [&](const VoxelIndex& block) {
+    DepthWindow window(raw, block);
+    window.redistance();
+    return window.content(raw.content(block),
+                          [&](int x, int y, int z) { return dab.isProtected(block, VolumeBlock::at(x, y, z)); });
+  });
 }
 
-// Unites with a swept ball, or subtracts it. Blocks far inside of it become full or empty at once.
+// Unites with a swept ball, or subtracts it. Blocks far inside of it become full or empty at once. Where a share of it
+// is protected, the ball has the rest of its radius.
 std::vector<VoxelIndex> applyBall(SparseVolume& volume, const VoxelDab& dab) {
   const bool isAdding = dab.action == ClayAction::Add;
   const auto blocks =
@@ -125,16 +127,20 @@ std::vector<VoxelIndex> applyBall(SparseVolume& volume, const VoxelDab& dab) {
       });
   std::vector<VoxelIndex> changed = replace(volume, blocks, [&](const VoxelIndex& block) -> SparseVolume::Content {
     const VoxelIndex first = firstOf(block);
-    if (dab.inside(middleOf(block)) > kDepths + kHalfDiagonal) return {nullptr, isAdding};
+    if (dab.isProtected(block)) return volume.content(block);
+    const bool isFree = dab.isFree(block);
+    if (isFree && dab.inside(middleOf(block)) > kDepths + kHalfDiagonal) return {nullptr, isAdding};
     std::shared_ptr<VolumeBlock> samples = samplesOf(volume.content(block));
     for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
       const Vec3 p = (first + VoxelIndex(i & 7, i >> 3 & 7, i >> 6)).cast<double>();
-      const double inside = dab.inside(p);
+      const double share = isFree ? 0.0 : dab.mask->block(block).at(static_cast<std::size_t>(i));
+      const double inside = dab.inside(p) - share * (dab.radius + kDepths);
       std::int16_t& sample = samples->depths[static_cast<std::size_t>(i)];
       sample = isAdding ? std::max(sample, depthSample(inside)) : std::min(sample, depthSample(-inside));
     }
     return contentOf(std::move(samples));
   });
+  if (dab.mask) correctAtMask(volume, dab, changed);
   // What was near a surface that has gone.
   const SparseVolume result = volume;
   const std::vector<VoxelIndex> gone = replace(volume, blocks, [&](const VoxelIndex& block) -> SparseVolume::Content {
@@ -193,8 +199,9 @@ class Reshaping {
  public:
   Reshaping(const SparseVolume& volume, const VoxelDab& dab) : m_volume(volume), m_dab(dab) {
     const int away = 1 + static_cast<int>(dab.longestShift()) / VolumeBlock::kSize;
-    m_blocks = blocksAround(dab.centre, dab.centre, dab.radius + kDepths, [&](const VoxelIndex& block) {
-      return (middleOf(block) - dab.centre).norm() < dab.radius + kDepths + kHalfDiagonal && isSurfaceNear(block, away);
+    m_blocks = blocksAround(dab.centre, dab.centre, dab.reach() + kDepths, [&](const VoxelIndex& block) {
+      return (middleOf(block) - dab.centre).norm() < dab.reach() + kDepths + kHalfDiagonal &&
+             isSurfaceNear(block, away);
     });
     if (dab.action == ClayAction::Flatten) m_plane = planeOf(volume, dab, m_blocks);
   }
@@ -205,10 +212,10 @@ class Reshaping {
     return replace(volume, m_blocks, [&](const VoxelIndex& block) {
       DepthWindow window(raw, block);
       window.redistance();
-      const double reach = m_dab.radius + kDepths;
+      const double reach = m_dab.reach() + kDepths;
       return window.content(volume.content(block), [&](int x, int y, int z) {
         const Vec3 p = (firstOf(block) + VoxelIndex(x, y, z)).cast<double>();
-        return (p - m_dab.centre).squaredNorm() > reach * reach;
+        return (p - m_dab.centre).squaredNorm() > reach * reach || m_dab.isProtected(block, VolumeBlock::at(x, y, z));
       });
     });
   }
@@ -229,7 +236,9 @@ class Reshaping {
 
   SparseVolume::Content changed(const VoxelIndex& block) const {
     const SparseVolume::Content old = m_volume.content(block);
-    if ((middleOf(block) - m_dab.centre).norm() > m_dab.radius + kHalfDiagonal) return old;
+    if ((middleOf(block) - m_dab.centre).norm() > m_dab.reach() + kHalfDiagonal) return old;
+    if (m_dab.isProtected(block)) return old;
+    const bool isFree = m_dab.isFree(block);
     const std::shared_ptr<VolumeBlock> samples = samplesOf(old);
     const VolumeReader reader(m_volume);
     std::optional<DepthWindow> means;
@@ -240,7 +249,8 @@ class Reshaping {
     for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
       const VoxelIndex in(i & 7, i >> 3 & 7, i >> 6);
       const Vec3 p = (firstOf(block) + in).cast<double>();
-      const double strength = m_dab.strength * m_dab.weight(p);
+      const double free = isFree ? 1.0 : 1.0 - m_dab.mask->block(block).at(static_cast<std::size_t>(i));
+      const double strength = m_dab.strength * m_dab.weight(p) * free;
       if (strength == 0.0) continue;
       std::int16_t& sample = samples->depths[static_cast<std::size_t>(i)];
       const double before = sample / VolumeBlock::kUnit;
@@ -271,10 +281,19 @@ class Reshaping {
 
 }  // namespace
 
-std::vector<VoxelIndex> applyDab(SparseVolume& volume, const ClayDab& dab) {
-  if (!isSound(dab, volume)) return {};
-  const VoxelDab inVoxels(volume, dab);
-  if (inVoxels.isShape()) return applyBall(volume, inVoxels);
+bool isSoundDab(const ClayDab& dab, const SparseVolume& grid) {
+  const double limit = SparseVolume::kMostVoxels * grid.voxel();
+  return dab.centre.allFinite() && dab.way.allFinite() && dab.direction.allFinite() && dab.right.allFinite() &&
+         dab.up.allFinite() && std::isfinite(dab.strength) && std::isfinite(dab.falloff) &&
+         dab.way.norm() <= ClayDab::kMostRadii * dab.radius && dab.radius > 0.0 &&
+         dab.radius <= ClayDab::kMostVoxels * grid.voxel() &&
+         (dab.centre - grid.origin()).cwiseAbs().maxCoeff() < limit;
+}
+
+std::vector<VoxelIndex> applyDab(SparseVolume& volume, const ClayDab& dab, const ClayMask* mask) {
+  if (dab.action == ClayAction::Mask || !isSoundDab(dab, volume)) return {};
+  const VoxelDab inVoxels(volume, dab, mask && mask->fits(volume) && !mask->isFree() ? mask : nullptr);
+  if (inVoxels.isBall()) return applyBall(volume, inVoxels);
   const SparseVolume before = volume;
   return Reshaping(before, inVoxels).apply(volume);
 }
@@ -283,7 +302,8 @@ ClayDab mirrored(const ClayDab& dab, const Vec3& point, int axis) {
   ClayDab other = dab;
   other.centre[axis] = 2.0 * point[axis] - dab.centre[axis];
   other.way[axis] = -dab.way[axis];
-  other.direction[axis] = -dab.direction[axis];
+  for (Vec3 ClayDab::*vector : {&ClayDab::direction, &ClayDab::right, &ClayDab::up})
+    (other.*vector)[axis] = -(dab.*vector)[axis];
   return other;
 }
 

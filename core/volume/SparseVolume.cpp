@@ -88,6 +88,13 @@ void SparseVolume::setContent(const VoxelIndex& block, Content content) {
   if (region.isEmpty()) m_regions.erase(found);
 }
 
+bool SparseVolume::sharesRegion(const SparseVolume& other, const VoxelIndex& region) const {
+  const std::uint64_t key = keyOf(8 * region);
+  const auto own = m_regions.find(key), others = other.m_regions.find(key);
+  const bool has = own != m_regions.end(), hasOther = others != other.m_regions.end();
+  return has == hasOther && (!has || own->second == others->second);
+}
+
 std::int16_t SparseVolume::sample(const VoxelIndex& voxel) const {
   const View samples = view(blockOf(voxel));
   if (samples.block) return samples.block->depths[VolumeBlock::at(voxel.x() & 7, voxel.y() & 7, voxel.z() & 7)];

@@ -69,6 +69,8 @@ class SparseVolume {
   };
   View view(const VoxelIndex& block) const;
   void setContent(const VoxelIndex& block, Content content);
+  // Whether a region of 64³ voxels is one and the same object in another volume; true where neither has it. O(1).
+  bool sharesRegion(const SparseVolume& other, const VoxelIndex& region) const;
 
   // The sample of a voxel, as VolumeBlock stores it. O(1).
   std::int16_t sample(const VoxelIndex& voxel) const;

@@ -84,6 +84,15 @@ const ErrorDescription VolumeErrors::ProgramMovesNothing{
     .sentences = {translatable("ErrorText", "the program moves nothing")},
     .advice = {translatable("ErrorText", "It begins with a move of all three axes, such as G0 X0 Y0 Z10.")}};
 
+const ErrorDescription VolumeErrors::PictureUnreadable{
+    .id = "PictureUnreadable",
+    .sentences = {translatable("ErrorText", "the picture of format %1 is damaged, or not one that can be read")}};
+
+const ErrorDescription VolumeErrors::NothingStandsOut{
+    .id = "NothingStandsOut",
+    .sentences = {translatable("ErrorText", "nothing stands out in it: all is black, or of one height")},
+    .advice = {translatable("ErrorText", "Choose a picture with bright places, or a shape that rises along z.")}};
+
 const ErrorDescription VolumeErrors::NothingInRange{
     .id = "NothingInRange",
     .sentences = {translatable("ErrorText",

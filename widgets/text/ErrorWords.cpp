@@ -135,6 +135,8 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "it bounds no material"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not a scale factor"),
     QT_TRANSLATE_NOOP("ErrorWord", "bytes of samples"),
+    QT_TRANSLATE_NOOP("ErrorWord", "bytes of a picture"),
+    QT_TRANSLATE_NOOP("ErrorWord", "pixels of a picture"),
     QT_TRANSLATE_NOOP("ErrorWord", "samples"),
     QT_TRANSLATE_NOOP("ErrorWord", "it has no samples"),
     QT_TRANSLATE_NOOP("ErrorWord", "samples along an axis"),

@@ -123,6 +123,7 @@ class Viewport : public QOpenGLWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void tabletEvent(QTabletEvent* event) override;
   void leaveEvent(QEvent* event) override;
 
  private:

@@ -3,6 +3,7 @@
 #include "viewport/ViewportPrivate.h"
 
 #include <QMouseEvent>
+#include <QPointingDevice>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -58,7 +59,10 @@ bool Viewport::Private::offer(PointerInput::Kind kind, const QSinglePointEvent& 
   if (!sink) return false;
   const auto time =
       event.timestamp() > 0 ? std::optional(static_cast<double>(event.timestamp()) / 1000.0) : std::nullopt;
-  return sink({kind, event.position(), event.button(), event.buttons(), event.modifiers(), wheel, time});
+  using Pen = QPointingDevice::PointerType;
+  const bool isPen = event.pointerType() == Pen::Pen || event.pointerType() == Pen::Eraser;
+  return sink({kind, event.position(), event.button(), event.buttons(), event.modifiers(), wheel, time,
+               isPen ? pressure : std::nullopt});
 }
 
 void Viewport::Private::press(const QMouseEvent& event) {
@@ -192,6 +196,13 @@ void Viewport::wheelEvent(QWheelEvent* event) {
   const double enlarging = wheelAwayEnlarges(d->preset) ? degrees : -degrees;
   d->zoomAbout(under.isNothing() ? d->navigation().fromScreen(cursor) : under.point,
                std::pow(kZoomPerDegree, enlarging));
+}
+
+// What is not accepted comes once more as an event of the mouse, by the same pen.
+void Viewport::tabletEvent(QTabletEvent* event) {
+  const bool isTold = event->pointingDevice()->capabilities().testFlag(QInputDevice::Capability::Pressure);
+  d->pressure = isTold ? std::optional(event->pressure()) : std::nullopt;
+  event->ignore();
 }
 
 void Viewport::leaveEvent(QEvent* event) {

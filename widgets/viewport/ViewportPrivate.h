@@ -76,9 +76,10 @@ class Viewport::Private {
 
   NavigationPreset preset = NavigationPreset::Handwheel;
   std::function<bool(const PointerInput&)> sink;
-  Qt::MouseButtons taken;     // held buttons whose press the sink accepted
-  Qt::MouseButtons followed;  // held buttons whose press the camera got
-  bool isClick = false;       // the press may still become a click
+  std::optional<double> pressure;  // of the pen, as it was last told
+  Qt::MouseButtons taken;          // held buttons whose press the sink accepted
+  Qt::MouseButtons followed;       // held buttons whose press the camera got
+  bool isClick = false;            // the press may still become a click
   bool isOnBackground = false;
   NavigationGesture intended = NavigationGesture::None;  // starts once the mouse has moved far enough
   NavigationGesture gesture = NavigationGesture::None;

@@ -66,6 +66,7 @@ struct PointerInput {
   double wheel = 0.0;  // degrees; positive away from the user
   // s, by the clock of the window system: when it happened, not when the window came to it. None: not known.
   std::optional<double> time = {};
+  std::optional<double> pressure = {};  // 0 to 1: of a pen that tells it; none: of another pointer
 };
 
 }  // namespace handwheel

@@ -59,7 +59,7 @@ const WorkpieceSnapshot* workpieceIn(const OpenedFile& opened) {
 // Whether the passes cut the same part from the bar, bit for bit.
 bool repeats(const WorkpieceSnapshot& workpiece, Progress progress) {
   if (!workpiece.part) return true;
-  TurnedProfile profile(workpiece.stock, workpiece.part->profile.spacing());
+  TurnedProfile profile = TurnedProfile::barOf(workpiece.stock, workpiece.part->profile.size());
   for (std::size_t i = 0; i < workpiece.part->passes.size() && !progress.cancelled(); ++i) {
     cut(profile, *workpiece.part->passes[i], progress);
   }

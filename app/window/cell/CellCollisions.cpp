@@ -51,9 +51,8 @@ std::shared_ptr<const CellScene> CellCollisions::sceneFor(std::size_t arm) const
 }
 
 bool CellCollisions::isPrepared() const {
-  if (!isOfPresentRobots() || !(m_scene->bodies == cell().bodies())) return false;
-  return m_allowed == cell().plans()->allowed && m_scene->standsAs(cell().joints()) &&
-         m_scene->armNumber == activeArmNumber(cell().robot(), *cell().plans());
+  if (!isOfPresentRobots()) return false;
+  return m_scene->holdsFor(*std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()), m_allowed);
 }
 
 bool CellCollisions::areOthersPrepared() const {

@@ -20,40 +20,41 @@ void CellPaths::optimise() {
   if (!scene) return reportUnprepared();
   OperationValues values(optimisationOperation());
   setFidelity(values, m_parts.fidelity.values());
+  DocumentTab& tab = *m_document;
   Job job;
   job.name = tr("Optimising %1").arg(QString::fromStdString(present->name));
-  job.owner = this;
-  job.failed = [this](const Error& error) { report(error); };
-  job.work = [this, scene, all = cell().plans(), before = *present,
-              settings = optimisationSettingsOf(values, plans())](Progress progress) -> Job::Finish {
-    auto optimised = optimisedPath(*scene, *all, before, settings, progress);
-    return [this, scene, before, optimised = std::move(optimised)]() mutable {
-      const RobotPath* const now = m_document ? plans().path(before.name) : nullptr;
+  job.owner = &tab;  // its closing cancels the job
+  job.failed = [this, &tab](const Error& error) { report(&tab, error); };
+  job.work = [this, &tab, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
+              before = *present, settings = optimisationSettingsOf(values, plans())](Progress progress) -> Job::Finish {
+    auto optimised = optimisedPath(*scene, *content->plans, before, settings, progress);
+    return [this, &tab, scene, content, before, optimised = std::move(optimised)]() mutable {
+      const RobotPath* const now = cellIn(tab).plans()->path(before.name);
       if (!now) return;
-      if (!(*now == before) || scene != m_collisions.scene()) {
-        return reportChanged(before.name, [this, name = before.name] {
+      if (!(*now == before) || !isUnchanged(tab, *scene, *content)) {
+        return reportChanged(tab, before.name, [this, name = before.name] {
           if (choosePath(name)) optimise();
         });
       }
-      if (!optimised) return report(optimised.error());
-      takeOptimised(*optimised);
+      if (!optimised) return report(&tab, optimised.error());
+      takeOptimised(tab, *optimised);
     };
   };
   m_parts.jobs.start(std::move(job));
 }
 
-void CellPaths::takeOptimised(const OptimisedPath& optimised) {
+void CellPaths::takeOptimised(DocumentTab& tab, const OptimisedPath& optimised) {
   const std::string& id = optimised.planned.path.name;
   const QString name = QString::fromStdString(id);
   const QLocale locale;
   const auto seconds = [&](double time) { return locale.toString(time, 'f', 2); };
   QString detail;
   if (optimised.isChanged) {
-    CellPlans changed = plans();
+    CellPlans changed = *cellIn(tab).plans();
     *std::find_if(changed.paths.begin(), changed.paths.end(), [&](const RobotPath& each) { return each.name == id; }) =
         optimised.planned.path;
-    commit(tr("Optimise %1").arg(name), std::move(changed));
-    m_tree->select({PlanTree::Entry::Kind::Path, id});
+    commit(tab, tr("Optimise %1").arg(name), std::move(changed));
+    select(tab, {PlanTree::Entry::Kind::Path, id});
     detail = tr("Cycle time %1 s before, %2 s now.").arg(seconds(optimised.before), seconds(optimised.after));
     if (!std::is_sorted(optimised.order.begin(), optimised.order.end()))
       detail += QLatin1Char(' ') + tr("The places are in another order.");
@@ -72,7 +73,7 @@ void CellPaths::takeOptimised(const OptimisedPath& optimised) {
                 {},
                 {},
                 {},
-                &m_document->document});
+                &tab.document});
 }
 
 }  // namespace handwheel

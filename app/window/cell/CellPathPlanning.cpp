@@ -115,6 +115,7 @@ void CellPaths::startPlanning(std::vector<Waypoint> places, const RouteSettings&
                 {name, text, std::move(again)});
 }
 
+// Another document may be in view when the path has been planned: it is put into the cell for which that was asked.
 void CellPaths::startPlanning(Planning planning, PlanRequest request) {
   const auto scene = m_collisions.scene();
   if (!scene) {
@@ -125,33 +126,34 @@ void CellPaths::startPlanning(Planning planning, PlanRequest request) {
   const QString name = QString::fromStdString(request.name);
   const QString title =
       (present ? tr("%1 could not be planned again and was not changed") : tr("%1 could not be planned")).arg(name);
+  DocumentTab& tab = *m_document;
   Job job;
   job.name = tr("Planning %1").arg(name);
-  job.owner = request.owner ? request.owner : this;
-  job.failed = [this, ended = request.ended, title](const Error& error) {
+  job.owner = request.owner ? request.owner : &tab;  // its closing cancels the job
+  job.failed = [this, &tab, ended = request.ended, title](const Error& error) {
     if (ended) ended();
-    report(error, title);
+    report(&tab, error, title);
   };
-  job.work = [this, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
+  job.work = [this, &tab, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
               planning = std::move(planning), before = present ? std::optional(*present) : std::nullopt,
               request = std::move(request), title](Progress progress) -> Job::Finish {
     auto planned = planning(*scene, *content, progress);
-    return [this, scene, before, request, title, planned = std::move(planned)]() mutable {
+    return [this, &tab, scene, content, before, request, title, planned = std::move(planned)]() mutable {
       if (request.ended) request.ended();
-      if (!m_document) return;
-      if (scene != m_collisions.scene()) return reportChanged(request.name, request.again);
-      if (!planned) return report(planned.error(), title);
+      if (!isUnchanged(tab, *scene, *content)) return reportChanged(tab, request.name, request.again);
+      if (!planned) return report(&tab, planned.error(), title);
       planned->path.name = request.name;
-      takePlanned(std::move(planned->path), before, request.text);
+      takePlanned(tab, std::move(planned->path), before, request.text);
     };
   };
   m_parts.jobs.start(std::move(job));
 }
 
 // before: the path of this name when planning began. What was changed by hand since then stays.
-void CellPaths::takePlanned(RobotPath planned, const std::optional<RobotPath>& before, const QString& text) {
+void CellPaths::takePlanned(DocumentTab& tab, RobotPath planned, const std::optional<RobotPath>& before,
+                            const QString& text) {
   const std::string wanted = planned.name;
-  CellPlans changed = plans();
+  CellPlans changed = *cellIn(tab).plans();
   const auto old = std::find_if(changed.paths.begin(), changed.paths.end(),
                                 [&](const RobotPath& each) { return each.name == wanted; });
   const bool wasEdited = old != changed.paths.end() && !(before && *old == *before);
@@ -163,10 +165,10 @@ void CellPaths::takePlanned(RobotPath planned, const std::optional<RobotPath>& b
     changed.paths.push_back(std::move(planned));
   else
     *old = std::move(planned);
-  if (!commit(text.arg(name), std::move(changed))) return;
-  m_tree->select(entry);
+  if (!commit(tab, text.arg(name), std::move(changed))) return;
+  select(tab, entry);
   if (!wasEdited)
-    return reportStored(tr("%1 was planned").arg(name),
+    return reportStored(tab, tr("%1 was planned").arg(name),
                         tr("It has %Ln place(s), and is selected in the list.", nullptr, count));
   emit message({Message::Weight::Info,
                 tr("%1 was changed while it was planned").arg(QString::fromStdString(wanted)),
@@ -176,22 +178,22 @@ void CellPaths::takePlanned(RobotPath planned, const std::optional<RobotPath>& b
                 {},
                 {},
                 {},
-                &m_document->document});
+                &tab.document});
 }
 
 // again: begins once more.
-void CellPaths::reportChanged(const std::string& path, const std::function<void()>& again) {
+void CellPaths::reportChanged(DocumentTab& tab, const std::string& path, const std::function<void()>& again) {
   emit message({Message::Weight::Warning,
                 tr("The cell was changed while %1 was planned").arg(QString::fromStdString(path)),
                 tr("The result is not valid for the cell as it is now, and was discarded."),
                 {},
                 tr("Plan it again"),
-                [this, document = m_document, again] {
+                [this, document = &tab, again] {
                   if (document == m_document) again();
                 },
                 {},
                 {},
-                &m_document->document});
+                &tab.document});
 }
 
 }  // namespace handwheel

@@ -46,13 +46,18 @@ std::vector<Property> CellPaths::resultProperties() const {
   return {result};
 }
 
+const CellPaths::WantedProcess* CellPaths::wanted(const std::string& path) const {
+  const auto found = m_wanted.find(m_document);
+  return found != m_wanted.end() && found->second.path == path ? &found->second : nullptr;
+}
+
 // While the path is planned anew the fields show what was entered.
 std::vector<Property> CellPaths::processProperties() const {
   const RobotPath* const present = path();
   if (m_tree->current().kind != PlanTree::Entry::Kind::Path || !present || !present->process) return {};
-  const bool isUnderWay = m_wanted && m_wanted->path == present->name;
-  std::vector<Property> all = pathProcessSettings(isUnderWay ? m_wanted->values : valuesOf(*present->process),
-                                                  processEnds(cell().robot(), plans()));
+  const WantedProcess* const now = wanted(present->name);
+  std::vector<Property> all =
+      pathProcessSettings(now ? now->values : valuesOf(*present->process), processEnds(cell().robot(), plans()));
   for (Property& each : all) each.id = kField + each.id;
   return all;
 }
@@ -62,7 +67,8 @@ bool CellPaths::takeProcessEdit(const std::string& id, const PropertyValue& valu
   if (!id.starts_with(kField) || !present || !present->process) return false;
   if (stillDragging) return true;
   const std::string name = present->name;
-  OperationValues values = m_wanted && m_wanted->path == name ? m_wanted->values : valuesOf(*present->process);
+  const WantedProcess* const now = wanted(name);
+  OperationValues values = now ? now->values : valuesOf(*present->process);
   takeProcessSetting(values, processEnds(cell().robot(), plans()), std::string_view(id).substr(kField.size()), value);
   remakeProcess(name, values);
   return true;
@@ -72,16 +78,18 @@ bool CellPaths::takeProcessEdit(const std::string& id, const PropertyValue& valu
 void CellPaths::remakeProcess(const std::string& name, const OperationValues& values) {
   const RobotPath* const present = plans().path(name);
   if (!present || !present->process) return;
-  m_parts.jobs.cancelOf(&m_wanted);
+  DocumentTab* const tab = m_document;
+  if (const auto last = m_wanted.find(tab); last != m_wanted.end()) m_parts.jobs.cancelOf(&last->second);
   const std::uint64_t number = ++m_remakes;
-  m_wanted = WantedProcess{name, values, number};
+  const WantedProcess& kept = m_wanted.insert_or_assign(tab, WantedProcess{name, values, number}).first->second;
   emit rowChanged();
   PlanRequest request{name, tr("Change the process of %1"), [this, name, values] { remakeProcess(name, values); }};
-  request.owner = &m_wanted;
-  request.ended = [this, number] {
-    if (!m_wanted || m_wanted->number != number) return;
-    m_wanted.reset();
-    if (m_document) emit rowChanged();
+  request.owner = &kept;
+  request.ended = [this, tab, number] {
+    const auto found = m_wanted.find(tab);
+    if (found == m_wanted.end() || found->second.number != number) return;
+    m_wanted.erase(found);
+    if (tab == m_document) emit rowChanged();
   };
   startPlanning(processPlanning(values, nullptr, present->process->part), std::move(request));
 }

@@ -163,17 +163,17 @@ void CellPaths::exportProgram(const Post& post, const QString& file, const Progr
   if (!path() || !(*path() == request.path)) return reportNotWritten(request.path.name);
   const auto known = checked();
   if (!known) return requestProgram();
+  DocumentTab& tab = *m_document;
   Job job;
   job.name = tr("Writing %1").arg(QFileInfo(file).fileName());
-  job.owner = this;
-  job.failed = [this](const Error& error) { report(error); };
-  job.work = [this, scene, known, plans = cell().plans(), path = request.path, &post, file,
+  job.owner = &tab;
+  job.failed = [this, &tab](const Error& error) { report(&tab, error); };
+  job.work = [this, &tab, scene, known, plans = cell().plans(), path = request.path, &post, file,
               outdated = request.outdated](Progress) -> Job::Finish {
     auto written = writeProgram(*scene, *plans, path, *known, post, QFile::encodeName(file).toStdString(), outdated);
-    return [this, &post, file, partMoved = known->partMoved, written = std::move(written)] {
-      if (!m_document) return;
-      if (!written) return report(written.error());
-      reportWritten(*written, post, file, QString::fromStdString(partMoved));
+    return [this, &tab, &post, file, partMoved = known->partMoved, written = std::move(written)] {
+      if (!written) return report(&tab, written.error());
+      reportWritten(tab, *written, post, file, QString::fromStdString(partMoved));
     };
   };
   m_parts.jobs.start(std::move(job));
@@ -189,8 +189,8 @@ void CellPaths::reportNotWritten(const std::string& path) {
   emit message(changed);
 }
 
-void CellPaths::reportWritten(const WrittenProgram& written, const Post& post, const QString& file,
-                              const QString& partMoved) {
+void CellPaths::reportWritten(const DocumentTab& tab, const WrittenProgram& written, const Post& post,
+                              const QString& file, const QString& partMoved) {
   const QLocale locale;
   QString detail = tr("%Ln motion(s), read back within %1 mm.", nullptr, static_cast<int>(written.check.motions))
                        .arg(locale.toString(written.check.distance, 'g', 2));
@@ -215,40 +215,41 @@ void CellPaths::reportWritten(const WrittenProgram& written, const Post& post, c
                 {},
                 {},
                 {},
-                &m_document->document});
+                &tab.document});
 }
 
 // Poses are reached by inverse kinematics, one after the other.
 void CellPaths::importProgram(const QString& file) {
   const auto scene = m_collisions.scene();
   if (!scene) return reportUnprepared();
+  DocumentTab& tab = *m_document;
   Job job;
   job.name = tr("Opening %1").arg(QFileInfo(file).fileName());
-  job.owner = this;
-  job.failed = [this](const Error& error) { report(error); };
-  job.work = [this, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
+  job.owner = &tab;  // its closing cancels the job
+  job.failed = [this, &tab](const Error& error) { report(&tab, error); };
+  job.work = [this, &tab, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
               file](Progress progress) -> Job::Finish {
     const std::string name = QFile::encodeName(file).toStdString();
-    const Result<std::string> bytes = readFileHead(name, Post::kLargestText);
+    const Result<std::string> bytes = readFileHead(name, Post::kLargestText + 1);  // what is larger is refused
     const Post* const post = postForEnding(name);
     Result<RobotPath> read =
         !bytes ? Result<RobotPath>(bytes.error())
         : post ? pathFromProgram(*scene, *content, *post, *bytes, progress)
                : readPath(*bytes, content->robot->model, content->joints, dofsOfArm(*content->robot, scene->armNumber));
-    return [this, content, file, name, read = std::move(read)]() mutable {
-      if (!m_document || content->robot.get() != &cell().robot()) return;
+    return [this, &tab, content, file, name, read = std::move(read)]() mutable {
+      if (content->robot.get() != &cellIn(tab).robot()) return;
       if (!read) {
         Error error = read.error();
         error.subject = name;
-        return report(error);
+        return report(&tab, error);
       }
-      CellPlans changed = plans();
+      CellPlans changed = *cellIn(tab).plans();
       read->arm = content->plans->arm;
       read->name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
       const PlanTree::Entry entry{PlanTree::Entry::Kind::Path, read->name};
       changed.paths.push_back(std::move(read).value());
-      commit(tr("Open %1").arg(QFileInfo(file).fileName()), std::move(changed));
-      m_tree->select(entry);
+      commit(tab, tr("Open %1").arg(QFileInfo(file).fileName()), std::move(changed));
+      select(tab, entry);
     };
   };
   m_parts.jobs.start(std::move(job));

@@ -168,21 +168,33 @@ void CellPaths::connectActions() {
 
 void CellPaths::setDocument(DocumentTab* document) {
   if (m_document) m_document->document.disconnect(this);
-  m_parts.jobs.cancelOf(this);
-  m_parts.jobs.cancelOf(&m_wanted);
   m_document = document;
   m_checks.setDocument(document);
-  m_wanted.reset();
   if (document) connect(&document->document, &Document::changed, this, &CellPaths::followDocument);
   followDocument();
+}
+
+void CellPaths::forget(const DocumentTab* document) {
+  m_checks.forget(document);
+  if (const auto wanted = m_wanted.find(document); wanted != m_wanted.end()) m_parts.jobs.cancelOf(&wanted->second);
+  m_wanted.erase(document);
 }
 
 void CellPaths::setVisible(bool isVisible) {
   m_layer->setVisible(isVisible);
 }
 
+RobotCellDocument& CellPaths::cellIn(DocumentTab& tab) {
+  return static_cast<RobotCellDocument&>(tab.document);
+}
+
+bool CellPaths::isUnchanged(DocumentTab& tab, const CellScene& scene, const RobotCellSnapshot& before) {
+  const auto now = std::static_pointer_cast<const RobotCellSnapshot>(tab.document.snapshot());
+  return scene.holdsFor(*now, before.plans->allowed);
+}
+
 RobotCellDocument& CellPaths::cell() const {
-  return static_cast<RobotCellDocument&>(m_document->document);
+  return cellIn(*m_document);
 }
 
 const CellPlans& CellPaths::plans() const {

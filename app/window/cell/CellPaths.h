@@ -12,6 +12,7 @@
 #include <QAction>
 #include <QMenu>
 #include <QPointer>
+#include <map>
 
 class QLabel;
 
@@ -36,7 +37,7 @@ class CellPaths : public QObject {
   ~CellPaths() override;
 
   void setDocument(DocumentTab* document);
-  void forget(const DocumentTab* document) { m_checks.forget(document); }
+  void forget(const DocumentTab* document);
   // The actions, by what they are for.
   QList<QAction*> ofConfigurations() { return {&m_store, &m_storeTarget, &m_go}; }
   QList<QAction*> ofPaths() {
@@ -78,7 +79,13 @@ class CellPaths : public QObject {
  private:
   RobotCellDocument& cell() const;
   void connectActions();
-  bool commit(const QString& text, CellPlans plans);  // false: there are too many, which was reported
+  static RobotCellDocument& cellIn(DocumentTab& tab);
+  // Whether the cell is still as it was when the scene was made of it.
+  static bool isUnchanged(DocumentTab& tab, const CellScene& scene, const RobotCellSnapshot& before);
+  // False: there are too many, which was reported.
+  bool commit(DocumentTab& tab, const QString& text, CellPlans plans);
+  bool commit(const QString& text, CellPlans plans) { return commit(*m_document, text, std::move(plans)); }
+  void select(const DocumentTab& tab, const PlanTree::Entry& entry);  // if it is in view
   void store();
   void storeTarget();
   void setTargetHere(const std::string& name);
@@ -88,7 +95,7 @@ class CellPaths : public QObject {
   void plan(const OperationValues& values);
   void planAgain();
   void optimise();
-  void takeOptimised(const OptimisedPath& optimised);
+  void takeOptimised(DocumentTab& tab, const OptimisedPath& optimised);
   // again: what begins the same once more, for the cell as it is then.
   void startPlanning(std::vector<Waypoint> places, const RouteSettings& settings, const std::string& name,
                      const QString& text, std::function<void()> again);
@@ -101,12 +108,19 @@ class CellPaths : public QObject {
     QString text;      // of the step, with %1 for the name
     std::function<void()> again;
     std::function<void()> ended = {};  // called before the result is taken, or when there is none
-    const void* owner = nullptr;       // of the job; null: this
+    const void* owner = nullptr;       // of the job; null: the document
   };
   void startPlanning(Planning planning, PlanRequest request);
+  // How a path is to be worked off that is being planned for it; the owner of that job.
+  struct WantedProcess {
+    std::string path;
+    OperationValues values;
+    std::uint64_t number = 0;  // of m_remakes
+  };
+  const WantedProcess* wanted(const std::string& path) const;  // of the document in view; null: none is
   void remakeProcess(const std::string& name, const OperationValues& values);
-  void takePlanned(RobotPath planned, const std::optional<RobotPath>& before, const QString& text);
-  void reportChanged(const std::string& path, const std::function<void()>& again);
+  void takePlanned(DocumentTab& tab, RobotPath planned, const std::optional<RobotPath>& before, const QString& text);
+  void reportChanged(DocumentTab& tab, const std::string& path, const std::function<void()>& again);
   void insertHere();
   void insertAt(std::size_t behind);  // in the present path
   void setPlaceHere();
@@ -115,10 +129,11 @@ class CellPaths : public QObject {
   void removeCurrent();
   void rename(const PlanTree::Entry& entry, const QString& name);
   // named: what may be given a better name at once.
-  void reportStored(const QString& title, const QString& detail, std::optional<PlanTree::Entry> named = {});
+  void reportStored(const DocumentTab& tab, const QString& title, const QString& detail,
+                    std::optional<PlanTree::Entry> named = {});
   void showDetail();
   void readSemantics(const QString& file);
-  void reportSemantics(const RobotSemantics& read, const QString& file, const QString& robot);
+  void reportSemantics(const DocumentTab& tab, const RobotSemantics& read, const QString& file, const QString& robot);
   void requestProgram();
   void askForProgram(OutdatedPath outdated);
   // What is to be written, as it was when that was asked for.
@@ -130,13 +145,17 @@ class CellPaths : public QObject {
   void exportAs(const QString& file, const Post& chosen, const ProgramRequest& request);
   void exportProgram(const Post& post, const QString& file, const ProgramRequest& request);
   void reportNotWritten(const std::string& path);
-  void reportWritten(const WrittenProgram& written, const Post& post, const QString& file, const QString& partMoved);
+  void reportWritten(const DocumentTab& tab, const WrittenProgram& written, const Post& post, const QString& file,
+                     const QString& partMoved);
   void importProgram(const QString& file);
   void verify();
   void verifyAgain();
   void reportVerified(const PathResult& result);
   void reportAllVerified();
-  void report(const Error& error, const QString& title = tr("This could not be done"));
+  static QString failure() { return tr("This could not be done"); }
+  // tab: null where none is in view.
+  void report(const DocumentTab* tab, const Error& error, const QString& title = failure());
+  void report(const Error& error, const QString& title = failure()) { report(m_document, error, title); }
   void reportUnprepared();
   void followDocument();
   void showPath();
@@ -154,14 +173,8 @@ class CellPaths : public QObject {
   std::shared_ptr<PathLayer> m_layer;
   PathChecks m_checks;
   std::optional<OperationValues> m_planned;  // what was chosen in the dialog last
-  // How a path is to be worked off that is being planned for it; the owner of that job.
-  struct WantedProcess {
-    std::string path;
-    OperationValues values;
-    std::uint64_t number = 0;  // of m_remakes
-  };
-  std::optional<WantedProcess> m_wanted;
-  std::uint64_t m_remakes = 0;  // that were begun
+  std::map<const DocumentTab*, WantedProcess> m_wanted;  // one at most of a document
+  std::uint64_t m_remakes = 0;                           // that were begun
   QAction m_store, m_storeTarget, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify,
       m_verifyAll, m_export, m_import, m_semantics, m_rename, m_remove, m_optimise, m_choose;
   QMenu* m_menu;  // owned by the window

@@ -13,6 +13,7 @@
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "tools/cell/ConfigurationOperation.h"
+#include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/CellRobots.h"
 #include "window/documents/DocumentTab.h"
@@ -42,7 +43,7 @@ RobotPath* pathByHand(CellPlans& plans, const std::string& name) {
 
 }  // namespace
 
-void CellPaths::report(const Error& error, const QString& title) {
+void CellPaths::report(const DocumentTab* tab, const Error& error, const QString& title) {
   if (error.code == ErrorCode::Cancelled) return;
   emit message({Message::Weight::Error,
                 title,
@@ -52,7 +53,7 @@ void CellPaths::report(const Error& error, const QString& title) {
                 {},
                 {},
                 {},
-                m_document ? &m_document->document : nullptr});
+                tab ? &tab->document : nullptr});
 }
 
 void CellPaths::reportUnprepared() {
@@ -68,13 +69,18 @@ void CellPaths::reportUnprepared() {
                 &m_document->document});
 }
 
-bool CellPaths::commit(const QString& text, CellPlans plans) {
+bool CellPaths::commit(DocumentTab& tab, const QString& text, CellPlans plans) {
   if (const Status fits = checkCounts(plans); !fits) {
-    report(fits.error());
+    report(&tab, fits.error());
     return false;
   }
-  if (auto edit = cell().plansEdit(std::move(plans))) cell().commit(text, std::move(edit));
+  RobotCellDocument& document = cellIn(tab);
+  if (auto edit = document.plansEdit(std::move(plans))) document.commit(text, std::move(edit));
   return true;
+}
+
+void CellPaths::select(const DocumentTab& tab, const PlanTree::Entry& entry) {
+  if (&tab == m_document) m_tree->select(entry);
 }
 
 void CellPaths::store() {
@@ -84,23 +90,24 @@ void CellPaths::store() {
   changed.configurations.push_back({name, cell().joints(), changed.arm});
   if (!commit(tr("Store %1").arg(QString::fromStdString(name)), std::move(changed))) return;
   m_tree->select({Kind::Configuration, name});
-  reportStored(tr("%1 was stored").arg(QString::fromStdString(name)), tr("It is selected in the list."),
+  reportStored(*m_document, tr("%1 was stored").arg(QString::fromStdString(name)), tr("It is selected in the list."),
                PlanTree::Entry{Kind::Configuration, name});
 }
 
 // Also while a tool is used, when nobody looks at the list.
-void CellPaths::reportStored(const QString& title, const QString& detail, std::optional<PlanTree::Entry> named) {
+void CellPaths::reportStored(const DocumentTab& tab, const QString& title, const QString& detail,
+                             std::optional<PlanTree::Entry> named) {
   m_parts.log.add(title);
   Message said{Message::Weight::Info, title, detail};
   if (named) {
     said.actionText = tr("&Rename");
-    said.action = [this, named, document = m_document] {
+    said.action = [this, named, document = &tab] {
       if (document != m_document) return;
       m_tree->select(*named);
       m_rename.trigger();
     };
   }
-  said.about = &m_document->document;
+  said.about = &tab.document;
   emit message(said);
 }
 
@@ -122,7 +129,7 @@ void CellPaths::storeTarget() {
   if (!commit(text, std::move(changed))) return;
   m_tree->select(entry);
   reportStored(
-      tr("%1 was stored").arg(name),
+      *m_document, tr("%1 was stored").arg(name),
       body ? tr("It moves with %1.").arg(QString::fromStdString(body->name)) : tr("It is selected in the list."),
       entry);
 }
@@ -189,7 +196,7 @@ void CellPaths::insertAt(std::size_t behind) {
   const std::size_t count = of.places.size();
   if (!commit(tr("Insert a place into %1").arg(name), std::move(changed))) return;
   m_tree->select(inserted);
-  reportStored(tr("Place %1 of %2 was stored").arg(behind + 1).arg(name),
+  reportStored(*m_document, tr("Place %1 of %2 was stored").arg(behind + 1).arg(name),
                tr("The path has %Ln place(s) now.", nullptr, static_cast<int>(count)));
 }
 
@@ -208,7 +215,8 @@ void CellPaths::addPlace() {
   changed.paths.push_back(std::move(begun));
   if (!commit(tr("Begin a path"), std::move(changed))) return;
   m_tree->select(first);
-  reportStored(tr("Place 1 of %1 was stored").arg(name), tr("The next places that are stored continue the path."));
+  reportStored(*m_document, tr("Place 1 of %1 was stored").arg(name),
+               tr("The next places that are stored continue the path."));
 }
 
 void CellPaths::setPlaceHere() {
@@ -295,24 +303,35 @@ void CellPaths::readSemantics(const QString& file) {
   const PlanTree::Entry entry = m_tree->current();
   const std::size_t arm =
       entry.kind == Kind::Robot ? armNumber(robots, entry.name).value_or(0) : activeArmNumber(robots, plans());
-  const std::string name = QFile::encodeName(file).toStdString();
-  const auto refuse = [&](Error error) {
-    error.subject = name;
-    report(error);
-  };
-  const Result<std::string> bytes = readFileBytes(name);
-  if (!bytes) return refuse(bytes.error());
-  const Result<RobotSemantics> semantics = readSrdf(*bytes, robots.model, robots.arms, arm);
-  if (!semantics) return refuse(semantics.error());
-  const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
-  Result<CellPlans> changed = withSemantics(plans(), *semantics, *content);
-  if (!changed) return refuse(changed.error());
   const QString title = QFileInfo(file).fileName(), robot = QString::fromStdString(robots.arms[arm].name);
-  commit(tr("Read %1 for %2").arg(title, robot), std::move(changed).value());
-  reportSemantics(*semantics, title, robot);
+  DocumentTab& tab = *m_document;
+  Job job;
+  job.name = tr("Reading %1").arg(title);
+  job.owner = &tab;  // its closing cancels the job
+  job.failed = [this, &tab, name = QFile::encodeName(file).toStdString()](Error error) {
+    error.subject = name;
+    report(&tab, error);
+  };
+  job.work = [this, &tab, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()), arm, file,
+              title, robot, failed = job.failed](Progress progress) -> Job::Finish {
+    const Result<std::string> bytes = readFileHead(QFile::encodeName(file).toStdString(), kLargestSrdf + 1);
+    const CellRobot& all = *content->robot;
+    Result<RobotSemantics> read =
+        bytes ? readSrdf(*bytes, all.model, all.arms, arm, progress) : Result<RobotSemantics>(bytes.error());
+    return [this, &tab, content, title, robot, failed, read = std::move(read)] {
+      if (content->robot.get() != &cellIn(tab).robot()) return;
+      if (!read) return failed(read.error());
+      Result<CellPlans> changed = withSemantics(*cellIn(tab).plans(), *read, *content);
+      if (!changed) return failed(changed.error());
+      commit(tab, tr("Read %1 for %2").arg(title, robot), std::move(changed).value());
+      reportSemantics(tab, *read, title, robot);
+    };
+  };
+  m_parts.jobs.start(std::move(job));
 }
 
-void CellPaths::reportSemantics(const RobotSemantics& read, const QString& file, const QString& robot) {
+void CellPaths::reportSemantics(const DocumentTab& tab, const RobotSemantics& read, const QString& file,
+                                const QString& robot) {
   QString detail = tr("%Ln pair(s) of links that may touch", nullptr, static_cast<int>(read.allowed.size())) +
                    QStringLiteral(", ") + tr("%Ln named state(s).", nullptr, static_cast<int>(read.states.size()));
   if (!read.damage.empty()) {
@@ -331,7 +350,7 @@ void CellPaths::reportSemantics(const RobotSemantics& read, const QString& file,
                 {},
                 {},
                 {},
-                &m_document->document});
+                &tab.document});
 }
 
 }  // namespace handwheel

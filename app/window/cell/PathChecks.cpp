@@ -38,6 +38,8 @@ PathChecks::~PathChecks() {
 }
 
 void PathChecks::setDocument(DocumentTab* document) {
+  if (m_isAllAsked && m_run) m_waiting.push_front(m_run->basis.path.name);
+  if (m_isAllAsked) m_interrupted[m_document] = m_waiting;
   m_run.reset();
   m_waiting.clear();
   m_isAllAsked = false;
@@ -45,7 +47,12 @@ void PathChecks::setDocument(DocumentTab* document) {
   m_parts.jobs.cancelOf(&m_results);
   m_digests.reset();
   m_document = document;
-  if (document) recall();
+  if (!document) return;
+  if (auto rest = m_interrupted.extract(document)) {
+    m_waiting = std::move(rest.mapped());  // goOn() as soon as the cell is prepared
+    m_isAllAsked = true;
+  }
+  recall();
 }
 
 // What is stored of the paths of a document that was opened.

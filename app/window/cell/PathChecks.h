@@ -49,6 +49,7 @@ class PathChecks : public QObject {
   void forget(const DocumentTab* document) {
     m_results.erase(document);
     m_recalled.erase(document);
+    m_interrupted.erase(document);
   }
 
   // Begins to verify a path, unless its result is known. What is under way for another path or another state of it
@@ -96,9 +97,11 @@ class PathChecks : public QObject {
   std::map<const DocumentTab*, std::map<std::string, PathResult>> m_results;  // by the name of the path
   std::set<const DocumentTab*> m_recalled;  // of which nothing stored is left to be recalled
   std::optional<Run> m_run;
-  std::uint64_t m_runs = 0;                      // that were begun
-  std::deque<std::string> m_waiting;             // names of paths that are to be verified, too
-  bool m_isAllAsked = false;                     // verifyAll() was called, and they are not done
+  std::uint64_t m_runs = 0;           // that were begun
+  std::deque<std::string> m_waiting;  // names of paths that are to be verified, too
+  bool m_isAllAsked = false;          // verifyAll() was called, and they are not done
+  // What verifyAll() had left of a document when another came into view: it goes on when that is shown again.
+  std::map<const DocumentTab*, std::deque<std::string>> m_interrupted;
   std::shared_ptr<const PathDigests> m_digests;  // the last that were made of the document
 };
 

@@ -37,6 +37,7 @@ std::optional<PointerEvent> eventOf(const PointerInput& input, const ViewRay& ra
   event.eye = ray.eye;
   event.pixel = ray.pixel;
   event.time = input.time;
+  event.pressure = input.pressure;
   event.button = buttonOf(input.button);
   event.modifiers = {input.modifiers.testFlag(Qt::ShiftModifier), input.modifiers.testFlag(Qt::ControlModifier),
                      input.modifiers.testFlag(Qt::AltModifier)};

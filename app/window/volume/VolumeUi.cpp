@@ -19,6 +19,7 @@
 #include "window/volume/DrillView.h"
 #include "window/volume/RemeshAction.h"
 #include "window/volume/ReshapeActions.h"
+#include "window/volume/StampAction.h"
 #include "window/volume/segmentation/Segmentation.h"
 
 #include <QLocale>
@@ -32,7 +33,8 @@ VolumeUi::VolumeUi(const WindowContext& window)
       m_segmentation(new Segmentation(window, this)),
       m_drillView(new DrillView(window, this)),
       m_reshape(new ReshapeActions(window, this)),
-      m_remesh(new RemeshAction(window, this)) {
+      m_remesh(new RemeshAction(window, this)),
+      m_stamp(new StampAction(window, this)) {
   connect(m_segmentation, &Segmentation::message, this, &VolumeUi::message);
   setFelt(false);  // through the depths of the volume, not through triangles
   window.viewport.addLayer(m_volumeLayer);
@@ -40,6 +42,7 @@ VolumeUi::VolumeUi(const WindowContext& window)
   connect(m_drillView, &DrillView::message, this, &KindUi::message);
   connect(m_reshape, &ReshapeActions::message, this, &KindUi::message);
   connect(m_remesh, &RemeshAction::message, this, &KindUi::message);
+  connect(m_stamp, &StampAction::message, this, &KindUi::message);
 }
 
 VolumeUi::~VolumeUi() {
@@ -58,11 +61,12 @@ void VolumeUi::setDocument(DocumentTab* opened) {
   if (opened) {
     const VolumeSnapshot& content = *static_cast<const VolumeDocument&>(opened->document).volume();
     m_volumeLayer->setVisible(opened->visible);
-    m_volumeLayer->setVolume(content.volume, content.surface);
+    m_volumeLayer->setVolume(content.volume, content.surface, content.mask);
     m_drawn = static_cast<const VolumeDocument&>(opened->document).volume();
   }
   m_reshape->setDocument(opened);
   m_remesh->setDocument(opened);
+  m_stamp->setDocument(opened);
   RigidPartsUi::setDocument(opened);
   m_still = std::make_shared<ClayChannel>();
   if (opened) connect(&opened->document, &Document::changed, this, &VolumeUi::showVolume);
@@ -87,8 +91,8 @@ void VolumeUi::showVolume() {
   if (!drawn) drawn = static_cast<const VolumeDocument&>(document()->document).volume();
   if (std::exchange(m_drawn, drawn) == drawn) return;  // the segment of its scan was changed
   offerStill();
-  if (m_live) return m_volumeLayer->setVolume(m_live->volume, m_live->surface);
-  m_volumeLayer->setVolume(volume().volume, volume().surface);
+  if (m_live) return m_volumeLayer->setVolume(m_live->volume, m_live->surface, m_live->mask);
+  m_volumeLayer->setVolume(volume().volume, volume().surface, volume().mask);
 }
 
 // What is felt while no tool runs. This thread is the only one that writes it.
@@ -142,7 +146,7 @@ QList<QAction*> VolumeUi::menu() {
   QList<QAction*> all{m_segmentation->action()};
   auto* const line = new QAction(this);
   line->setSeparator(true);
-  all << line << m_reshape->all() << m_remesh->action();
+  all << line << m_reshape->all() << m_stamp->action() << m_remesh->action();
   return all;
 }
 
@@ -182,7 +186,8 @@ void VolumeUi::begin(const QString&) {
 std::vector<ToolDescriptor> VolumeUi::tools() {
   const auto make = [this]() -> std::unique_ptr<Tool> {
     const SimulationServices services{parts().servoClock, parts().services.simulation()};
-    return std::make_unique<ClayTool>(static_cast<VolumeDocument&>(document()->document), services);
+    return std::make_unique<ClayTool>(static_cast<VolumeDocument&>(document()->document), services,
+                                      m_stamp->services());
   };
   const auto drill = [this]() -> std::unique_ptr<Tool> {
     const SimulationServices services{parts().servoClock, parts().services.simulation()};

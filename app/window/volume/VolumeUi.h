@@ -13,6 +13,7 @@ class DrillView;
 class RemeshAction;
 class ReshapeActions;
 class Segmentation;
+class StampAction;
 class VolumeLayer;
 struct VolumeSnapshot;
 
@@ -55,6 +56,7 @@ class VolumeUi : public RigidPartsUi {
   DrillView* m_drillView;
   ReshapeActions* m_reshape;
   RemeshAction* m_remesh;
+  StampAction* m_stamp;
   std::shared_ptr<const ClayState> m_live;  // what a tool has made of the document; null: nothing
   std::shared_ptr<ClayChannel> m_still;     // the document as it is
   std::shared_ptr<ClayChannel> m_felt;      // of the tool, or m_still; null: nothing is

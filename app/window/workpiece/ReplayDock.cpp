@@ -43,7 +43,7 @@ QString toolText(const TurningPass& pass) {
 }  // namespace
 
 ReplayDock::ReplayDock(const WindowContext& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_toggle(tr("&Replay"), this) {
+    : QObject(parent), m_parts(parts), m_toggle(tr("&Replay"), this), m_views(JobRunner::Policy::Queue, parts.pool) {
   handwheel::prepare(m_toggle, "replayDockToggle", "play", tr("Plays the passes that cut the part, on a time line"));
   m_toggle.setCheckable(true);
   connect(&m_toggle, &QAction::triggered, this, &ReplayDock::open);
@@ -123,12 +123,6 @@ void ReplayDock::followTool() {
 
 namespace {
 
-// The recording of a workpiece; none: nothing was cut, or it was cancelled.
-std::shared_ptr<const ReplayTrack> trackOf(const WorkpieceSnapshot& work, Progress progress) {
-  auto track = work.part ? replayTrack(work, progress) : std::nullopt;
-  return track ? std::make_shared<const ReplayTrack>(std::move(*track)) : nullptr;
-}
-
 QString crashText(const LatheCollision& crash) {
   const auto words = [](const char* text) { return QCoreApplication::translate("LathePart", text); };
   if (crash.cause != CrashCause::Contact) return words(sentenceOf(crash.cause));
@@ -190,6 +184,15 @@ DisplayModel modelAt(const WorkpieceSnapshot& work, const PassesReplay::Moment& 
 
 }  // namespace
 
+// With all that is drawn of it: it has as many points as the hand made.
+ReplayDock::PlayedPointer ReplayDock::playedOf(const QString& name, const WorkpieceSnapshot& work, Progress progress) {
+  auto track = work.part ? replayTrack(work, progress) : std::nullopt;
+  if (!track) return nullptr;
+  TimeLineRecording recording = recordingOf(name, *track);
+  return std::make_shared<const Played>(
+      Played{work, std::make_shared<const ReplayTrack>(std::move(*track)), std::move(recording)});
+}
+
 void ReplayDock::prepare() {
   const WorkpieceSnapshot& work = workpiece().workpiece();
   const auto part = work.part;
@@ -207,20 +210,20 @@ void ReplayDock::prepare() {
   job.name = tr("Preparing the replay");
   job.owner = this;
   job.work = [this, work, name = m_document->document.name()](Progress progress) -> Job::Finish {
-    const Played played{name, work, trackOf(work, progress)};
+    const PlayedPointer played = playedOf(name, work, progress);
     return [this, played] {
-      if (played.track && m_isOpen && m_document && workpiece().workpiece().part == played.work.part) begin(played);
+      if (played && m_isOpen && m_document && workpiece().workpiece().part == played->work.part) begin(played);
     };
   };
   m_parts.jobs.start(std::move(job));
 }
 
-void ReplayDock::begin(const Played& played) {
-  m_played = played;
-  LatheSetup setup = latheOf(played.work);
+void ReplayDock::begin(PlayedPointer played) {
+  m_played = std::move(played);
+  LatheSetup setup = latheOf(m_played->work);
   LatheTools tools = shippedLatheTools();
   setup.stations.clear();
-  for (const auto& pass : played.track->replay->passes()) {
+  for (const auto& pass : m_played->track->replay->passes()) {
     if (!pass->tool) continue;
     std::erase_if(tools, [&](const auto& each) { return each->id == pass->tool->id; });
     tools.push_back(pass->tool);
@@ -228,7 +231,7 @@ void ReplayDock::begin(const Played& played) {
                      [&](const LatheSlot& slot) { return slot.tool == pass->tool->id; }))
       setup.stations.push_back({pass->tool->id});
   }
-  const StockCylinder& stock = played.work.stock;
+  const StockCylinder& stock = m_played->work.stock;
   m_lathe = std::make_unique<LatheDisplay>(setup, tools, 0.5 * stock.diameter, stock.position);
   m_line->setEnabled(true);
   m_compare->setEnabled(true);
@@ -259,17 +262,17 @@ void ReplayDock::compareWith(const QString& path) {
     if (!opened) return [failed, reason = errorSentence(opened.error())] { failed(reason); };
     const auto* const work = dynamic_cast<const WorkpieceSnapshot*>(opened->content.get());
     if (!work || !work->part) return [failed] { failed(tr("It is not a workpiece that was cut.")); };
-    const Played other{name, *work, trackOf(*work, progress.part(0.3, 1.0))};
+    const PlayedPointer other = playedOf(name, *work, progress.part(0.3, 1.0));
     return [this, other, first] {
-      if (other.track && m_isOpen && m_played && m_replayed == first) beginOther(other);
+      if (other && m_isOpen && m_played && m_replayed == first) beginOther(other);
     };
   };
   m_parts.jobs.start(std::move(job));
 }
 
-void ReplayDock::beginOther(const Played& other) {
-  m_other = other;
-  m_compare->setText(tr("&Leave %1").arg(other.name));
+void ReplayDock::beginOther(PlayedPointer other) {
+  m_other = std::move(other);
+  m_compare->setText(tr("&Leave %1").arg(m_other->recording.name));
   showRecordings();
 }
 
@@ -281,42 +284,64 @@ void ReplayDock::dropOther() {
 
 // From the end, where the work is done.
 void ReplayDock::showRecordings() {
-  std::vector<TimeLineRecording> recordings{recordingOf(m_played->name, *m_played->track)};
-  if (m_other) recordings.push_back(recordingOf(m_other->name, *m_other->track));
+  std::vector<TimeLineRecording> recordings{m_played->recording};
+  if (m_other) recordings.push_back(m_other->recording);
   m_line->setRecordings(std::move(recordings));
   const double end = m_played->track->replay->duration();
   m_line->setTime(end);
   show(end);
 }
 
+// A worker makes the part, which takes longer than a frame where the recording is long: then the next time that is
+// shown is the one that is wanted by then.
 void ReplayDock::show(double seconds) {
   if (!m_played || !m_isOpen) return;
-  const WorkpieceSnapshot& work = m_played->work;
-  const PassesReplay& replay = *m_played->track->replay;
-  const PassesReplay::Moment moment = replay.at(seconds);
-  auto model = std::make_shared<DisplayModel>(modelAt(work, moment));
+  m_wanted = seconds;
+  if (m_isShowing) return;
+  m_isShowing = true;
+  Job job;
+  job.name = tr("Showing the replay");
+  job.failed = [this](const Error&) { m_isShowing = false; };
+  job.work = [this, seconds, first = m_played, other = m_other,
+              ofOther = m_other ? m_line->timeOf(1) : 0.0](Progress) -> Job::Finish {
+    const PassesReplay::Moment moment = first->track->replay->at(seconds);
+    auto model = std::make_shared<DisplayModel>(modelAt(first->work, moment));
+    if (other) {
+      const StockCylinder &stock = first->work.stock, &otherStock = other->work.stock;
+      // Below the first, as one stands at the lathe: up is against y.
+      const double beside = 0.75 * (stock.diameter + otherStock.diameter) + latheOf(first->work).chuck.diameter / 2;
+      for (DisplayPart& part : modelAt(other->work, other->track->replay->at(ofOther)).parts) {
+        part.name = "other." + part.name;
+        part.group = "other";
+        part.pose.translation() += Vec3(0.0, beside, stock.position - otherStock.position);
+        model->parts.push_back(std::move(part));
+      }
+    }
+    return [this, seconds, first, other, moment, model] {
+      m_isShowing = false;
+      if (!m_played || !m_isOpen) return;
+      const bool isOfBoth = m_played == first && m_other == other;
+      if (isOfBoth) shown(model, moment);
+      if (!isOfBoth || m_wanted != seconds) show(m_wanted);
+    };
+  };
+  m_views.start(std::move(job));
+}
+
+// With the tool where it was then.
+void ReplayDock::shown(const std::shared_ptr<DisplayModel>& model, const PassesReplay::Moment& moment) {
   if (moment.pass) {
     m_text->setText(tr("Pass %1 of %2: %3, at R %4 mm, Z %5 mm")
                         .arg(moment.number + 1)
-                        .arg(replay.passes().size())
+                        .arg(m_played->track->replay->passes().size())
                         .arg(toolText(*moment.pass), QLocale().toString(moment.place.x(), 'f', 2),
                              QLocale().toString(moment.place.y(), 'f', 2)));
     const LatheTool* const tool = moment.pass->tool.get();
     const bool isDrill = tool && tool->kind == LatheToolKind::Drill;
-    const std::vector<DisplayPart> parts = m_lathe->parts(0.0, moment.place, isDrill ? nullptr : tool,
-                                                          isDrill ? moment.place.y() : latheOf(work).tailstock.place);
+    const std::vector<DisplayPart> parts =
+        m_lathe->parts(0.0, moment.place, isDrill ? nullptr : tool,
+                       isDrill ? moment.place.y() : latheOf(m_played->work).tailstock.place);
     model->parts.insert(model->parts.end(), parts.begin(), parts.end());
-  }
-  if (m_other) {
-    // Below the first, as one stands at the lathe: up is against y.
-    const double beside =
-        0.75 * (work.stock.diameter + m_other->work.stock.diameter) + latheOf(work).chuck.diameter / 2;
-    for (DisplayPart& part : modelAt(m_other->work, m_other->track->replay->at(m_line->timeOf(1))).parts) {
-      part.name = "other." + part.name;
-      part.group = "other";
-      part.pose.translation() += Vec3(0.0, beside, work.stock.position - m_other->work.stock.position);
-      model->parts.push_back(std::move(part));
-    }
   }
   emit partShown(model);
 }

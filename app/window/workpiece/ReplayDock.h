@@ -4,6 +4,8 @@
 
 #include "document/workpiece/LatheDisplay.h"
 #include "document/workpiece/ReplayTrack.h"
+#include "panels/time/TimeLine.h"
+#include "window/JobRunner.h"
 #include "window/kinds/KindUi.h"
 
 #include <QAction>
@@ -31,6 +33,7 @@ class ReplayDock : public QObject {
 
   QAction* action() { return &m_toggle; }
   void setDocument(DocumentTab* document);
+  bool isSettled() const { return m_views.isIdle(); }
 
  signals:
   void message(const handwheel::Message& message);
@@ -44,17 +47,21 @@ class ReplayDock : public QObject {
   void prepare();
   // A workpiece with its recording.
   struct Played {
-    QString name;
     WorkpieceSnapshot work;
     std::shared_ptr<const ReplayTrack> track;
+    TimeLineRecording recording;
   };
-  void begin(const Played& played);
+  using PlayedPointer = std::shared_ptr<const Played>;
+  // Null: nothing was cut, or it was cancelled. Any thread.
+  static PlayedPointer playedOf(const QString& name, const WorkpieceSnapshot& work, Progress progress);
+  void begin(PlayedPointer played);
   void askForOther();
   void compareWith(const QString& path);
-  void beginOther(const Played& other);
+  void beginOther(PlayedPointer other);
   void dropOther();
   void showRecordings();
   void show(double seconds);
+  void shown(const std::shared_ptr<DisplayModel>& model, const PassesReplay::Moment& moment);
   void followTool();
 
   WindowContext m_parts;
@@ -66,9 +73,12 @@ class ReplayDock : public QObject {
   QPointer<TimeLinePanel> m_line;
   DocumentTab* m_document = nullptr;
   QPointer<QPushButton> m_compare;
-  std::optional<Played> m_played, m_other;       // none: none is shown
+  PlayedPointer m_played, m_other;               // null: none is shown
   std::shared_ptr<const TurnedPart> m_replayed;  // the part that m_played is, or will be, of
   std::unique_ptr<LatheDisplay> m_lathe;         // with the tools of m_played
+  JobRunner m_views;
+  double m_wanted = 0.0;     // s, that is to be shown
+  bool m_isShowing = false;  // a job makes the part of a time
 };
 
 }  // namespace handwheel

@@ -44,10 +44,12 @@ void ThreadView::cut(DocumentTab* document, const TurningPass& pass) {
   job.work = [this, document, pass, value = owner.workpiece(),
               spacing = m_parts.fidelity.values().of(turnSpacingSetting())](Progress progress) -> Job::Finish {
     auto part = withPass(value, pass, spacing, progress);
-    return [this, document, before = value.part, part] {
+    return [this, document, value, part] {
       if (!part || !m_parts.tabs.contains(document)) return;
       auto& now = static_cast<WorkpieceDocument&>(document->document);
-      if (now.workpiece().part == before) now.commit(tr("Thread"), std::make_unique<TurnedPartEdit>(part));
+      const WorkpieceSnapshot& work = now.workpiece();
+      const bool isSame = work.part == value.part && work.stock == value.stock && work.chord == value.chord;
+      if (isSame) now.commit(tr("Thread"), std::make_unique<TurnedPartEdit>(part));
     };
   };
   m_parts.jobs.start(std::move(job));

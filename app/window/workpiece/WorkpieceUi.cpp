@@ -127,9 +127,11 @@ DisplayModel WorkpieceUi::displayed(const Document& document) const {
   return coloured ? std::move(*coloured) : RigidPartsUi::displayed(document);
 }
 
+// A new bar is shown as finely as this machine shows all. The work of an exercise and what was recovered have their
+// own.
 std::unique_ptr<DocumentTab> WorkpieceUi::open(std::unique_ptr<Document> document) {
-  if (document->file().path.empty()) {
-    const auto& blank = static_cast<const WorkpieceDocument&>(*document).workpiece();
+  const WorkpieceSnapshot& blank = static_cast<const WorkpieceDocument&>(*document).workpiece();
+  if (document->file().path.empty() && !blank.part && blank.chord == WorkpieceSnapshot().chord) {
     const double chord = parts().fidelity.values().of(chordSetting());
     auto begun = std::make_shared<const WorkpieceSnapshot>(withValue(blank, WorkpieceField::Chord, chord));
     document = document->kind().make({&document->kind(), document->file(), std::move(begun)});

@@ -35,7 +35,7 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   }
   bool isSettled() const override {
     return RigidPartsUi::isSettled() && m_target.isSettled() && m_dimensions.isSettled() && m_program.isSettled() &&
-           m_loads.isIdle();
+           m_replay.isSettled() && m_loads.isIdle();
   }
   void refreshVisibility() override;
   bool take(const QString& path) override { return m_program.take(path); }

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace handwheel {
 namespace {
@@ -14,10 +15,64 @@ namespace {
 constexpr std::size_t kMostChunks = 90'000;           // fewer than a container has entries
 constexpr std::size_t kChunk = std::size_t{1} << 19;  // numbers from which on a chunk takes no further region
 
-std::string nameOf(std::size_t chunk) {
+constexpr const char *kChunks = "volume/chunks/", *kMaskChunks = "mask/";
+
+std::string nameOf(const char* folder, std::size_t chunk) {
   std::string digits = std::to_string(chunk);
   digits.insert(0, 4 - std::min<std::size_t>(4, digits.size()), '0');
-  return "volume/chunks/" + digits;
+  return folder + digits;
+}
+
+nlohmann::json gridOf(const SparseVolume& volume) {
+  return {{"voxel", volume.voxel()}, {"origin", {volume.origin().x(), volume.origin().y(), volume.origin().z()}}};
+}
+
+// Returns how many there are.
+std::size_t writeChunks(const SparseVolume& volume, const char* folder, Container& container) {
+  const std::vector<VoxelIndex> regions = regionsOf(volume);
+  std::size_t chunks = 0;
+  std::vector<std::int16_t> numbers;
+  for (const VoxelIndex& region : regions) {
+    appendRegion(volume, region, numbers);
+    if (numbers.size() < kChunk && region != regions.back()) continue;
+    container.blobs[nameOf(folder, chunks++)] = toBlob(numbers);
+    numbers.clear();
+  }
+  return chunks;
+}
+
+// What was read of chunks: their bytes, and how many are lost or end early.
+struct ChunksRead {
+  std::size_t bytes = 0, lost = 0;
+};
+
+// Adds chunks to a volume, as many as there should be; none: those that are there. Fewer once cancelled.
+ChunksRead readChunks(const Container& container, const char* folder, std::optional<std::size_t> count,
+                      SparseVolume& volume, const Progress& progress) {
+  ChunksRead read;
+  const std::size_t chunks = count.value_or(kMostChunks);
+  for (std::size_t i = 0; i < chunks && !progress.cancelled(); ++i) {
+    progress.set(static_cast<double>(i) / static_cast<double>(chunks));
+    const auto blob = container.blobs.find(nameOf(folder, i));
+    if (blob == container.blobs.end() && !count) break;
+    if (blob != container.blobs.end()) read.bytes += blob->second.size();
+    if (blob == container.blobs.end() || !readRegions(fromBlob<std::int16_t>(blob->second), volume)) ++read.lost;
+  }
+  return read;
+}
+
+// The number of chunks that an object says; none where that makes no sense, which is damage.
+std::optional<std::size_t> countOf(const nlohmann::json& object, const char* name, std::vector<Error>& damage) {
+  const nlohmann::json count = object.value("chunks", nlohmann::json());
+  if (count.is_number_unsigned() && count.get<std::uint64_t>() <= kMostChunks) return count.get<std::size_t>();
+  damage.push_back({ErrorCode::ElementMalformed, {name, "it is not a number of chunks"}, {}, {}});
+  return std::nullopt;
+}
+
+void reportLost(const char* name, std::size_t lost, std::vector<Error>& damage) {
+  if (lost == 0) return;
+  const std::string text = std::to_string(lost) + " of its chunks are lost, or end early";
+  damage.push_back({ErrorCode::ElementMalformed, {name, text}, {}, {}});
 }
 
 }  // namespace
@@ -25,18 +80,8 @@ std::string nameOf(std::size_t chunk) {
 void writeVolume(const SparseVolume& volume, Container& container) {
   nlohmann::json& document = (*container.manifest)["document"];
   if (!document.is_object()) document = nlohmann::json::object();
-  const std::vector<VoxelIndex> regions = regionsOf(volume);
-  document["voxel"] = volume.voxel();
-  document["origin"] = {volume.origin().x(), volume.origin().y(), volume.origin().z()};
-  std::size_t chunks = 0;
-  std::vector<std::int16_t> numbers;
-  for (const VoxelIndex& region : regions) {
-    appendRegion(volume, region, numbers);
-    if (numbers.size() < kChunk && region != regions.back()) continue;
-    container.blobs[nameOf(chunks++)] = toBlob(numbers);
-    numbers.clear();
-  }
-  document["chunks"] = chunks;
+  document.update(gridOf(volume));
+  document["chunks"] = writeChunks(volume, kChunks, container);
 }
 
 Result<SparseVolume> readVolume(const Container& container, std::vector<Error>& damage, Progress progress) {
@@ -56,29 +101,41 @@ Result<SparseVolume> readVolume(const Container& container, std::vector<Error>& 
   if (!isPlace) return Error{ErrorCode::ElementMalformed, {"document.origin", "it is no place"}, {}, {}};
 
   SparseVolume volume(corner, voxel.get<double>());
-  const nlohmann::json count = found->value("chunks", nlohmann::json());
-  const bool isCount = count.is_number_unsigned() && count.get<std::uint64_t>() <= kMostChunks;
-  if (!isCount)
-    damage.push_back({ErrorCode::ElementMalformed, {"document.chunks", "it is not a number of chunks"}, {}, {}});
-  const std::size_t chunks = isCount ? count.get<std::size_t>() : kMostChunks;
-  std::size_t lost = 0, bytes = 0;
-  for (std::size_t i = 0; i < chunks; ++i) {
-    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    progress.set(static_cast<double>(i) / static_cast<double>(chunks));
-    const auto blob = container.blobs.find(nameOf(i));
-    if (blob == container.blobs.end() && !isCount) break;
-    if (blob != container.blobs.end()) bytes += blob->second.size();
-    if (blob == container.blobs.end() || !readRegions(fromBlob<std::int16_t>(blob->second), volume)) ++lost;
-  }
-  if (lost > 0)
-    damage.push_back({ErrorCode::ElementMalformed,
-                      {"volume", std::to_string(lost) + " of its chunks are lost, or end early"},
-                      {},
-                      {}});
+  const std::optional<std::size_t> chunks = countOf(*found, "document.chunks", damage);
+  const ChunksRead read = readChunks(container, kChunks, chunks, volume, progress);
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  reportLost("volume", read.lost, damage);
   // As other arrays of a container: at most 64 times its bytes.
-  if (!closeOff(volume, 64 * bytes / sizeof(VolumeBlock)))
+  if (!closeOff(volume, 64 * read.bytes / sizeof(VolumeBlock)))
     return Error{ErrorCode::ElementMalformed, {"volume", "full and empty blocks have no surface between them"}, {}, {}};
   return volume;
+}
+
+void writeMask(const ClayMask& mask, Container& container) {
+  nlohmann::json written = gridOf(mask.values());
+  written["chunks"] = writeChunks(mask.values(), kMaskChunks, container);
+  written["inverted"] = mask.isInverted();
+  (*container.manifest)["document"]["mask"] = std::move(written);
+}
+
+std::shared_ptr<const ClayMask> readMask(const Container& container, const SparseVolume& volume,
+                                         std::vector<Error>& damage) {
+  const nlohmann::json found = (*container.manifest)["document"].value("mask", nlohmann::json());
+  if (found.is_null()) return nullptr;
+  const nlohmann::json inverted = found.is_object() ? found.value("inverted", nlohmann::json()) : nlohmann::json();
+  if (!inverted.is_boolean()) {
+    damage.push_back({ErrorCode::ElementMalformed, {"document.mask", "it is impossible"}, {}, {}});
+    return nullptr;
+  }
+  const nlohmann::json grid = gridOf(volume);
+  if (found.value("voxel", nlohmann::json()) != grid["voxel"] ||
+      found.value("origin", nlohmann::json()) != grid["origin"])
+    return nullptr;
+  SparseVolume values(volume.origin(), volume.voxel());
+  const std::optional<std::size_t> chunks = countOf(found, "document.mask.chunks", damage);
+  reportLost("mask", readChunks(container, kMaskChunks, chunks, values, {}).lost, damage);
+  auto mask = std::make_shared<ClayMask>(std::move(values), inverted.get<bool>());
+  return mask->isFree() ? nullptr : std::move(mask);
 }
 
 }  // namespace handwheel

@@ -105,6 +105,7 @@ Result<WrittenFile> VolumeKind::exportTo(const Snapshot& content, const std::fil
 void VolumeKind::save(const Snapshot& content, Container& container) const {
   writeVolume(volumeOf(content).volume, container);
   (*container.manifest)["document"]["source"] = volumeOf(content).source;
+  if (const auto& mask = volumeOf(content).mask) writeMask(*mask, container);
   writeHoles(volumeOf(content).holes, container);
   if (const auto& scan = volumeOf(content).scan) writeScan(scan->image, volumeOf(content).segment, container);
 }
@@ -118,6 +119,7 @@ Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector
   snapshot->surface = VolumeSurface(snapshot->volume, progress.part(0.5, 1.0));
   const nlohmann::json source = (*container.manifest)["document"].value("source", nlohmann::json());
   if (source.is_string()) snapshot->source = source.get<std::string>();
+  snapshot->mask = readMask(container, snapshot->volume, damage);
   snapshot->holes = readHoles(container, damage);
   takeScan(readScan(container, damage, progress.part(0.0, 0.2)), *snapshot);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};

@@ -58,7 +58,7 @@ DeviationTrack deviationTrack(const PassesReplay& replay, const TargetProfile& t
 
 std::optional<ReplayTrack> replayTrack(const WorkpieceSnapshot& workpiece, Progress progress) {
   const TurnedPart& part = *workpiece.part;
-  const TurnedProfile bar(workpiece.stock, part.profile.spacing());
+  const TurnedProfile bar = TurnedProfile::barOf(workpiece.stock, part.profile.size());
   auto replay = PassesReplay::make(bar, part.passes, progress.part(0.0, 0.3));
   if (!replay) return std::nullopt;
   ReplayTrack track;

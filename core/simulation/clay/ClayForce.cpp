@@ -4,6 +4,7 @@
 
 #include "machining/force/CuttingFeel.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -36,11 +37,17 @@ ForceBounds ClayForce::advance(const TipState& tip, ForceOut& out) noexcept {
   }
   m_isCutting = m_isTouching && m_feel.isCutting && gesture != 0;
   m_angle = std::fmod(m_angle + m_feel.spindle / 60.0 * 2.0 * M_PI * tip.period, 2.0 * M_PI);
-  m_channel->inputs->push({tip, m_contact.tool(), gesture});
+  m_channel->inputs->push({tip, m_contact.tool(), gesture, false, pressureAt(tip)});
   if (!m_isTouching) return {};
   out.isContact = true;
   out.proxy = m_contact.tool();
   return {m_feel.stiffness, 0.0};
+}
+
+// By the spring between hand and tool. What nothing holds back has no pressure to go by.
+double ClayForce::pressureAt(const TipState& tip) const noexcept {
+  if (!m_isTouching) return 1.0;
+  return std::min(1.0, m_share * m_feel.stiffness * (m_contact.tool() - tip.position).norm() / kFullForce);
 }
 
 // While it cuts the spring gives way by the vibration once a turn: so it is never stiffer than the loop can carry.

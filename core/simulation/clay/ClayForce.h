@@ -21,7 +21,11 @@ class ClayForce : public ForceSource {
   ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;
   Vec3 force(const TipState& tip, double stiffness, double damping) noexcept override;
 
+  static constexpr double kFullForce = 2.0;  // N, of a hand that presses fully: a share of it is the pressure
+
  private:
+  double pressureAt(const TipState& tip) const noexcept;
+
   std::shared_ptr<ClayChannel> m_channel;
   ClayFeel m_feel;
   ClayContact m_contact;

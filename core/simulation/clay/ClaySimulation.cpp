@@ -8,6 +8,32 @@
 
 namespace handwheel {
 
+namespace {
+
+std::vector<VoxelIndex> paint(ClayState& state, std::span<const ClayDab> dabs) {
+  const bool isUsed = state.mask && state.mask->fits(state.volume);
+  auto mask = std::make_shared<ClayMask>(isUsed ? *state.mask : ClayMask(state.volume));
+  std::vector<VoxelIndex> changed;
+  for (const ClayDab& dab : dabs) {
+    const std::vector<VoxelIndex> blocks = mask->paint(dab);
+    changed.insert(changed.end(), blocks.begin(), blocks.end());
+  }
+  state.mask = mask->isFree() ? nullptr : std::move(mask);
+  return changed;
+}
+
+std::vector<VoxelIndex> shape(ClayState& state, std::span<const ClayDab> dabs) {
+  std::vector<VoxelIndex> changed;
+  for (const ClayDab& dab : dabs) {
+    const std::vector<VoxelIndex> blocks = applyDab(state.volume, dab, state.mask.get());
+    changed.insert(changed.end(), blocks.begin(), blocks.end());
+  }
+  if (!changed.empty()) state.surface.update(state.volume, changed);
+  return changed;
+}
+
+}  // namespace
+
 ClaySimulation::ClaySimulation(std::shared_ptr<const ClayState> begin, const ClayBrush& brush,
                                std::shared_ptr<ClayChannel> channel)
     : m_state(std::move(begin)), m_stroke(brush), m_channel(std::move(channel)) {}
@@ -19,7 +45,7 @@ void ClaySimulation::step(double, std::span<const SimulationInput> inputs) {
     if (input.isEnd) {
       m_isEnded = true;
     } else {
-      m_stroke.move(input.proxy, input.tip.time, reader.normalAt(input.proxy));
+      m_stroke.move(input.proxy, input.tip.time, reader.normalAt(input.proxy), input.pressure);
     }
   }
   apply(kMostDabs);
@@ -42,18 +68,13 @@ void ClaySimulation::apply(std::size_t most) {
   std::vector<ClayDab>& dabs = m_stroke.dabs();
   const std::size_t count = std::min(most, dabs.size());
   if (count == 0) return;
-  SparseVolume volume = m_state->volume;
-  std::vector<VoxelIndex> changed;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<VoxelIndex> blocks = applyDab(volume, dabs[i]);
-    changed.insert(changed.end(), blocks.begin(), blocks.end());
-  }
+  const std::span<const ClayDab> next(dabs.data(), count);  // all of one action
+  auto state = std::make_shared<ClayState>(*m_state);
+  const std::vector<VoxelIndex> changed =
+      next.front().action == ClayAction::Mask ? paint(*state, next) : shape(*state, next);
   dabs.erase(dabs.begin(), dabs.begin() + static_cast<std::ptrdiff_t>(count));
   if (changed.empty()) return;
   for (const VoxelIndex& block : changed) m_changed.insert({block.x(), block.y(), block.z()});
-  auto state = std::make_shared<ClayState>(*m_state);
-  state->volume = std::move(volume);
-  state->surface.update(state->volume, changed);
   state->changedBlocks = m_changed.size();
   m_state = std::move(state);
   m_isWritten = false;

@@ -4,6 +4,7 @@
 
 #include "simulation/Simulation.h"
 #include "simulation/clay/ClayStroke.h"
+#include "volume/ClayMask.h"
 #include "volume/surface/VolumeSurface.h"
 
 #include <set>
@@ -14,8 +15,9 @@ namespace handwheel {
 struct ClayState : SimulationState {
   SparseVolume volume;
   VolumeSurface surface;
-  std::size_t changedBlocks = 0;  // since the simulation began
-  bool isComplete = false;        // the gesture has ended, and all of it is in the volume
+  std::shared_ptr<const ClayMask> mask;  // null: nothing is protected
+  std::size_t changedBlocks = 0;         // since the simulation began, of the volume and of the mask
+  bool isComplete = false;               // the gesture has ended, and all of it is in the volume
 };
 
 // What the servo loop reads of a simulation of clay: null before the first step. A volume is read without a lock, and

@@ -13,6 +13,7 @@ std::shared_ptr<const DrillState> beginning(const ClayState& begin) {
   auto state = std::make_shared<DrillState>();
   state->volume = begin.volume;
   state->surface = begin.surface;
+  state->mask = begin.mask;
   return state;
 }
 

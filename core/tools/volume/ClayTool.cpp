@@ -15,46 +15,35 @@ namespace handwheel {
 namespace {
 
 constexpr double kRadiusShare = 0.05;  // of the extent of a volume, for a first radius
-constexpr double kLeastVoxels = 1.5;   // of a radius
-constexpr double kRadiusStep = 1.25;   // from one size to the next by key
 constexpr double kStiffness = 0.5;     // N/mm, at the device
-constexpr Limits kShares{0.01, 1.0};   // strength
-constexpr Limits kFalloffs{0.0, 1.0};
-constexpr Limits kResistances{1e-3, 10.0};  // N·s/mm
-
-constexpr ToolKey kKeys[] = {
-    {"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")},
-    {"larger", "]", QT_TRANSLATE_NOOP("Tool", "larger brush")},
-    {"add", "Shift+A", QT_TRANSLATE_NOOP("Tool", "add clay")},
-    {"carve", "Shift+E", QT_TRANSLATE_NOOP("Tool", "carve")},
-    {"smooth", "Shift+O", QT_TRANSLATE_NOOP("Tool", "smooth")},
-    {"move", "Shift+G", QT_TRANSLATE_NOOP("Tool", "move clay along")},
-    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the stroke")},
-};
-
-struct ActionName {
-  ClayAction action;
-  const char* choice;   // context "Property"
-  const char* history;  // context "Tool"
-};
-
-constexpr ActionName kActions[] = {
-    {ClayAction::Add, QT_TRANSLATE_NOOP("Property", "Add"), QT_TRANSLATE_NOOP("Tool", "Add clay")},
-    {ClayAction::Carve, QT_TRANSLATE_NOOP("Property", "Carve"), QT_TRANSLATE_NOOP("Tool", "Carve clay")},
-    {ClayAction::Inflate, QT_TRANSLATE_NOOP("Property", "Inflate"), QT_TRANSLATE_NOOP("Tool", "Inflate clay")},
-    {ClayAction::Smooth, QT_TRANSLATE_NOOP("Property", "Smooth"), QT_TRANSLATE_NOOP("Tool", "Smooth clay")},
-    {ClayAction::Flatten, QT_TRANSLATE_NOOP("Property", "Flatten"), QT_TRANSLATE_NOOP("Tool", "Flatten clay")},
-    {ClayAction::Move, QT_TRANSLATE_NOOP("Property", "Move"), QT_TRANSLATE_NOOP("Tool", "Move clay")},
-    {ClayAction::Attract, QT_TRANSLATE_NOOP("Property", "Attract"), QT_TRANSLATE_NOOP("Tool", "Attract clay")},
-    {ClayAction::Pinch, QT_TRANSLATE_NOOP("Property", "Pinch"), QT_TRANSLATE_NOOP("Tool", "Pinch clay")},
-};
 
 bool isShape(ClayAction action) {
   return action == ClayAction::Add || action == ClayAction::Carve;
 }
 
-Limits radiusLimits(const SparseVolume& volume) {
-  return {kLeastVoxels * volume.voxel(), ClayDab::kMostVoxels * volume.voxel()};
+// Of a stroke in the history; English, context "Tool".
+const char* historyText(const ClayBrush& brush) {
+  switch (brush.action) {
+    case ClayAction::Add:
+      return QT_TRANSLATE_NOOP("Tool", "Add clay");
+    case ClayAction::Carve:
+      return QT_TRANSLATE_NOOP("Tool", "Carve clay");
+    case ClayAction::Inflate:
+      return QT_TRANSLATE_NOOP("Tool", "Inflate clay");
+    case ClayAction::Smooth:
+      return QT_TRANSLATE_NOOP("Tool", "Smooth clay");
+    case ClayAction::Flatten:
+      return QT_TRANSLATE_NOOP("Tool", "Flatten clay");
+    case ClayAction::Move:
+      return QT_TRANSLATE_NOOP("Tool", "Move clay");
+    case ClayAction::Attract:
+      return QT_TRANSLATE_NOOP("Tool", "Attract clay");
+    case ClayAction::Pinch:
+      return QT_TRANSLATE_NOOP("Tool", "Pinch clay");
+    case ClayAction::Mask:
+      break;
+  }
+  return brush.strength < 0.0 ? QT_TRANSLATE_NOOP("Tool", "Unmask clay") : QT_TRANSLATE_NOOP("Tool", "Mask clay");
 }
 
 // Three digits, as many decimals as that takes: strokes of a dental drill and of a boat's hull have both a size.
@@ -68,34 +57,35 @@ QString amountText(double volume) {
 }
 
 // "Carve clay: −12.3 mm³"
-QString strokeText(ClayAction action, double change) {
-  const QString amount = amountText(change);
-  return QCoreApplication::translate("Tool", "%1: %2 mm³")
-      .arg(QCoreApplication::translate("Tool", kActions[static_cast<int>(action)].history), amount);
+QString strokeText(const ClayBrush& brush, double change) {
+  const QString name = QCoreApplication::translate("Tool", historyText(brush));
+  if (brush.action == ClayAction::Mask) return name;
+  return QCoreApplication::translate("Tool", "%1: %2 mm³").arg(name, amountText(change));
 }
 
 }  // namespace
 
 ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services)
-    : m_document(document), m_gesture(services, channel()->inputs, kRate, [this] { return simulation(); }) {
-  const SparseVolume& volume = m_document.volume()->volume;
+    : ClayTool(document, services, StampServices()) {}
+
+ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services, StampServices stamps)
+    : m_document(document),
+      m_stamps(std::move(stamps)),
+      m_gesture(services, channel()->inputs, kRate, [this] { return simulation(); }) {
   Box box;
   for (const auto& [key, piece] : m_document.volume()->surface.pieces()) box.extend(piece->box);
   const double extent = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
-  m_brush.radius = radiusLimits(volume).bring(kRadiusShare * extent);
+  m_brush.radius = radiusLimits().bring(kRadiusShare * extent);
   m_brush.mirror = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
+  m_brush.pressure = ClayPressure::Strength;
   m_present = m_brush;
   m_gesture.restart();
 }
 
-std::span<const ToolKey> ClayTool::keys() {
-  return kKeys;
-}
-
 ClayFeel ClayTool::feelAtDevice() const {
   ClayFeel feel{kStiffness, m_resistance};
-  feel.isCutting = m_present.action == ClayAction::Carve;
-  feel.isFree = m_present.action == ClayAction::Add || m_present.action == ClayAction::Move;
+  feel.isCutting = m_present.action == ClayAction::Carve && !m_present.stamp;
+  feel.isFree = (m_present.action == ClayAction::Add && !m_present.stamp) || m_present.action == ClayAction::Move;
   return feel;
 }
 
@@ -116,6 +106,7 @@ std::unique_ptr<Simulation> ClayTool::simulation() const {
   auto begin = std::make_shared<ClayState>();
   begin->volume = m_document.volume()->volume;
   begin->surface = m_document.volume()->surface;
+  begin->mask = m_document.volume()->mask;
   return std::make_unique<ClaySimulation>(std::move(begin), m_present, channel());
 }
 
@@ -125,9 +116,10 @@ std::shared_ptr<const ClayState> ClayTool::state() const {
 
 // How far outside of the surface the mouse holds the middle of the tool, mm: a ball that adds or carves goes into it,
 // or stands out of it, by its strength.
-double ClayTool::lift() const {
-  if (!isShape(m_present.action)) return 0.0;
-  const double out = (1.0 - m_present.strength) * m_present.radius;
+double ClayTool::lift(double pressure) const {
+  if (!isShape(m_present.action) || m_present.stamp) return 0.0;
+  const ClayBrush pressed = m_present.at(pressure);
+  const double out = (1.0 - pressed.strength) * pressed.radius;
   return m_present.action == ClayAction::Carve ? out : -out;
 }
 
@@ -141,7 +133,7 @@ std::optional<Vec3> ClayTool::placeOf(const PointerEvent& event) const {
   }
   const auto hit = firstHit(m_grip->surface->volume, event.ray.origin, event.ray.direction);
   if (!hit) return std::nullopt;
-  return hit->point + lift() * hit->normal;
+  return hit->point + lift(event.pressure.value_or(1.0)) * hit->normal;
 }
 
 ToolReply ClayTool::press(const PointerEvent& event) {
@@ -156,7 +148,7 @@ ToolReply ClayTool::press(const PointerEvent& event) {
     m_gesture.restart();
   }
   m_gesture.begin(event.device.has_value());
-  if (const auto place = placeOf(event); place && !event.device) m_gesture.feed(*place, event.time);
+  if (const auto place = placeOf(event); place && !event.device) feed(*place, event);
   reportUpdated();
   return ToolReply::Used;
 }
@@ -186,8 +178,12 @@ ToolReply ClayTool::pointer(const PointerEvent& event) {
   if (m_gesture.isOn() && !isOwn) return ToolReply::Ignored;  // the other hand
   hover(event);
   if (!isOwn) return ToolReply::Ignored;
-  if (const auto place = placeOf(event); place && !isOfDevice) m_gesture.feed(*place, event.time);
+  if (const auto place = placeOf(event); place && !isOfDevice) feed(*place, event);
   return ToolReply::Used;
+}
+
+void ClayTool::feed(const Vec3& place, const PointerEvent& event) {
+  m_gesture.feed(place, event.time, TipState().period, event.pressure.value_or(1.0));
 }
 
 void ClayTool::hover(const PointerEvent& event) {
@@ -237,13 +233,14 @@ void ClayTool::complete() {
   m_grip.reset();
   static_cast<ClaySimulation&>(*ended).finish();
   const auto shaped = std::static_pointer_cast<const ClayState>(ended->state());
-  const ClayAction action = std::exchange(m_present, m_brush).action;
+  const ClayBrush brush = std::exchange(m_present, m_brush);
   if (shaped->changedBlocks == 0) return m_gesture.restart();
   const std::shared_ptr<const VolumeSnapshot>& before = m_document.volume();
   auto after = std::make_shared<VolumeSnapshot>(*before);
   after->volume = shaped->volume;
   after->surface = shaped->surface;
-  const QString text = strokeText(action, after->volume.material() - before->volume.material());
+  after->mask = shaped->mask;
+  const QString text = strokeText(brush, after->volume.material() - before->volume.material());
   m_document.commit(text, std::make_unique<VolumeEdit>(std::move(after), shaped->changedBlocks));
 }
 
@@ -255,41 +252,6 @@ void ClayTool::restart() {
   m_gesture.restart();
 }
 
-ToolReply ClayTool::perform(std::string_view action) {
-  if (action == "revert") {
-    if (!m_gesture.isOn()) return ToolReply::Ignored;
-    restart();
-  } else if (action == "smaller" || action == "larger") {
-    setSetting("radius", PropertyValue(m_brush.radius * (action == "larger" ? kRadiusStep : 1.0 / kRadiusStep)));
-  } else if (action == "add") {
-    setSetting("action", PropertyValue(static_cast<double>(ClayAction::Add)));
-  } else if (action == "carve") {
-    setSetting("action", PropertyValue(static_cast<double>(ClayAction::Carve)));
-  } else if (action == "smooth") {
-    setSetting("action", PropertyValue(static_cast<double>(ClayAction::Smooth)));
-  } else if (action == "move") {
-    setSetting("action", PropertyValue(static_cast<double>(ClayAction::Move)));
-  } else {
-    return ToolReply::Ignored;
-  }
-  reportUpdated();
-  return ToolReply::Used;
-}
-
-std::vector<ToolAction> ClayTool::actions() const {
-  const bool isIdle = !m_gesture.isOn();
-  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "shape the clay")},
-          {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "smooth")},
-          {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "opposite direction")},
-          actionOf(kKeys, "smaller", isIdle),
-          actionOf(kKeys, "larger", isIdle),
-          actionOf(kKeys, "add", isIdle),
-          actionOf(kKeys, "carve", isIdle),
-          actionOf(kKeys, "smooth", isIdle),
-          actionOf(kKeys, "move", isIdle),
-          actionOf(kKeys, "revert", !isIdle)};
-}
-
 ToolPreview ClayTool::preview() const {
   ToolPreview preview;
   if (m_hovered) preview.circle = {*m_hovered, m_brush.radius};
@@ -299,47 +261,6 @@ ToolPreview ClayTool::preview() const {
     preview.ofKind = std::move(clay);
   }
   return preview;
-}
-
-std::vector<Property> ClayTool::settings() const {
-  std::vector<std::string> choices;
-  for (const ActionName& name : kActions) choices.emplace_back(name.choice);
-  std::vector<Property> all{
-      choiceSetting("action", QT_TRANSLATE_NOOP("Property", "Action"), static_cast<int>(m_brush.action), choices),
-      numberSetting("radius", QT_TRANSLATE_NOOP("Property", "Brush radius"), m_brush.radius, Quantity::Length,
-                    radiusLimits(m_document.volume()->volume))};
-  if (m_brush.action != ClayAction::Move) {
-    all.push_back(numberSetting("strength",
-                                isShape(m_brush.action) ? QT_TRANSLATE_NOOP("Property", "Depth (mouse)")
-                                                        : QT_TRANSLATE_NOOP("Property", "Strength"),
-                                m_brush.strength, Quantity::Number, kShares));
-    all.back().continuous = true;
-  }
-  if (!isShape(m_brush.action)) {
-    all.push_back(numberSetting("falloff", QT_TRANSLATE_NOOP("Property", "Falloff"), m_brush.falloff, Quantity::Number,
-                                kFalloffs));
-    all.back().continuous = true;
-  }
-  all.push_back(switchSetting("mirror_x", QT_TRANSLATE_NOOP("Property", "Mirror across X"), m_brush.isMirrored[0]));
-  all.push_back(switchSetting("mirror_y", QT_TRANSLATE_NOOP("Property", "Mirror across Y"), m_brush.isMirrored[1]));
-  all.push_back(switchSetting("mirror_z", QT_TRANSLATE_NOOP("Property", "Mirror across Z"), m_brush.isMirrored[2]));
-  all.push_back(numberSetting("resistance", QT_TRANSLATE_NOOP("Property", "Resistance (N·s/mm)"), m_resistance,
-                              Quantity::Number, kResistances));
-  return all;
-}
-
-void ClayTool::setSetting(std::string_view id, const PropertyValue& value) {
-  bool isBrush = false;
-  if (id == "action") isBrush = assignChoice(m_brush.action, value, 8);
-  if (id == "radius") isBrush = assignNumber(m_brush.radius, value, radiusLimits(m_document.volume()->volume));
-  if (id == "strength") isBrush = assignNumber(m_brush.strength, value, kShares);
-  if (id == "falloff") isBrush = assignNumber(m_brush.falloff, value, kFalloffs);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (id == std::string("mirror_") + "xyz"[axis]) isBrush = assignSwitch(m_brush.isMirrored[axis], value);
-  if (id == "resistance") assignNumber(m_resistance, value, kResistances);
-  if (!isBrush) return;
-  settle();
-  restart();
 }
 
 }  // namespace handwheel

@@ -5,18 +5,28 @@
 #include "document/volume/VolumeDocument.h"
 #include "simulation/SimulatedGesture.h"
 #include "tools/ToolKey.h"
+#include "tools/ToolProperty.h"
+#include "tools/volume/ClayStamps.h"
 #include "tools/volume/VolumeTool.h"
 
 namespace handwheel {
 
 // Tool that sculpts a volume like clay. While the button is held it adds, carves, inflates, smooths, flattens, moves,
-// attracts or pinches what it passes; that is one undo step. The mouse draws it over the surface as that was when the
-// button was pressed; a haptic device feels the clay and works where its tip is.
+// attracts, pinches or masks what it passes; that is one undo step. The mouse draws it over the surface as that was
+// when the button was pressed; a haptic device feels the clay and works where its tip is.
 class ClayTool : public VolumeTool {
  public:
   static constexpr double kRate = 60.0;  // steps of the simulation a second
 
+  // Where stamps come from. load: asks for a file and adds its stamp, which the setting "stamp" then chooses by its
+  // number; none: nothing can be loaded.
+  struct StampServices {
+    std::shared_ptr<ClayStamps> stamps = std::make_shared<ClayStamps>();
+    std::function<void()> load = {};
+  };
+
   ClayTool(VolumeDocument& document, const SimulationServices& services);
+  ClayTool(VolumeDocument& document, const SimulationServices& services, StampServices stamps);
 
   ClayFeel feelAtDevice() const override;
 
@@ -45,18 +55,24 @@ class ClayTool : public VolumeTool {
   ClayBrush brushFor(const Modifiers& modifiers) const;
   std::unique_ptr<Simulation> simulation() const;
   std::shared_ptr<const ClayState> state() const;
-  double lift() const;
+  double lift(double pressure) const;
   std::optional<Vec3> placeOf(const PointerEvent& event) const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();
   void complete();
   void restart();
+  void feed(const Vec3& place, const PointerEvent& event);
   void hover(const PointerEvent& event);
+  Limits radiusLimits() const;
+  void invertMask();
+  void setMask(const char* text, std::shared_ptr<const ClayMask> mask);
 
   VolumeDocument& m_document;
   ClayBrush m_brush;    // as it is set
   ClayBrush m_present;  // of the gesture: with the modifiers that were held
   double m_resistance = 0.05;
+  StampServices m_stamps;
+  std::size_t m_stamp = 0;  // its number
   SimulatedGesture m_gesture;
   // A stroke has ended, and the simulation applies the rest of it; whether it knows. What the hand does meanwhile
   // waits.

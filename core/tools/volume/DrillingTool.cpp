@@ -98,6 +98,7 @@ std::unique_ptr<Simulation> DrillingTool::simulation() const {
   auto begin = std::make_shared<ClayState>();
   begin->volume = m_document.volume()->volume;
   begin->surface = m_document.volume()->surface;
+  begin->mask = m_document.volume()->mask;
   return std::make_unique<DrillSimulation>(std::move(begin), setup(), m_feed, channel(),
                                            m_task ? std::optional(m_task->plan) : std::nullopt);
 }

@@ -175,6 +175,7 @@ void ReshapeTool::propose() {
     auto state = std::make_shared<ClayState>();
     state->volume = (*snapshot)->volume;
     state->surface = (*snapshot)->surface;
+    if (before->mask && before->mask->fits(state->volume)) state->mask = before->mask;
     auto shown = std::make_shared<VolumePreview>();
     shown->state = std::move(state);
     return answer(Made{std::move(shown), debris.gone, debris.kept, debris.parts ? debris.parts->voxels().size() : 0},
@@ -206,6 +207,7 @@ void ReshapeTool::commit() {
   auto after = std::make_shared<VolumeSnapshot>(*m_document.volume());
   after->volume = made->state->volume;
   after->surface = made->state->surface;
+  after->mask = made->state->mask;
   m_isProposing = false;
   const std::size_t blocks = after->volume.blockCount();
   m_document.commit(QCoreApplication::translate("Tool", operation(m_change).title),

@@ -56,6 +56,17 @@ class TurnedProfileTest : public QObject {
     QCOMPARE(TurnedProfile({1.0, 1e6, 0.0}, 1e-6).size(), TurnedProfile::kMostSamples);
   }
 
+  // A bar with the samples of a part is that from which it was cut, to the last bit, in all whole lengths.
+  void theBarOfAPart() {
+    for (const double spacing : {0.05, 0.013, 0.01}) {
+      for (int length = 5; length <= 1000; ++length) {
+        const StockCylinder stock{40.0, static_cast<double>(length), 3.0};
+        const TurnedProfile bar(stock, spacing);
+        QVERIFY2(TurnedProfile::barOf(stock, bar.size()) == bar, qPrintable(QString::number(length)));
+      }
+    }
+  }
+
   void countsItsPieces() {
     QCOMPARE(TurnedProfile::fromRadii({3.0, 1.0, 2.0}, 4.0).pieces(), std::size_t{1});
     QCOMPARE(TurnedProfile::fromRadii({0.0, 1.0, 0.0}, 4.0).pieces(), std::size_t{1});

@@ -74,6 +74,21 @@ class Failing : public Summing {
   int m_steps = 0;
 };
 
+// Throws in its first step, a while after that may.
+class FailingLater : public Summing {
+ public:
+  FailingLater(std::atomic<bool>& isInStep, std::atomic<bool>& mayThrow) : m_isInStep(isInStep), m_mayThrow(mayThrow) {}
+  void step(double, std::span<const SimulationInput>) override {
+    m_isInStep = true;
+    while (!m_mayThrow) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    throw std::runtime_error("no memory");
+  }
+
+ private:
+  std::atomic<bool>&m_isInStep, &m_mayThrow;
+};
+
 // Its sum is the number of inputs that act.
 class Acting : public Simulation {
  public:
@@ -315,6 +330,27 @@ class SimulationLoopTest : public QObject {
     loop.replace(std::make_unique<Summing>());
     loop.rethrow();
     QTRY_VERIFY(sumOf(loop.state()).steps > 3);
+  }
+
+  // It throws while the owner waits for its end.
+  void aStepThatThrowsMeanwhile() {
+    MonotonicClock clock;
+    for (const bool isTaken : {true, false}) {
+      Service service("simulation");
+      std::atomic<bool> isInStep = false, mayThrow = false;
+      SimulationLoop loop(std::make_unique<FailingLater>(isInStep, mayThrow), 1000.0,
+                          std::make_shared<SimulationInputs>(kWaitingInputs), clock, service);
+      loop.start();
+      while (!isInStep) std::this_thread::yield();
+      mayThrow = true;
+      bool wasLookedAt = false;
+      if (isTaken) {
+        QVERIFY_EXCEPTION_THROWN(loop.take(), std::runtime_error);
+      } else {
+        QVERIFY_EXCEPTION_THROWN(loop.look([&](Simulation&) { wasLookedAt = true; }), std::runtime_error);
+      }
+      QVERIFY(!wasLookedAt);
+    }
   }
 };
 

@@ -5,6 +5,7 @@
 #include "mesh/structure/MeshBuilder.h"
 #include "viewport/camera/CameraNavigation.h"
 
+#include <QPointingDevice>
 #include <QSignalSpy>
 #include <QWheelEvent>
 
@@ -240,6 +241,33 @@ class ViewportMouseTest : public ViewportFixture {
     QVERIFY(m_view->camera().orientation.angularDistance(before.orientation) > 0.1);
     m_view->setViewCubeVisible(false);
     QVERIFY(!cube->isVisible());
+  }
+
+  // A pen works as the mouse, and tells how hard it is pressed; the mouse does not, also after a pen.
+  void pressureOfAPen() {
+    showSheet();
+    listen([](const PointerInput& input) { return input.kind == PointerInput::Kind::Press; });
+    using Capability = QInputDevice::Capability;
+    const QPointingDevice pen("pen", 7, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
+                              Capability::Position | Capability::Pressure, 1, 3);
+    const QPoint at(300, 250);
+    const auto withPen = [&](QEvent::Type ofPen, QEvent::Type ofMouse, double pressure, Qt::MouseButton button,
+                             Qt::MouseButtons held) {
+      QTabletEvent told(ofPen, &pen, at, m_view->mapToGlobal(at), pressure, 0, 0, 0, 0, 0, {}, button, held);
+      QApplication::sendEvent(m_view.get(), &told);
+      QVERIFY(!told.isAccepted());  // so that Qt sends this
+      QMouseEvent mouse(ofMouse, at, m_view->mapToGlobal(at), button, held, {}, &pen);
+      QApplication::sendEvent(m_view.get(), &mouse);
+    };
+    withPen(QEvent::TabletPress, QEvent::MouseButtonPress, 0.25, Qt::LeftButton, Qt::LeftButton);
+    withPen(QEvent::TabletMove, QEvent::MouseMove, 0.75, Qt::NoButton, Qt::LeftButton);
+    withPen(QEvent::TabletRelease, QEvent::MouseButtonRelease, 0.0, Qt::LeftButton, Qt::NoButton);
+    QCOMPARE(m_heard.size(), std::size_t{3});
+    QCOMPARE(m_heard[0].pressure, std::optional(0.25));
+    QCOMPARE(m_heard[1].pressure, std::optional(0.75));
+    send(QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
+    QVERIFY(!m_heard.back().pressure);
+    send(QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton);
   }
 
   // Beside the cube, the corner of the view belongs to the camera.

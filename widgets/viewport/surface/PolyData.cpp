@@ -54,6 +54,10 @@ vtkSmartPointer<vtkPolyData> toPolyData(const std::vector<float>& positions, con
   return data;
 }
 
+void setColours(vtkPolyData& data, const std::vector<unsigned char>& colours) {
+  data.GetPointData()->SetScalars(toArray<vtkUnsignedCharArray>(colours, 3));
+}
+
 vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceGeometry& geometry) {
   auto data = toPolyData(geometry.positions, geometry.normals, geometry.indices);
   if (!geometry.values.empty()) data->GetPointData()->SetScalars(toArray<vtkFloatArray>(geometry.values, 1));

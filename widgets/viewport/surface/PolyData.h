@@ -14,6 +14,8 @@ namespace handwheel {
 // Triangles with points and normals (x y z …) and three corners each as vtkPolyData.
 vtkSmartPointer<vtkPolyData> toPolyData(const std::vector<float>& positions, const std::vector<float>& normals,
                                         const std::vector<std::int32_t>& corners);
+// Gives its points colours: r g b for each, in its order.
+void setColours(vtkPolyData& data, const std::vector<unsigned char>& colours);
 // Converts surface geometry to vtkPolyData.
 vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceGeometry& geometry);
 

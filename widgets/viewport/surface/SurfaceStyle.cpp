@@ -57,14 +57,16 @@ std::string shaderColour(const double* colour, double share) {
   return text.str();
 }
 
-// Hatches the flat back side at 45° on the screen, as drawings have sections. The names are those of
-// vtkOpenGLPolyDataMapper.
+// Hatches the flat back side at 45° on the screen, as drawings have sections, also where the front has colours for each
+// point. The names are those of vtkOpenGLPolyDataMapper.
 void hatchInnerSide(vtkActor* actor, double pixelRatio) {
   constexpr double kPeriod = 9.0, kLine = 1.6, kShade = 0.62;  // logical pixels along a row; of the colour
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text << kColourTag << "\n  if (gl_FrontFacing == false && mod(gl_FragCoord.x + gl_FragCoord.y, " << std::fixed
-       << kPeriod * pixelRatio << ") < " << kLine * pixelRatio << ") ambientColor *= " << kShade << ";\n";
+  text << kColourTag << "\n  if (gl_FrontFacing == false) {\n    ambientColor = "
+       << shaderColour(actor->GetBackfaceProperty()->GetAmbientColor(), 1.0)
+       << ";\n    diffuseColor = vec3(0.0);\n    if (mod(gl_FragCoord.x + gl_FragCoord.y, " << std::fixed
+       << kPeriod * pixelRatio << ") < " << kLine * pixelRatio << ") ambientColor *= " << kShade << ";\n  }\n";
   actor->GetShaderProperty()->AddFragmentShaderReplacement(kColourTag, true, text.str(), false);
 }
 

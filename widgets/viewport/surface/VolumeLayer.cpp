@@ -11,16 +11,43 @@
 #include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
+#include <cmath>
 #include <deque>
 
 namespace handwheel {
 
 namespace {
 
-const QColor kClay(0xc2, 0xa8, 0x8c);
+const QColor kClay(0xc2, 0xa8, 0x8c), kProtected(0x4a, 0x4e, 0x5e);
 
 using Key = VolumeSurface::Key;
 using Piece = VolumeSurface::Piece;
+using Mask = std::shared_ptr<const ClayMask>;
+
+// Whether a piece looks the same under two masks.
+bool looksSame(const Key& key, const Mask& one, const Mask& other) {
+  if (one == other) return true;
+  const ClayMask none;
+  return (one ? *one : none).isKnownSame(other ? *other : none, {key[2], key[1], key[0]});
+}
+
+// Colours points by how much they are protected; none where nothing is.
+void colour(vtkPolyData& data, const std::vector<float>& points, const Vec3& origin, const ClayMask& mask) {
+  std::vector<unsigned char> colours;
+  colours.reserve(points.size());
+  bool isAny = false;
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
+    const double share = mask.shareAt(origin + Vec3(points[i], points[i + 1], points[i + 2]));
+    isAny = isAny || share > 0.0;
+    const auto mixed = [&](int free, int full) {
+      return static_cast<unsigned char>(std::lround(free + share * (full - free)));
+    };
+    colours.push_back(mixed(kClay.red(), kProtected.red()));
+    colours.push_back(mixed(kClay.green(), kProtected.green()));
+    colours.push_back(mixed(kClay.blue(), kProtected.blue()));
+  }
+  if (isAny) setColours(data, colours);
+}
 
 // Some of the points of a piece.
 std::vector<Vec3> outlineOf(const VolumePiece& piece) {
@@ -42,9 +69,11 @@ class VolumeLayer::Private {
     Piece piece;
     vtkSmartPointer<vtkActor> actor;
     vtkSmartPointer<vtkPolyData> fine, coarse;
+    Mask mask;  // that they are coloured by
   };
 
   void want(const VolumeSurface& surface);
+  bool isAsWanted(const Key& key, const Shown& made) const;
   std::size_t take();
   void showAll();
   void place(const Shown& shown) const;
@@ -53,6 +82,7 @@ class VolumeLayer::Private {
   LayerProps& props;
   SparseVolume volume;
   std::map<Key, Piece> wanted;
+  Mask mask;
   std::map<Key, Shown> shown;
   std::deque<Key> waiting;     // pieces to be built
   std::map<Key, Shown> built;  // that are seen when all of them are
@@ -67,16 +97,19 @@ void VolumeLayer::Private::want(const VolumeSurface& surface) {
   if (shown.empty()) isFirst = true;
   wanted = surface.pieces();
   waiting.clear();
-  std::erase_if(built, [&](const auto& entry) {
-    const auto found = wanted.find(entry.first);
-    return found == wanted.end() || found->second != entry.second.piece;
-  });
+  std::erase_if(built, [&](const auto& entry) { return !isAsWanted(entry.first, entry.second); });
   for (const auto& [key, piece] : wanted) {
     const auto known = shown.find(key);
-    const bool isShown = known != shown.end() && known->second.piece == piece;
+    const bool isShown = known != shown.end() && isAsWanted(key, known->second);
+    if (isShown) known->second.mask = mask;  // an older one is not kept for it
     if (!isShown && !built.contains(key)) waiting.push_back(key);
   }
   if (waiting.empty()) showAll();
+}
+
+bool VolumeLayer::Private::isAsWanted(const Key& key, const Shown& made) const {
+  const auto found = wanted.find(key);
+  return found != wanted.end() && found->second == made.piece && looksSame(key, mask, made.mask);
 }
 
 std::size_t VolumeLayer::Private::take() {
@@ -85,7 +118,11 @@ std::size_t VolumeLayer::Private::take() {
   waiting.pop_front();
   const Piece piece = wanted.at(key);
   Shown made{piece, nullptr, toPolyData(piece->fine.points, piece->fine.normals, piece->fine.corners),
-             toPolyData(piece->coarse.points, piece->coarse.normals, piece->coarse.corners)};
+             toPolyData(piece->coarse.points, piece->coarse.normals, piece->coarse.corners), mask};
+  if (mask) {
+    colour(*made.fine, piece->fine.points, piece->origin, *mask);
+    colour(*made.coarse, piece->coarse.points, piece->origin, *mask);
+  }
   built[key] = std::move(made);
   ++builtCount;
   if (waiting.empty() || isFirst) showAll();
@@ -135,9 +172,11 @@ VolumeLayer::VolumeLayer() : d(std::make_unique<Private>(props())) {}
 
 VolumeLayer::~VolumeLayer() = default;
 
-void VolumeLayer::setVolume(const SparseVolume& volume, const VolumeSurface& surface) {
+void VolumeLayer::setVolume(const SparseVolume& volume, const VolumeSurface& surface,
+                            std::shared_ptr<const ClayMask> mask) {
   const bool isNew = d->wanted.empty() || surface.pieces().empty();
   d->volume = volume;
+  d->mask = std::move(mask);
   d->want(surface);
   report(isNew ? LayerChange::Model : LayerChange::Look);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "viewport/ViewLayer.h"
+#include "volume/ClayMask.h"
 #include "volume/surface/VolumeSurface.h"
 
 namespace handwheel {
@@ -14,9 +15,10 @@ class VolumeLayer : public ViewLayer {
   VolumeLayer();
   ~VolumeLayer() override;
 
-  // Shows a volume with its surface; an empty one: nothing. Only pieces that are others than before are uploaded, and
-  // what changed in one call is seen in one frame. Returns at once.
-  void setVolume(const SparseVolume& volume, const VolumeSurface& surface);
+  // Shows a volume with its surface; an empty one: nothing. What is protected is dark; null: nothing is. Only pieces
+  // that are others than before are uploaded, and what changed in one call is seen in one frame. Returns at once.
+  void setVolume(const SparseVolume& volume, const VolumeSurface& surface,
+                 std::shared_ptr<const ClayMask> mask = nullptr);
 
   Box bounds() const override;
   std::vector<Vec3> outline() const override;

@@ -108,6 +108,7 @@ class ProgramSession : public QObject {
   bool m_hasOwnTools = false;                         // the user made it, so that it is that of the next text, too
   QString m_path;                                     // of the file; empty: none yet
   ProgramFile m_file;
+  std::uint64_t m_texts = 0;  // that were begun: a file that is saved is that of its text only
   JobRunner m_checks, m_runs, m_views, m_files;
   QString m_text;  // as it was last
   QTimer m_pause;  // since the last change of the text

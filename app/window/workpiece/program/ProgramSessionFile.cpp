@@ -54,6 +54,7 @@ void ProgramSession::taken(const QString& path, const ProgramFile& file) {
     m_tools = inDialect(std::move(m_tools), m_panel->dialect(), *dialect);
     m_panel->setDialect(*dialect);
   }
+  ++m_texts;
   m_path = path;
   m_file = file;
   setText(file.text, {});
@@ -114,11 +115,12 @@ void ProgramSession::write(const QString& path, std::function<void(bool)> ended)
     fail(tr("%1 could not be saved").arg(QFileInfo(path).fileName()), error);
     after(false);
   };
-  job.work = [this, path, file, revision, after, failed = job.failed](Progress progress) -> Job::Finish {
+  job.work = [this, path, file, revision, text = m_texts, after,
+              failed = job.failed](Progress progress) -> Job::Finish {
     const Status written = writeProgramFile(path.toStdString(), file, progress);
     if (!written) return [failed, error = written.error()] { failed(error); };
-    return [this, path, revision, after] {
-      m_path = path;
+    return [this, path, revision, text, after] {
+      if (text == m_texts) m_path = path;  // else another program has come meanwhile
       if (m_panel->editor().document()->revision() == revision) m_panel->editor().document()->setModified(false);
       showName();
       m_parts.log.add(tr("Program saved as %1").arg(QFileInfo(path).fileName()));

@@ -126,6 +126,7 @@ void ProgramSession::askForTools() {
 
 // It has no file yet: that of the text before stays as it is.
 void ProgramSession::offer(const std::string& text, ProgramTools tools) {
+  ++m_texts;
   m_path.clear();
   m_file = {};
   setText(QString::fromStdString(text), std::move(tools));

@@ -45,6 +45,12 @@ std::size_t moveOf(const ProgramCollision& collision, const ToolPath& path) {
   return static_cast<std::size_t>(found - path.moves.begin());
 }
 
+// Whether a program does the same to both.
+bool isSameWork(const WorkpieceSnapshot& a, const WorkpieceSnapshot& b) {
+  return a.part == b.part && a.chord == b.chord && a.stock == b.stock && programZero(a) == programZero(b) &&
+         latheOf(a).chuck == latheOf(b).chuck && latheOf(a).tailstock == latheOf(b).tailstock;
+}
+
 // What the lathe of an exercise does not have, as the marks see it.
 std::vector<ProgramFinding> limitFindings(const TurningTask& task, WorkpieceSnapshot work, const ProgramTrial& trial,
                                           Progress progress) {
@@ -100,18 +106,15 @@ void ProgramSession::forgetRun() {
   emit pictureChanged();
 }
 
-// What was run on another part, or in another chuck, is over.
+// What was run on another part, or in another chuck, is over; so is what still runs.
 void ProgramSession::documentChanged() {
   const WorkpieceSnapshot& now = workpiece().workpiece();
   m_fromPasses.setEnabled(now.part != nullptr);
   m_cycles.setEnabled(now.target != nullptr);
   takeStoredTools();
-  const StockCylinder &a = m_start.stock, &b = now.stock;
-  const bool isSame = m_start.part == now.part && m_start.chord == now.chord && a.diameter == b.diameter &&
-                      a.length == b.length && a.position == b.position && programZero(m_start) == programZero(now) &&
-                      latheOf(m_start).chuck == latheOf(now).chuck &&
-                      latheOf(m_start).tailstock == latheOf(now).tailstock;
-  if (m_trial && !isSame) forgetRun();
+  if (isSameWork(m_start, now)) return;
+  m_runs.cancelOf(&m_start);
+  forgetRun();
 }
 
 void ProgramSession::run() {
@@ -123,6 +126,7 @@ void ProgramSession::run() {
   const double spacing = m_parts.fidelity.values().of(turnSpacingSetting());
   Job job;
   job.name = tr("Running the program");
+  job.owner = &m_start;
   job.failed = [this](const Error& error) {
     fail(tr("The program could not be run"), error);
     if (m_panel) m_panel->setSummary(error.code == ErrorCode::Cancelled ? tr("The run was cancelled.") : QString());
@@ -230,7 +234,8 @@ void ProgramSession::askToCut() {
 }
 
 void ProgramSession::cutAnyway(const ProgramTrial::Pointer& asked) {
-  if (asked != m_trial) return m_panel->setSummary(tr("The program was changed since: run it again."));
+  if (asked != m_trial || !isSameWork(m_start, workpiece().workpiece()))
+    return m_panel->setSummary(tr("The program or the part was changed since: run it again."));
   const QString text = m_path.isEmpty() ? tr("Run program") : tr("Run %1").arg(fileName());
   const ProgramTrial::Pointer trial = asked;  // the commit lets go of it
   QString done = tr("Cut: %1 mm³ removed. Undo restores them.").arg(QLocale().toString(trial->removed(), 'f', 0));

@@ -119,7 +119,7 @@ ReportCurve loadCurve(const char* title, const char* unit, const std::vector<Mea
 // How the part came near to its target, at moments of the work. The bar is that of the work.
 void addDeviations(ReportDetails& details, const TurningTask& task, const WorkpieceSnapshot& work, Progress progress) {
   constexpr int kMoments = 40;
-  const TurnedProfile bar(work.stock, work.part->profile.spacing());
+  const TurnedProfile bar = TurnedProfile::barOf(work.stock, work.part->profile.size());
   const auto replay = PassesReplay::make(bar, work.part->passes, progress.part(0.0, 0.5));
   if (!replay) return;
   const DeviationTrack track = deviationTrack(*replay, *task.target, 0.0, {task.lathe.chuckHeight, task.stock.length},

@@ -161,11 +161,6 @@ bool isRepeated(const SurfaceFinish& kept, const SurfaceFinish& repeated) {
   return true;
 }
 
-// As it was before it was cut.
-TurnedProfile barOf(const WorkpieceSnapshot& workpiece, std::size_t samples) {
-  return TurnedProfile::fromRadii(std::vector<double>(samples, 0.5 * workpiece.stock.diameter), workpiece.stock.length);
-}
-
 std::vector<CutLoad> loadsOf(const TurningTask& task, const TurningReview& review) {
   const WorkMaterial* material = WorkMaterials::standard().find(task.material);
   return material ? cutLoads(review, *material) : std::vector<CutLoad>();
@@ -176,7 +171,7 @@ std::vector<CutLoad> loadsOf(const TurningTask& task, const TurningReview& revie
 std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
                                                    const TurnedPart* before, Progress progress) {
   const TurnedPart& now = *workpiece.part;
-  const TurnedProfile from = before ? before->profile : barOf(workpiece, now.profile.size());
+  const TurnedProfile from = before ? before->profile : TurnedProfile::barOf(workpiece.stock, now.profile.size());
   std::vector<TurningPasses::Pass> passes;
   for (std::size_t i = before ? before->passes.size() : 0; i < now.passes.size(); ++i) passes.push_back(now.passes[i]);
   const auto review = TurningReview::make(from, passes, task.lathe, progress);
@@ -250,7 +245,8 @@ MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& wor
     m_threads = workpiece.part->threads();
     m_finish = workpiece.part->finish;
   }
-  m_review = TurningReview::make(barOf(workpiece, m_profile.size()), m_passes, task.lathe, progress);
+  m_review =
+      TurningReview::make(TurnedProfile::barOf(workpiece.stock, m_profile.size()), m_passes, task.lathe, progress);
   if (m_review && m_profile.isBored()) m_finish = withDrilledAsRepeated(std::move(m_finish), m_review->finish());
   m_isOfItsPasses = m_review && m_review->profile() == m_profile && isRepeated(m_finish, m_review->finish());
 }

@@ -22,12 +22,10 @@ double sign(double x) {
 
 // From one place to another in steps of this length, the last one shorter. f: called with each place.
 void inSteps(double from, double to, double step, const auto& f) {
-  const double direction = sign(to - from);
-  double at = from;
-  while (at != to) {
-    at = step > 0.0 && std::abs(to - at) > step * (1.0 + 1e-9) ? at + direction * step : to;
-    f(at);
-  }
+  if (from == to) return;
+  const double count = step > 0.0 ? std::ceil(std::abs(to - from) / step - 1e-9) : 1.0;
+  for (double i = 1.0; i < count; ++i) f(from + sign(to - from) * i * step);  // added up, tiny steps go nowhere
+  f(to);
 }
 
 }  // namespace

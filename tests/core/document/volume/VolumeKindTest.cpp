@@ -9,6 +9,7 @@
 #include "document/volume/VolumeBlobs.h"
 #include "document/volume/VolumeDocument.h"
 #include "mesh/structure/Weld.h"
+#include "volume/ClayDab.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/surface/VolumeToSurface.h"
 
@@ -68,6 +69,54 @@ class VolumeKindTest : public QObject {
       RC_ASSERT(read.source == value->source);
       RC_ASSERT(read.surface.triangleCount() == value->surface.triangleCount());
     }));
+  }
+
+  // What is protected comes back, inverted or not; a chunk of it that is lost was not painted, and is said.
+  void mask() {
+    for (const bool isInverted : {false, true}) {
+      const auto value = snapshotOf(moved(cube(4.0), Vec3::Zero()), 0.25);
+      ClayMask mask(value->volume);
+      ClayDab dab;
+      dab.action = ClayAction::Mask;
+      dab.centre = Vec3(2.0, 2.0, 4.0);
+      dab.radius = 3.0;
+      mask.paint(dab);
+      if (isInverted) mask.invert();
+      value->mask = std::make_shared<const ClayMask>(mask);
+      Container container;
+      m_kind.save(*value, container);
+      std::vector<Error> damage;
+      const auto read = m_kind.load(container, damage, {});
+      QVERIFY(read.hasValue() && damage.empty());
+      const std::shared_ptr<const ClayMask> loaded = static_cast<const VolumeSnapshot&>(**read).mask;
+      QVERIFY(loaded && loaded->fits(static_cast<const VolumeSnapshot&>(**read).volume));
+      QVERIFY(same(loaded->values(), mask.values()));
+      QCOMPARE(loaded->isInverted(), isInverted);
+      container.blobs.erase("mask/0000");
+      const auto lost = m_kind.load(container, damage, {});
+      QVERIFY(lost.hasValue());
+      QCOMPARE(damage.size(), std::size_t{1});
+      QCOMPARE(static_cast<const VolumeSnapshot&>(**lost).mask != nullptr, isInverted);
+      json& stored = (*container.manifest)["document"]["mask"];
+      json negative = stored, elsewhere = stored;
+      negative["chunks"] = -1;
+      for (const json& nonsense : {json(7), json::object(), negative}) {
+        stored = nonsense;
+        damage.clear();
+        QVERIFY(m_kind.load(container, damage, {}).hasValue());
+        QVERIFY(!damage.empty());
+      }
+      elsewhere["origin"][0] = elsewhere["origin"][0].get<double>() + 0.25;
+      stored = elsewhere;
+      damage.clear();
+      const auto other = m_kind.load(container, damage, {});
+      QVERIFY(other.hasValue() && damage.empty());
+      QVERIFY(!static_cast<const VolumeSnapshot&>(**other).mask);
+    }
+    // Nothing is written where nothing is protected.
+    Container container;
+    m_kind.save(*snapshotOf(moved(cube(4.0), Vec3::Zero()), 0.25), container);
+    QVERIFY(!(*container.manifest)["document"].contains("mask"));
   }
 
   // How holes were drilled comes back to the last bit; without one of its arrays there are no holes, and that is said.

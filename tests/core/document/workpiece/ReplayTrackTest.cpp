@@ -81,6 +81,16 @@ class ReplayTrackTest : public QObject {
     QVERIFY(!replayTrack(aimless)->deviation);
   }
 
+  // The passes begin with the samples of the part: 50 mm at 0.013 mm are 3847 steps, at the spacing of these 3848.
+  void theEndIsThePart() {
+    WorkpieceSnapshot work;
+    work.stock = {40.0, 50.0, 0.0};
+    work.part = withPasses(work, {passAt(19.0)}, 0.013);
+    QVERIFY(std::ceil(50.0 / work.part->profile.spacing()) > static_cast<double>(work.part->profile.size() - 1));
+    const auto track = replayTrack(work);
+    QVERIFY(track && track->replay->at(track->replay->duration()).profile == work.part->profile);
+  }
+
   // A crash of the lathe ended the pass under way; what a program struck is at a point of its path; of files of older
   // programs nothing is known.
   void crashesAreMarked() {

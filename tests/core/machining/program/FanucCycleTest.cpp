@@ -131,6 +131,15 @@ class FanucCycleTest : public QObject {
     QVERIFY(goesTo(moves.back(), 5.0, 2.0, false));
   }
 
+  // Steps that are smaller than what a number can tell at that place come to an end, too.
+  void pecksNearlyNothing() {
+    const double z = 100.00000000000003, r = 50.00000000000003;
+    const CycleMoves along = fanucMoves("G0 X10. Z100.\nG74 R0\nG74 Z100.00000000000003 Q0.000000000000001 F0.1\n");
+    QVERIFY(!feedsOf(along).empty() && feedsOf(along).back().to.y() == z && along.back().to.y() == 100.0);
+    const CycleMoves across = fanucMoves("G0 X100. Z2.\nG75 R0\nG75 X100.00000000000006 P0.000000000000001 F0.1\n");
+    QVERIFY(!feedsOf(across).empty() && feedsOf(across).back().to.x() == r && across.back().to.x() == 50.0);
+  }
+
   // In to Z, along X, out along Z and back; the next Z alone repeats it. R tilts the face.
   void facingCycle() {
     const CycleMoves moves = fanucMoves("G0 X44. Z2.\nG94 X10. Z-1. F0.2\nZ-2.\n");

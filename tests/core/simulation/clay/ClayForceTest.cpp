@@ -65,6 +65,21 @@ class ClayForceTest : public QObject {
     }
   }
 
+  // The pressure is the force by what is full, until it is; beside the ball there is none to go by.
+  void pressureIsTheForce() {
+    ClayBench bench;
+    for (int i = 0; i <= 600; ++i) {
+      const double z = 11.0 - 0.01 * i;  // to 5 mm below the surface: 2.5 N
+      const double force = bench.tick({0.0, 0.0, z}).norm();
+      SimulationInput input;
+      QVERIFY(bench.channel->inputs->pop(input));
+      if (z > kRadius + 0.2 * kFineVoxel) QCOMPARE(input.pressure, 1.0);
+      if (z > kRadius - kFineVoxel) continue;
+      QVERIFY(std::abs(input.pressure - std::min(1.0, force / ClayForce::kFullForce)) < 1e-9);
+      QVERIFY(std::abs(input.pressure - std::min(1.0, 0.5 * (kRadius - z) / 2.0)) < 0.01);
+    }
+  }
+
   // However fast, it does not get in: a hand that goes through the ball at 2 m/s is held on the side it came from.
   void aFastHand() {
     ClayBench bench;

@@ -108,6 +108,34 @@ class ClaySimulationTest : public QObject {
     QCOMPARE(simulation.state(), std::static_pointer_cast<const SimulationState>(begin));
   }
 
+  // A stroke that masks changes no sample, and protects what it went over in the simulation that follows.
+  void masksAndIsHeldBack() {
+    const auto begin = ball();
+    ClayBrush brush = carving(1.5);
+    brush.action = ClayAction::Mask;
+    brush.falloff = 0.0;
+    ClaySimulation masking(begin, brush, std::make_shared<ClayChannel>());
+    for (int i = 0; i <= 20; ++i) {
+      const SimulationInput input = at({-2.0 + 0.2 * i, 0.0, 5.6}, 0.01 * i);
+      masking.step(1.0 / 60.0, {&input, 1});
+    }
+    masking.finish();
+    const auto masked = std::static_pointer_cast<const ClayState>(masking.state());
+    QVERIFY(masked->mask && masked->changedBlocks > 0);
+    QCOMPARE(masked->surface.pieces(), begin->surface.pieces());
+    for (const double x : {-2.0, -1.0, 0.0, 1.0, 1.5}) QCOMPARE(masked->mask->shareAt({x, 0.0, 5.6}), 1.0);
+    for (const double y : {-2.0, 2.0}) QCOMPARE(masked->mask->shareAt({0.0, y, 5.6}), 0.0);
+    ClaySimulation carved(masked, carving(0.8), std::make_shared<ClayChannel>());
+    for (int i = 0; i <= 60; ++i) {
+      const SimulationInput input = at({0.0, -3.0 + 0.1 * i, 5.6}, 0.01 * i);
+      carved.step(1.0 / 60.0, {&input, 1});
+    }
+    carved.finish();
+    const VolumeReader reader(std::static_pointer_cast<const ClayState>(carved.state())->volume);
+    QVERIFY(reader.depthAt({0.0, 0.0, 5.5}).depth > 0.0);
+    for (const double y : {-2.5, 2.5}) QVERIFY(reader.depthAt({0.0, y, 5.2}).depth < 0.0);
+  }
+
   // Both sides of a plane are worked on at once.
   void mirrors() {
     ClayBrush brush = carving(1.0);

@@ -29,8 +29,11 @@ struct ClayBench {
     tool = started.get();
     runner.start(std::move(started), document);
   }
+  std::optional<double> pressure = {};  // of the pen; none: a mouse
+
   ToolReply event(PointerEvent::Kind what, double x, double y, Modifiers modifiers = {}) {
     PointerEvent event;
+    event.pressure = pressure;
     event.kind = what;
     event.button = what == PointerEvent::Kind::Hover ? PointerButton::None : PointerButton::First;
     event.ray = {Vec3(x, y, 500.0), -Vec3::UnitZ()};
@@ -168,6 +171,127 @@ class ClayToolTest : public QObject {
       const double z = std::sqrt(400.0 - 9.0 - x * x) - 0.3;
       QVERIFY(reader.depthAt({x, 3.0, z}).depth < 0.0);
     }
+  }
+
+  // What is masked stays as it is; the mask is one undo step, and so is each change of it.
+  void masked() {
+    ClayBench bench;
+    bench.choose(ClayAction::Mask);
+    bench.set("radius", PropertyValue(4.0));
+    bench.set("falloff", PropertyValue(0.0));
+    const double before = bench.document.volume()->volume.material();
+    bench.stroke(-6.0, 0.0);
+    QCOMPARE(bench.steps(), 1);
+    QCOMPARE(bench.document.history()->undoText(), QStringLiteral("Mask clay"));
+    QCOMPARE(bench.document.volume()->volume.material(), before);
+    const auto share = [&](double x) {
+      const auto& mask = bench.document.volume()->mask;
+      return mask ? mask->shareAt({x, 0.0, std::sqrt(400.0 - x * x)}) : 0.0;
+    };
+    QCOMPARE(share(-3.0), 1.0);
+    QCOMPARE(share(6.0), 0.0);
+    bench.choose(ClayAction::Carve);
+    bench.set("radius", PropertyValue(2.0));
+    bench.stroke(-6.0, 10.0);
+    QVERIFY(bench.depthAt({-3.0, 0.0, 19.6}) > 0.0);
+    QVERIFY(bench.depthAt({8.0, 0.0, std::sqrt(400.0 - 64.0) - 0.3}) < 0.0);
+    // Ctrl frees it.
+    bench.choose(ClayAction::Mask);
+    bench.set("radius", PropertyValue(4.0));
+    bench.stroke(-3.0, 0.0, 0.0, {false, true, false});
+    QCOMPARE(bench.document.history()->undoText(), QStringLiteral("Unmask clay"));
+    QCOMPARE(share(-2.0), 0.0);
+    bench.document.history()->undo();
+    QCOMPARE(share(-2.0), 1.0);
+    QCOMPARE(bench.runner.perform("invertMask"), ToolReply::Used);
+    QCOMPARE(share(-3.0), 0.0);
+    QCOMPARE(share(6.0), 1.0);
+    QCOMPARE(bench.runner.perform("clearMask"), ToolReply::Used);
+    QVERIFY(!bench.document.volume()->mask);
+    QCOMPARE(bench.runner.perform("clearMask"), ToolReply::Ignored);
+    bench.document.history()->undo();
+    bench.document.history()->undo();
+    QCOMPARE(share(-3.0), 1.0);
+    QCOMPARE(share(6.0), 0.0);
+    // Nothing inverted is everything; twice it is nothing.
+    bench.runner.perform("clearMask");
+    bench.runner.perform("invertMask");
+    QCOMPARE(share(6.0), 1.0);
+    bench.runner.perform("invertMask");
+    QVERIFY(!bench.document.volume()->mask);
+  }
+
+  // A mask is not changed in the middle of a stroke.
+  void noMaskActionsInAStroke() {
+    ClayBench bench;
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
+    QCOMPARE(bench.runner.perform("invertMask"), ToolReply::Ignored);
+    QVERIFY(bench.tool->isLive());
+    QCOMPARE(bench.steps(), 0);
+  }
+
+  // By a pen that is pressed half, a groove is half as deep or half as wide, as is chosen; by a mouse it is as set.
+  void pressureOfAPen() {
+    const auto carved = [](int changed, std::optional<double> pressure) {
+      auto bench = std::make_unique<ClayBench>();
+      bench->choose(ClayAction::Carve);
+      bench->set("radius", PropertyValue(4.0));
+      bench->set("strength", PropertyValue(0.5));
+      bench->set("pressure", PropertyValue(static_cast<double>(changed)));
+      bench->pressure = pressure;
+      bench->stroke(-5.0, 5.0);
+      return bench;
+    };
+    const auto depth = [](const ClayBench& bench) {
+      return 20.0 - firstHit(bench.document.volume()->volume, {0.0, 0.0, 40.0}, -Vec3::UnitZ())->point.z();
+    };
+    QVERIFY(std::abs(depth(*carved(1, 0.5)) - 1.0) < 0.05);  // strength
+    QVERIFY(std::abs(depth(*carved(2, 0.5)) - 1.0) < 0.05);  // radius: half of 2 mm
+    QVERIFY(std::abs(depth(*carved(3, 0.5)) - 0.5) < 0.05);  // both
+    QVERIFY(std::abs(depth(*carved(0, 0.5)) - 2.0) < 0.05);  // nothing
+    QVERIFY(std::abs(depth(*carved(3, std::nullopt)) - 2.0) < 0.05);
+    // A groove r·(1 - s) below its ball's middle is 2 sqrt(r² - (r - depth)²) wide: 3.46 mm by both halves of 4 mm.
+    QVERIFY(carved(2, 0.5)->depthAt({0.0, 2.2, std::sqrt(400.0 - 4.84) - 0.1}) > 0.0);
+    QVERIFY(carved(1, 0.5)->depthAt({0.0, 2.2, std::sqrt(400.0 - 4.84) - 0.1}) < 0.0);
+  }
+
+  // A stamp is pressed once, as deep as a quarter of the radius by the strength; what is loaded is one of the choices.
+  void stamped() {
+    ClayBench bench;
+    int asked = 0;
+    auto stamps = std::make_shared<ClayStamps>();
+    bench.runner.stop();
+    auto started = std::make_unique<ClayTool>(bench.document, SimulationServices{bench.clock, bench.simulation},
+                                              ClayTool::StampServices{stamps, [&] { ++asked; }});
+    bench.tool = started.get();
+    bench.runner.start(std::move(started), bench.document);
+    QCOMPARE(bench.runner.perform("loadStamp"), ToolReply::Used);
+    QCOMPARE(asked, 1);
+    const std::size_t number =
+        stamps->add("white.png", std::make_shared<const ClayStamp>(1, 1, std::vector<float>{1.0f}));
+    QCOMPARE(stamps->names().at(number), std::string("white.png"));
+    QCOMPARE(stamps->add("white.png", stamps->at(number)), number);
+    bench.choose(ClayAction::Add);
+    bench.set("radius", PropertyValue(6.0));
+    bench.set("strength", PropertyValue(0.5));
+    bench.set("stamp", PropertyValue(static_cast<double>(number)));
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
+    for (int i = 0; i < 10; ++i) bench.event(PointerEvent::Kind::Drag, 0.1 * i, 0.0);  // less than its side
+    bench.event(PointerEvent::Kind::Release, 1.0, 0.0);
+    bench.complete();
+    QCOMPARE(bench.steps(), 1);
+    const double height = firstHit(bench.document.volume()->volume, {0.0, 0.0, 40.0}, -Vec3::UnitZ())->point.z();
+    QVERIFY2(std::abs(height - 20.75) < 0.03, qPrintable(QString::number(height)));
+    QVERIFY(bench.depthAt({0.0, 6.0, std::sqrt(400.0 - 36.0) + 0.1}) < 0.0);
+    // Ctrl takes away as much.
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0, {false, true, false}), ToolReply::Used);
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    bench.complete();
+    const double back = firstHit(bench.document.volume()->volume, {0.0, 0.0, 40.0}, -Vec3::UnitZ())->point.z();
+    QVERIFY2(std::abs(back - 20.0) < 0.05, qPrintable(QString::number(back)));
+    bench.set("stamp", PropertyValue(99.0));  // there is none
+    bench.set("stamp", PropertyValue(0.0));
+    QVERIFY(!bench.tool->feelAtDevice().isCutting);
   }
 
   // A device carves where its tip is: outside of the clay as through air.

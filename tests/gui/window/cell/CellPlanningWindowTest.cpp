@@ -5,6 +5,7 @@
 #include "panels/time/TimeLinePanel.h"
 
 #include <QLabel>
+#include <QTabBar>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -126,6 +127,52 @@ class CellPlanningWindowTest : public QObject {
     QCOMPARE(turnAt(2), -40.0);
     driver.click("quickActions/undo");
     QCOMPARE(turnAt(1), -40.0);
+  }
+
+  // Planned, written and verified for the cell in which it was asked for, also when another document is in view then.
+  void goesOnWhileAnotherDocumentIsInView() {
+    PlanningWindow driver;
+    driver.choose("newWorkpiece");
+    QVERIFY(driver.settle());
+    auto* tabs = driver.find<QTabBar>("documentTabBar");
+    tabs->setCurrentIndex(0);
+    QVERIFY(driver.settle());
+    driver.storeAt("joint.joint_1", "60");
+    driver.storeAt("joint.joint_1", "-60");
+    QVERIFY(driver.settle());
+    const auto leaveAndReturn = [&] {
+      tabs->setCurrentIndex(1);
+      driver.release();
+      if (!driver.settle()) qFatal("it does not end");
+      tabs->setCurrentIndex(0);
+    };
+    const auto isFree = [&](int path) { return driver.paths()->child(path)->text(1).contains("free"); };
+    for (int count = 1; count <= 2; ++count) {
+      driver.hold();
+      driver.planPath();
+      leaveAndReturn();
+      QVERIFY(driver.settle());
+      QCOMPARE(driver.paths()->childCount(), count);
+      driver.tree()->setCurrentItem(driver.paths()->child(count - 1));
+      QTRY_VERIFY_WITH_TIMEOUT(isFree(count - 1), kPatienceMs);
+    }
+    const QTemporaryDir folder;
+    driver.choose("exportProgram");
+    driver.hold();
+    QVERIFY(driver.enterFileName("exportProgramDialog", folder.filePath("way.mod")));
+    leaveAndReturn();
+    QVERIFY(QFile::exists(folder.filePath("way.mod")));
+    QTRY_VERIFY(driver.text("messageText").contains("way.mod was written"));
+    // Nothing is known of both paths with another body in the cell.
+    driver.choose("add-box");
+    driver.edit("body.1.x", "3000");
+    QVERIFY(driver.settle());
+    driver.tree()->setCurrentItem(nullptr);
+    driver.hold();
+    driver.choose("verifyAllPaths");
+    leaveAndReturn();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("2 path(s) proven"), kPatienceMs);
+    QVERIFY(isFree(0) && isFree(1));
   }
 
   // With the mouse alone: an edge of a block is pointed to, taken, and the path along it planned.

@@ -239,7 +239,10 @@ class CellRobotsWindowTest : public QObject {
     file.close();
     driver.tree()->setCurrentItem(driver.robot(1));
     driver.choose("readSemantics");
+    driver.hold();  // a worker reads it
     QVERIFY(driver.enterFileName("readSemanticsDialog", file.fileName()));
+    QCOMPARE(driver.tree()->topLevelItem(0)->childCount(), 0);
+    driver.release();
     QTRY_VERIFY(driver.text("messageText").contains("was read for ur5"));
     QCOMPARE(driver.tree()->topLevelItem(0)->childCount(), 1);
     QCOMPARE(driver.tree()->topLevelItem(0)->child(0)->text(0), QString("folded"));

@@ -7,6 +7,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/haptics/HapticSession.h"
+#include "window/tools/ToolHost.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -47,6 +48,19 @@ struct ClayWindow {
     QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
     QApplication::sendEvent(view, &move);
   }
+  void stroke(const QPoint& from, const QPoint& to) {
+    QTest::mousePress(view, Qt::LeftButton, {}, from);
+    for (int i = 0; i <= 12; ++i) {
+      moveTo(from + (to - from) * i / 12);
+      QTest::qWait(5);
+    }
+    QTest::mouseRelease(view, Qt::LeftButton, {}, to);
+  }
+  // The circle of the brush is not to be in the picture.
+  void moveAway() {
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(view, &leave);
+  }
   void leadTo(const Vec3& place, std::uint32_t buttons) {
     const WorkspaceMapping mapping = session.mappingInScene();
     HandPose pose;
@@ -72,12 +86,7 @@ class ClayWindowTest : public QObject {
     QVERIFY(clay.begin());
     const double before = clay.document().volume()->volume.material();
     const QPoint middle = clay.view->rect().center();
-    QTest::mousePress(clay.view, Qt::LeftButton, {}, middle - QPoint(60, 0));
-    for (int i = 0; i <= 12; ++i) {
-      clay.moveTo(middle + QPoint(-60 + 10 * i, 0));
-      QTest::qWait(5);
-    }
-    QTest::mouseRelease(clay.view, Qt::LeftButton, {}, middle + QPoint(60, 0));
+    clay.stroke(middle - QPoint(60, 0), middle + QPoint(60, 0));
     QTRY_COMPARE_WITH_TIMEOUT(clay.document().history()->count(), 1, kPatienceMs);
     const double carved = clay.document().volume()->volume.material();
     QVERIFY(carved < before - 1.0);
@@ -92,6 +101,93 @@ class ClayWindowTest : public QObject {
     QVERIFY(second.open(path));
     auto& opened = static_cast<VolumeDocument&>(second.window().findChild<DocumentTabs*>()->current()->document);
     QCOMPARE(opened.volume()->volume.material(), carved);
+  }
+
+  // What is masked is dark and is not carved; it is undone, kept in the file, and cleared.
+  void masked() {
+    const QTemporaryDir folder;
+    ClayWindow clay;
+    QVERIFY(clay.begin());
+    const QPoint middle = clay.view->rect().center();
+    const auto brightness = [&] { return clay.view->grabImage().pixelColor(middle).value(); };
+    const auto steps = [&] { return clay.document().history()->index(); };
+    const int free = brightness();
+    QTest::keyClick(clay.view, Qt::Key_M, Qt::ShiftModifier);
+    clay.stroke(middle - QPoint(30, 0), middle + QPoint(30, 0));
+    QTRY_COMPARE_WITH_TIMEOUT(steps(), 1, kPatienceMs);
+    QVERIFY(clay.document().volume()->mask);
+    clay.moveAway();
+    QTRY_VERIFY_WITH_TIMEOUT(brightness() < free - 30, kPatienceMs);
+    const int covered = brightness();
+    // Across it nothing is carved where it is masked, and something beside it.
+    QTest::keyClick(clay.view, Qt::Key_E, Qt::ShiftModifier);
+    clay.stroke(middle - QPoint(0, 60), middle + QPoint(0, 60));
+    QTRY_COMPARE_WITH_TIMEOUT(steps(), 2, kPatienceMs);
+    const Vec3 front = 19.9 * clay.view->camera().towardsViewer();
+    QVERIFY(clay.depthAt(front) > 0.0);
+    const QString path = folder.filePath("masked.handwheel");
+    clay.driver.click("quickActions/saveFile");
+    QVERIFY(clay.driver.enterFileName("saveDialog", path));
+    QVERIFY(clay.driver.settle());
+    {
+      WindowDriver second;
+      QVERIFY(second.open(path));
+      auto& opened = static_cast<VolumeDocument&>(second.window().findChild<DocumentTabs*>()->current()->document);
+      QVERIFY(opened.volume()->mask);
+      QCOMPARE(opened.volume()->mask->shareAt(front), 1.0);
+    }
+    clay.driver.window().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&clay.driver.window()));
+    clay.view->setFocus();
+    QTest::keyClick(clay.view, Qt::Key_I, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(steps(), 3, kPatienceMs);
+    QCOMPARE(clay.document().volume()->mask->shareAt(front), 0.0);
+    clay.moveAway();
+    QTRY_VERIFY_WITH_TIMEOUT(brightness() > covered + 30, kPatienceMs);
+    QTest::keyClick(clay.view, Qt::Key_D, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(steps(), 4, kPatienceMs);
+    QVERIFY(!clay.document().volume()->mask);
+    clay.driver.click("quickActions/undo");
+    clay.driver.click("quickActions/undo");
+    QCOMPARE(clay.document().volume()->mask->shareAt(front), 1.0);
+  }
+
+  // A picture is loaded as a stamp and pressed into the clay; a file that is none is said, and nothing changes.
+  void stamped() {
+    const QTemporaryDir folder;
+    ClayWindow clay;
+    QVERIFY(clay.begin());
+    QImage white(16, 16, QImage::Format_RGB32);
+    white.fill(Qt::white);
+    QVERIFY(white.save(folder.filePath("white.png")));
+    QFile broken(folder.filePath("broken.png"));
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write(QByteArray::fromHex("89504e470d0a1a0a0000"));
+    broken.close();
+    clay.driver.find<QAction>("volumeStamp")->trigger();
+    QVERIFY(clay.driver.enterFileName("stampDialog", broken.fileName()));
+    QTRY_VERIFY_WITH_TIMEOUT(clay.driver.text("messageText").contains("stamp"), kPatienceMs);
+    QTest::keyClick(clay.view, Qt::Key_A, Qt::ShiftModifier);
+    QTest::keyClick(clay.view, Qt::Key_L, Qt::ShiftModifier);
+    QVERIFY(clay.driver.enterFileName("stampDialog", folder.filePath("white.png")));
+    const auto chosen = [&] {
+      for (const Property& setting : clay.driver.window().findChild<ToolHost*>()->runner().tool()->settings())
+        if (setting.id == "stamp") return setting.choices.at(static_cast<std::size_t>(std::get<double>(setting.value)));
+      return std::string();
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(chosen(), std::string("white.png"), kPatienceMs);
+    QVERIFY(clay.driver.settle() && clay.rests());
+    const QPoint middle = clay.view->rect().center();
+    const ViewRay ray = clay.view->rayAt(middle);
+    const auto height = [&] {
+      return firstHit(clay.document().volume()->volume, ray.origin, ray.direction)->point.norm();
+    };
+    QTest::mouseClick(clay.view, Qt::LeftButton, {}, middle);
+    QTRY_COMPARE_WITH_TIMEOUT(clay.document().history()->count(), 1, kPatienceMs);
+    // A quarter of the radius, 2 mm, by the strength, one half.
+    QVERIFY2(std::abs(height() - 20.25) < 0.05, qPrintable(QString::number(height())));
+    clay.driver.click("quickActions/undo");
+    QVERIFY(std::abs(height() - 20.0) < 0.01);
   }
 
   // Undo in the middle of a stroke takes that stroke.

@@ -304,11 +304,17 @@ class LatheWindowTest : public QObject {
     QVERIFY(window.driver.settle());
     auto* line = window.driver.find<TimeLinePanel>("replayTimeLine");
     QTRY_VERIFY(line->isVisible() && line->isEnabled());
-    QVERIFY(window.driver.text("replayText").contains(QStringLiteral("Pass 1 of 1")));
+    QVERIFY(window.driver.settle());
+    const QString end = window.driver.text("replayText");
+    QVERIFY(end.contains(QStringLiteral("Pass 1 of 1")));
     QVERIFY(line->time() > 1.0);
+    window.driver.hold();
     line->setPlaying(true);  // from the end it begins anew
     QTRY_VERIFY(line->time() < 1.0);
     line->setPlaying(false);
+    QCOMPARE(window.driver.text("replayText"), end);  // a worker makes what is shown
+    window.driver.release();
+    QTRY_VERIFY(window.driver.text("replayText") != end);
     QCOMPARE(window.document().history()->count(), 1);
     window.driver.choose("replayDockToggle");
     QVERIFY(!line->isVisible());
@@ -339,6 +345,39 @@ class LatheWindowTest : public QObject {
     window.driver.click("replayCompare");
     QVERIFY(!compare->text().contains("first.handwheel"));
     QCOMPARE(line->timeOf(1), 0.0);
+  }
+
+  // A thread that is being cut is of the bar as it was.
+  void aThreadOfAnOlderBar() {
+    LatheWindow window;
+    window.driver.choose("newWorkpiece");
+    QVERIFY(window.driver.settle());
+    const double narrower = 40.0;  // mm
+    for (const bool isChanged : {true, false}) {
+      window.driver.choose("thread");
+      window.driver.click("cutThread");
+      QVERIFY(!isChanged || window.document().setProperty("diameter", narrower));
+      QVERIFY(window.driver.settle());
+      QCOMPARE(window.workpiece().part == nullptr, isChanged);
+      QCOMPARE(window.workpiece().stock.diameter, narrower);
+    }
+  }
+
+  // Opened, a model solution is as fine as it was made, whatever this machine shows a new bar with.
+  void aModelSolutionKeepsItsTolerance() {
+    LatheWindow window;
+    window.driver.choose("newExercise");
+    QVERIFY(window.driver.settle());
+    window.driver.choose("beginExercise");
+    QVERIFY(window.driver.settle());
+    QVERIFY(window.document().setProperty("chord", 0.5));
+    window.driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    window.driver.choose("takeSolution");
+    QTRY_VERIFY(window.driver.text("messageText").contains("Model solution taken"));
+    window.driver.choose("openSolution");
+    QVERIFY(window.driver.settle());
+    QCOMPARE(window.driver.tabs(), 3);
+    QCOMPARE(window.workpiece().chord, 0.5);
   }
 
   // Killed while the feed runs, the program offers what was cut up to the last autosave.

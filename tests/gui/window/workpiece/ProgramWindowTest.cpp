@@ -4,6 +4,7 @@
 #include "../WindowTestMain.h"
 #include "controls/program/ProgramEditor.h"
 #include "document/workpiece/LatheSetupEdit.h"
+#include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/target/TargetEdit.h"
 #include "panels/MessageBar.h"
@@ -123,6 +124,51 @@ class ProgramWindowTest : public QObject {
     window.driver.click("quickActions/undo");
     QVERIFY(!window.document().workpiece().part);
     QVERIFY(!window.driver.find<QPushButton>("programCut")->isEnabled());  // it was run on another part
+  }
+
+  // What runs while the part is turned is of a part that is no more: it is let go of.
+  void aRunOnAnOlderPart() {
+    ProgramWindow window;
+    QVERIFY(window.begin());
+    window.write(kTurned);
+    window.driver.click("programRun");
+    WorkpieceSnapshot turned = window.document().workpiece();
+    const double upper = turned.stock.length;
+    TurningPass pass;
+    pass.noseRadius = 0.8;
+    pass.path = {{20.0, upper + 2.0}, {20.0, upper - 60.0}};
+    pass.times = {0.0, 1.0};
+    const auto part = withPasses(turned, {pass}, 0.1);
+    window.document().commit(QStringLiteral("by hand"), std::make_unique<TurnedPartEdit>(part));
+    QVERIFY(window.driver.settle());
+    QVERIFY(!window.session().isSimulated() && !window.driver.find<QPushButton>("programCut")->isEnabled());
+    QCOMPARE(window.document().workpiece().part, part);
+    window.driver.click("programRun");
+    QVERIFY(window.driver.settle());
+    window.driver.click("programCut");
+    QVERIFY(window.driver.settle());
+    QVERIFY(window.document().workpiece().part->passes.size() > 1);  // those by hand stay
+  }
+
+  // The name of a file is that of its text: one that was opened while another was saved keeps its own.
+  void aProgramThatComesWhileAnotherIsSaved() {
+    const QTemporaryDir folder;
+    const auto fileWith = [&folder](const char* name, const char* text) {
+      QFile file(folder.filePath(QString::fromLatin1(name)));
+      if (!file.open(QIODevice::WriteOnly) || file.write(text) <= 0) qFatal("no file");
+      return file.fileName();
+    };
+    const QString first = fileWith("first.ngc", "M2\n"), second = fileWith("second.ngc", kTurned);
+    ProgramWindow window;
+    QVERIFY(window.begin());
+    window.session().read(first);
+    QVERIFY(window.driver.settle());
+    window.session().read(second);
+    window.session().save({});
+    QTest::qSleep(300);  // both are done before the window hears of either
+    QVERIFY(window.driver.settle());
+    QCOMPARE(window.driver.text("programName"), QStringLiteral("second.ngc"));
+    QCOMPARE(window.editor().toPlainText(), QString::fromLatin1(kTurned));
   }
 
   // What a run shows is marked as such; who leaves it sees the part as it is.

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/volume/StampAction.h"
+
+#include "document/volume/StampFile.h"
+#include "panels/MessageBar.h"
+#include "text/ErrorText.h"
+#include "window/ActionToolTip.h"
+#include "window/JobRunner.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/FileFilters.h"
+#include "window/tools/ToolHost.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace handwheel {
+
+StampAction::StampAction(const WindowContext& parts, QObject* parent)
+    : QObject(parent), m_parts(parts), m_action(tr("Load s&tamp…"), this) {
+  prepare(m_action, "volumeStamp", nullptr,
+          tr("Shape clay by the brightness of a picture, or by the height of a part"));
+  m_action.setEnabled(false);
+  connect(&m_action, &QAction::triggered, this, &StampAction::ask);
+}
+
+void StampAction::setDocument(DocumentTab* document) {
+  if (document != m_document) m_parts.jobs.cancelOf(this);
+  m_document = document;
+  m_action.setEnabled(document != nullptr);
+}
+
+ClayTool::StampServices StampAction::services() {
+  return {m_stamps, [this] { ask(); }};
+}
+
+void StampAction::ask() {
+  QStringList filters = openFilters(m_parts.kinds);
+  filters.prepend(tr("Pictures (*.png *.jpg *.jpeg *.bmp *.gif *.pgm *.ppm *.pbm)"));
+  auto* const dialog =
+      new QFileDialog(m_parts.window, tr("Load a stamp"), QFileInfo(m_document->document.path()).path(),
+                      filters.join(QStringLiteral(";;")));
+  dialog->setObjectName(QStringLiteral("stampDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
+    if (document == m_document) load(path);
+  });
+  dialog->open();
+}
+
+void StampAction::load(const QString& path) {
+  m_parts.jobs.cancelOf(this);
+  Job job;
+  job.name = tr("Loading a stamp");
+  job.owner = this;
+  job.work = [this, path](Progress progress) -> Job::Finish {
+    const std::filesystem::path file(QFile::encodeName(path).toStdString());
+    const auto stamp = readStamp(file, m_parts.kinds, progress);
+    return [this, path, stamp] {
+      if (!stamp) {
+        if (stamp.error().code != ErrorCode::Cancelled)
+          emit message({Message::Weight::Error, tr("The stamp cannot be loaded"), errorSentence(stamp.error()),
+                        errorAdvice(stamp.error())});
+        return;
+      }
+      const std::size_t number = m_stamps->add(QFileInfo(path).fileName().toStdString(), *stamp);
+      m_parts.chooseTool(QStringLiteral("clayTool"));
+      m_parts.tools.choose("clay", "stamp", static_cast<double>(number));
+    };
+  };
+  m_parts.jobs.start(std::move(job));
+}
+
+}  // namespace handwheel
