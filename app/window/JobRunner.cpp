@@ -78,7 +78,7 @@ bool JobRunner::cancelRunning(Job::Lane lane) {
   return true;
 }
 
-// What runs was asked to stop, and may take its time: nobody waits for it but the latest of its kind.
+// What runs was asked to stop, and may take its time: nobody waits for it but the latest of its kind, and who saves.
 void JobRunner::cancelThose(const std::function<bool(quint64 id, const Job& job)>& isMeant) {
   std::vector<std::function<void(const Error&)>> failed;
   std::erase_if(m_waiting, [&](const Waiting& waiting) {
@@ -89,7 +89,7 @@ void JobRunner::cancelThose(const std::function<bool(quint64 id, const Job& job)
   std::erase_if(m_running, [&](const std::shared_ptr<Task>& task) {
     if (!isMeant(task->id, task->job)) return false;
     task->state.cancelled = true;
-    if (m_policy == Policy::Latest) return false;
+    if (m_policy == Policy::Latest || task->job.lane == Job::Lane::Saving) return false;
     failed.push_back(task->job.failed);
     return true;
   });
@@ -103,6 +103,11 @@ std::vector<JobStatus> JobRunner::jobs() const {
     all.push_back({task->id, task->job.name, task->state.fraction, false, task->clock.seconds(task->state)});
   for (const Waiting& waiting : m_waiting) all.push_back({waiting.id, waiting.job.name, -1.0, true});
   return all;
+}
+
+bool JobRunner::isBusy(Job::Lane lane) const {
+  return !isFree(lane) || std::any_of(m_waiting.begin(), m_waiting.end(),
+                                      [lane](const Waiting& waiting) { return waiting.job.lane == lane; });
 }
 
 bool JobRunner::isFree(Job::Lane lane) const {
@@ -120,6 +125,7 @@ void JobRunner::startNext() {
     task->job = std::move(next->job);
     next = m_waiting.erase(next);
     m_running.push_back(task);
+    task->job.starting();
     m_pool.start([task] { task->run(); });
   }
   m_running.empty() ? m_poll.stop() : m_poll.start();
@@ -135,9 +141,10 @@ std::shared_ptr<JobRunner::Task> JobRunner::takeDone() {
   return task;
 }
 
-// The results of a cancelled job are discarded, whatever it still delivered.
+// The results of a cancelled job are discarded, whatever it still delivered; but a file that it wrote is written.
 void JobRunner::end(const Task& task) {
-  if (task.state.cancelled) {
+  const bool hasOutcome = task.job.lane == Job::Lane::Saving && (task.error || task.finish);
+  if (task.state.cancelled && !hasOutcome) {
     task.job.failed(kJobCancelled);
   } else if (task.error) {
     task.job.failed(*task.error);

@@ -31,6 +31,8 @@ struct Job {
   std::function<void(const Error&)> failed = [](const Error&) {};
   const void* owner = nullptr;  // with cancelOf() on it the job is cancelled; a document
   Lane lane = Lane::Work;
+  // Called on the window thread when its turn has come: it takes what the jobs before it have changed.
+  std::function<void()> starting = [] {};
 };
 
 // Runs jobs on worker threads, those of a lane one after another. Everything here is called and emitted on the window
@@ -40,7 +42,8 @@ class JobRunner : public QObject {
 
  public:
   enum class Policy {
-    Queue,   // every job runs; a cancelled one is abandoned at once, even when its library cannot be interrupted
+    Queue,   // every job runs; a cancelled one is abandoned at once, even when its library cannot be interrupted, but
+             // for one that saves: it counts what that did to the file
     Latest,  // a new job replaces the present one, and starts once that has released the data both use
   };
 
@@ -53,6 +56,7 @@ class JobRunner : public QObject {
   void cancelOf(const void* owner);  // all jobs of this owner
   void cancelAll();
   bool cancelRunning(Job::Lane lane);  // false when nothing runs there
+  bool isBusy(Job::Lane lane) const;   // whether a job of it runs or waits
   bool isIdle() const { return m_running.empty() && m_waiting.empty(); }
   // The running jobs, then the waiting ones, each in the order in which they were started.
   std::vector<JobStatus> jobs() const;

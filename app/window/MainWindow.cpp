@@ -199,7 +199,7 @@ void MainWindow::childEvent(QChildEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (m_tabs->all().empty()) {
+  if (m_tabs->all().empty() && !m_jobs.isBusy(Job::Lane::Saving)) {
     saveLayout(*this);
     return event->accept();
   }

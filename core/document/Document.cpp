@@ -57,6 +57,7 @@ void Document::markSaved(const QString& path, bool isContainer, const std::optio
   m_file.path = QFile::encodeName(path).toStdString();
   m_file.isContainer = isContainer;
   m_file.isNewer = false;
+  m_file.isPartial = false;
   m_file.damage.clear();
   m_file.unlistedDamage = 0;
   m_file.lost.clear();
@@ -70,7 +71,16 @@ void Document::markSaved(const QString& path, bool isContainer, const std::optio
   emit fileChanged();
 }
 
-void Document::markRecovered(const QString& path) {
+void Document::markOverwritten(const std::optional<FileStamp>& stamp) {
+  m_file.stamp = stamp;
+  m_isFileBeforeFirst = false;
+  m_history.resetClean();
+  emit fileChanged();
+}
+
+void Document::markRecovered(const QString& path, const std::optional<FileStamp>& stamp, bool isPartial) {
+  m_file.stamp = stamp;
+  m_file.isPartial = isPartial;
   m_file.path = QFile::encodeName(path).toStdString();
   m_recovered = true;
   emit fileChanged();

@@ -37,7 +37,8 @@ struct DocumentFile {
   std::vector<Note> notes;                  // what else there is to know of how it was read
   bool hasUnit = true;                      // false: the format of the file has no unit of length
   bool isContainer = false;
-  bool isNewer = false;  // written by a newer program
+  bool isNewer = false;    // written by a newer program
+  bool isPartial = false;  // recovered from an autosave, and the file at the path holds more than the document
   // Keys and blobs that this program does not know; they are written back into the file. And the keys that it knew when
   // it read the file: what was unknown within one of these is removed when that is deleted. Both null if it was not
   // read from a container.
@@ -45,7 +46,7 @@ struct DocumentFile {
   std::shared_ptr<const Container> known;
 
   // Whether overwriting the file would lose something.
-  bool wouldLoseDataOnOverwrite() const { return !damage.empty() || !lost.empty() || isNewer; }
+  bool wouldLoseDataOnOverwrite() const { return !damage.empty() || !lost.empty() || isNewer || isPartial; }
 };
 
 // Result of reading a file on a worker, from which a document is made.

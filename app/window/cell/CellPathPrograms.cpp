@@ -166,6 +166,7 @@ void CellPaths::exportProgram(const Post& post, const QString& file, const Progr
   DocumentTab& tab = *m_document;
   Job job;
   job.name = tr("Writing %1").arg(QFileInfo(file).fileName());
+  job.lane = Job::Lane::Saving;
   job.owner = &tab;
   job.failed = [this, &tab](const Error& error) { report(&tab, error); };
   job.work = [this, &tab, scene, known, plans = cell().plans(), path = request.path, &post, file,

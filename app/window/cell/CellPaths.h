@@ -172,7 +172,7 @@ class CellPaths : public QObject {
   QLabel* m_detail;
   std::shared_ptr<PathLayer> m_layer;
   PathChecks m_checks;
-  std::optional<OperationValues> m_planned;  // what was chosen in the dialog last
+  std::optional<OperationValues> m_planned;              // what was chosen in the dialog last
   std::map<const DocumentTab*, WantedProcess> m_wanted;  // one at most of a document
   std::uint64_t m_remakes = 0;                           // that were begun
   QAction m_store, m_storeTarget, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify,

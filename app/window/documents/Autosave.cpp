@@ -135,9 +135,11 @@ void Autosave::save(DocumentTab* document, SnapshotPointer content) {
   info.path = document->document.file().path;
   info.name = document->document.name().toStdString();
   info.kind = document->document.kind().id();
+  info.stamp = document->document.file().stamp;
+  info.isPartial = document->document.file().wouldLoseDataOnOverwrite();
   document->autosaved = revision;
-  const auto failed = [this, document, name = document->document.name()](const Error& error) {
-    reportFailure(document, name, error);
+  const auto failed = [this, document, key, name = document->document.name()](const Error& error) {
+    if (isFollowed(document, key)) reportFailure(document, name, error);
   };
   Job job;
   job.name = tr("Autosaving %1").arg(document->document.name());
@@ -151,22 +153,30 @@ void Autosave::save(DocumentTab* document, SnapshotPointer content) {
     const Status stored =
         container ? session->store(key, info, *container, progress.part(0.2, 1.0)) : Status(container.error());
     const auto cost = std::chrono::duration_cast<milliseconds>(Clock::now() - start);
-    if (stored) return [this, document, cost] { noteCost(document, cost); };
+    if (stored) {
+      return [this, document, key, cost] {
+        if (isFollowed(document, key)) noteCost(document, cost);
+      };
+    }
     return [failed, error = stored.error()] { failed(error); };
   };
   m_jobs.start(std::move(job));
 }
 
-void Autosave::noteCost(DocumentTab* document, milliseconds cost) {
+// Another document may have the address of one that is closed, but no other key is the same.
+bool Autosave::isFollowed(const DocumentTab* document, std::uint64_t key) const {
   const auto followed = m_followed.find(document);
-  if (followed == m_followed.end()) return;
-  followed->second.cost = cost;
-  followed->second.isFailing = false;
+  return followed != m_followed.end() && followed->second.key == key;
+}
+
+void Autosave::noteCost(DocumentTab* document, milliseconds cost) {
+  Followed& followed = m_followed[document];
+  followed.cost = cost;
+  followed.isFailing = false;
 }
 
 // It is tried again within the interval; only the first of several failures is reported.
 void Autosave::reportFailure(DocumentTab* document, const QString& name, const Error& error) {
-  if (!m_tabs.contains(document)) return;
   document->autosaved = 0;
   Followed& followed = m_followed[document];
   need();
@@ -242,12 +252,10 @@ void Autosave::offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& orph
 
 void Autosave::recover(const std::shared_ptr<const OrphanedAutosaves>& orphans) {
   for (const OrphanedAutosave& orphan : orphans->found()) {
-    m_loader.recover(QFile::decodeName(orphan.file.c_str()),
-                     QFile::decodeName(QByteArray::fromStdString(orphan.info.path)),
-                     [this, orphans, &orphan](DocumentTab* recovered) {
-                       const Status adopted = m_session->adopt(orphan, m_followed[recovered].key);
-                       if (!adopted) m_log.add(errorSentence(adopted.error()), {}, LogEntry::Weight::Warning);
-                     });
+    m_loader.recover(orphan.file, orphan.info, [this, orphans, &orphan](DocumentTab* recovered) {
+      const Status adopted = m_session->adopt(orphan, m_followed[recovered].key);
+      if (!adopted) m_log.add(errorSentence(adopted.error()), {}, LogEntry::Weight::Warning);
+    });
   }
 }
 

@@ -63,6 +63,7 @@ class Autosave : public QObject {
   UnfinishedGesture* work() const;
   SnapshotPointer workOn(const DocumentTab& document) const;
   void save(DocumentTab* document, SnapshotPointer content);
+  bool isFollowed(const DocumentTab* document, std::uint64_t key) const;
   void noteCost(DocumentTab* document, std::chrono::milliseconds cost);
   void reportFailure(DocumentTab* document, const QString& name, const Error& error);
   void askBeforeDiscarding(const std::shared_ptr<const OrphanedAutosaves>& orphans);

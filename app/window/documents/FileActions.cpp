@@ -4,6 +4,7 @@
 
 #include "controls/FocusedField.h"
 #include "window/ActionToolTip.h"
+#include "window/JobRunner.h"
 #include "window/documents/ClosePrompt.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
@@ -44,6 +45,7 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
       m_kinds(kinds),
       m_uis(uis),
       m_tabs(tabs),
+      m_jobs(jobs),
       m_recent(recent),
       m_loader(kinds, uis, tabs, jobs, recent, log),
       m_saver(tabs, jobs, recent, log),
@@ -324,26 +326,35 @@ void FileActions::requestCloseAll(std::function<void()> then) {
 }
 
 // Nothing is closed before the last answer: who cancels then keeps everything.
-void FileActions::decideNext(std::set<const DocumentTab*> discarded, std::function<void()> then) {
+void FileActions::decideNext(std::map<const DocumentTab*, std::uint64_t> decided, std::function<void()> then) {
+  disconnect(m_afterSaving);
   const auto isUndecided = [&](const auto& open) {
-    return m_closing.contains(open.get()) || (wouldLose(*open) && !discarded.contains(open.get()));
+    const auto found = decided.find(open.get());
+    const bool isDecided = found != decided.end() && found->second == open->document.revision();
+    return m_closing.contains(open.get()) || (wouldLose(*open) && !isDecided);
   };
   const auto& all = m_tabs.all();
   const auto next = std::find_if(all.begin(), all.end(), isUndecided);
   if (next == all.end()) {
+    // Exports, reports and copies go on until they are written; meanwhile more may change.
+    if (m_jobs.isBusy(Job::Lane::Saving)) {
+      m_afterSaving = connect(&m_jobs, &JobRunner::changed, this, [this, decided, then] { decideNext(decided, then); });
+      return;
+    }
     while (!all.empty()) m_tabs.close(all.back().get());
     return then();
   }
   DocumentTab* const document = next->get();
   if (const auto closing = m_closing.find(document); closing != m_closing.end()) {
-    closing->second.push_back([this, discarded, then] { decideNext(discarded, then); });
+    closing->second.push_back([this, decided, then] { decideNext(decided, then); });
     return;
   }
   m_closing[document];  // a second wish to close it waits
   decide(document, [=, this](bool isDecided) mutable {
     m_closing.erase(document);
-    discarded.insert(document);
-    if (isDecided) decideNext(discarded, then);
+    if (!isDecided) return;
+    if (m_tabs.contains(document)) decided[document] = document->document.revision();
+    decideNext(decided, then);
   });
 }
 

@@ -9,7 +9,6 @@
 #include <QAction>
 #include <functional>
 #include <map>
-#include <set>
 #include <vector>
 
 class QMenu;
@@ -46,8 +45,8 @@ class FileActions : public QObject {
   // Closes a document; when it is modified the user is asked first. then: called once it is closed. A second request
   // while the user is asked, or the document is saved, waits for the same answer.
   void requestClose(DocumentTab* document, std::function<void()> then = {});
-  // Asks about each modified document, and closes all unless the user cancels or saving fails. then: called when none
-  // is left.
+  // Asks about each modified document, and closes all once no file is being written, unless the user cancels or saving
+  // fails. then: called when none is left.
   void requestCloseAll(std::function<void()> then);
 
  signals:
@@ -69,8 +68,8 @@ class FileActions : public QObject {
   // Asks what to do with what a document would lose. decided: false when the user cancels, or saving fails.
   void decide(DocumentTab* document, std::function<void(bool)> decided);
   void endClosing(DocumentTab* document, bool close);
-  // discarded: documents about which the user has decided.
-  void decideNext(std::set<const DocumentTab*> discarded, std::function<void()> then);
+  // decided: the revisions of documents at the user's answers about them. What changes later is asked about again.
+  void decideNext(std::map<const DocumentTab*, std::uint64_t> decided, std::function<void()> then);
   void followDocument();
   void fillRecentMenu();
   bool needsNewName(const DocumentTab& document) const;
@@ -79,11 +78,13 @@ class FileActions : public QObject {
   const DocumentKinds& m_kinds;
   const KindUis& m_uis;
   DocumentTabs& m_tabs;
+  JobRunner& m_jobs;
   RecentFiles& m_recent;
   FileLoader m_loader;
   FileSaver m_saver;
   // Documents being asked about or saved before closing, with the callbacks for when they are closed.
   std::map<const DocumentTab*, std::vector<std::function<void()>>> m_closing;
+  QMetaObject::Connection m_afterSaving;  // closes all once nothing is written any more
   QAction m_open;
   std::vector<std::pair<StartAction, QAction*>> m_startActions;
   QAction m_save;

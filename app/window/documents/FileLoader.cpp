@@ -80,20 +80,22 @@ void FileLoader::create(const std::string& kind) {
   added->inFile = of.make(DocumentKinds::blank(of))->properties();  // from which the command line starts
 }
 
-void FileLoader::recover(const QString& autosave, const QString& path, std::function<void(DocumentTab*)> then) {
+void FileLoader::recover(const std::filesystem::path& file, const AutosaveInfo& info,
+                         std::function<void(DocumentTab*)> then) {
+  const QString path = QFile::decodeName(QByteArray::fromStdString(info.path));
   Job job;
   job.name = path.isEmpty() ? tr("Recovering") : tr("Recovering %1").arg(QFileInfo(path).fileName());
-  job.work = [this, autosave, path, then](Progress progress) -> Job::Finish {
-    const std::filesystem::path file = QFile::encodeName(autosave).toStdString();
+  job.work = [this, file, info, path, then](Progress progress) -> Job::Finish {
     const Result<JoinedChanges> joined = joinChanges(file, progress.part(0.0, 0.4));
     if (!joined) return [this, path, error = joined.error()] { notRecovered(path, error); };
     Result<OpenedFile> opened = m_kinds.open(file, {}, progress.part(0.4, 1.0));
     if (!opened) return [this, path, error = opened.error()] { failed(path, error, ReadOptions{.partial = true}); };
-    return [this, file, path, then, joined = *joined, opened = std::move(opened.value())] {
+    return [this, file, info, path, then, joined = *joined, opened = std::move(opened.value())] {
       DocumentTab* recovered = open(opened);
-      recovered->document.markRecovered(path);
+      recovered->document.markRecovered(path, info.stamp, info.isPartial);
       m_log.add(tr("Recovered %1 as it was last autosaved").arg(recovered->document.name()));
       then(recovered);
+      reportLosses(recovered->document);
       if (joined == JoinedChanges::Damaged) reportDamagedChanges(recovered->document, file);
     };
   };

@@ -6,6 +6,7 @@
 #include "panels/MessageBar.h"
 
 #include <QObject>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -19,6 +20,7 @@ class LogModel;
 class DocumentKinds;
 class KindUi;
 class RecentFiles;
+struct AutosaveInfo;
 struct DocumentTab;
 
 using KindUis = std::map<std::string, std::unique_ptr<KindUi>>;  // by the id of the kind
@@ -43,9 +45,8 @@ class FileLoader : public QObject {
   DocumentTab* openUnsaved(OpenedFile opened);
   // Creates a document of default size, of a kind that supports it.
   void create(const std::string& kind);
-  // Opens the autosave of a document. path: that of the document, may be empty. then: called with the document when it
-  // is open.
-  void recover(const QString& autosave, const QString& path, std::function<void(DocumentTab*)> then);
+  // Opens the autosave of a document, which info describes. then: called with the document when it is open.
+  void recover(const std::filesystem::path& file, const AutosaveInfo& info, std::function<void(DocumentTab*)> then);
 
   // Adds what is to be said of the reading of a file to the log: damage, losses and notes.
   static void logFindings(const DocumentFile& file, LogModel& log);

@@ -17,6 +17,7 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <QPointer>
 #include <utility>
 
 namespace handwheel {
@@ -51,25 +52,33 @@ void FileSaver::save(DocumentTab* document, const QString& path, std::function<v
                 document->document.properties(),
                 document->document.displayUnit(),
                 {}};
+  // Null once it is closed: another document may have the address of its tab then.
+  const QPointer<const Document> open = &document->document;
+  // What the saves before this one have written is no change by another program.
+  const auto stamp = std::make_shared<std::optional<FileStamp>>();
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
-  const auto failed = [this, document, path, ended](const Error& error) {
-    reportFailure(document, path, error);
+  job.starting = [open, stamp] {
+    if (open) *stamp = open->file().stamp;
+  };
+  const auto failed = [this, document, open, path, ended](const Error& error) {
+    reportFailure(open ? document : nullptr, path, error);
     if (ended) ended(false);
   };
   job.failed = failed;
   job.lane = Job::Lane::Saving;
-  job.work = [this, document, state, ended, failed, changed, &kind = document->document.kind(),
+  job.work = [this, document, open, stamp, state, ended, failed, changed, &kind = document->document.kind(),
               file = document->document.file(),
               content = document->document.snapshot()](Progress progress) mutable -> Job::Finish {
     const std::filesystem::path target = QFile::encodeName(state.path).toStdString();
+    file.stamp = *stamp;
     if (changed == Changed::Refuse && wasChanged(file, target))
       return [failed, target] { failed({DocumentError::ChangedOnDisk, {}, {}, target.string()}); };
     const auto written = saveDocument(kind, file, *content, target, progress);
     if (!written) return [failed, error = written.error()] { failed(error); };
     state.stamp = stampOf(target);
-    return [this, document, state, ended, written = written.value()] {
-      const bool isOpen = m_tabs.contains(document);
+    return [this, document, open, state, ended, written = written.value()] {
+      const bool isOpen = !open.isNull();
       if (isOpen) saved(document, state, written);
       const bool isNewLoss = isOpen && reportLosses(document, state, written);
       if (ended) ended(isOpen && !isNewLoss && !document->document.isModified());
@@ -93,6 +102,10 @@ void FileSaver::saved(DocumentTab* document, const Written& state, const Written
     saved.markSaved(state.path, !foreign, state.stamp);
     emit succeeded(&saved, kOpeningTopic);  // what was said of the file that it was opened from
   } else {
+    if (state.path == saved.path()) {
+      document->autosaved = 0;  // it is described with the stamp of the file before
+      saved.markOverwritten(state.stamp);
+    }
     m_log.add(tr("%1 contains the state before your last change").arg(name), {}, LogEntry::Weight::Warning);
   }
 }

@@ -56,6 +56,7 @@ class FileSaver : public QObject {
   void saved(DocumentTab* document, const Written& state, const WrittenFile& written);
   bool reportLosses(DocumentTab* document, const Written& state, const WrittenFile& written);
   void reportExport(const DocumentTab& document, const QString& name, QStringList losses);
+  // document: null when it is closed by now.
   void reportCancelled(DocumentTab* document, const QString& path);
   void reportFailure(DocumentTab* document, const QString& path, const Error& error);
 

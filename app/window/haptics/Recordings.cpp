@@ -199,6 +199,7 @@ void Recordings::writeCsv(const StoredRecording& recording, const QString& path)
   };
   Job job;
   job.name = tr("Writing %1").arg(QFileInfo(path).fileName());
+  job.lane = Job::Lane::Saving;
   job.failed = failed;
   job.work = [this, failed, path, ticks = recording.ticks](Progress progress) -> Job::Finish {
     const Status written = exportRecording(ticks, QFile::encodeName(path).toStdString(), progress);

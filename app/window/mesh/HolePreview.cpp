@@ -165,10 +165,11 @@ const FillAttempt* HolePreview::attempt() const {
   return m_attempt ? &*m_attempt : nullptr;
 }
 
+// A worker that still compares methods needs the filler: one thread at a time.
 PreparedFill HolePreview::take(Vertex key) {
   PreparedFill prepared{nullptr, std::nullopt, optionsFor(key)};
   if (m_state.kind == PreviewState::Kind::Ready || m_state.kind == PreviewState::Kind::Failed) {
-    prepared = {m_fillerCache, std::move(m_attempt), m_options};
+    prepared = {m_runner.isIdle() ? m_fillerCache : nullptr, std::move(m_attempt), m_options};
   }
   m_fillerCache = nullptr;
   clear();

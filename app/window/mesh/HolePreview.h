@@ -16,8 +16,8 @@ class FidelityChoice;
 class WindowServices;
 struct MeshTab;
 
-// The data that a fill can reuse from the preview. The filler cache, the attempt that the preview showed when there is
-// one, and the options that the user has chosen.
+// The data that a fill can reuse from the preview. The filler cache unless a worker is using it, the attempt that the
+// preview showed when there is one, and the options that the user has chosen.
 struct PreparedFill {
   std::shared_ptr<HoleFillerCache> bench;
   std::optional<FillAttempt> attempt;

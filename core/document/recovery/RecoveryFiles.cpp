@@ -10,6 +10,21 @@
 
 namespace handwheel {
 
+namespace {
+
+constexpr const char *kStamp = "stamp", *kBytes = "bytes", *kModified = "modified_ns", *kPartial = "partial";
+
+std::optional<FileStamp> stampIn(const nlohmann::json& info) {
+  const auto found = info.find(kStamp);
+  if (found == info.end() || !found->is_object()) return {};
+  const auto bytes = found->find(kBytes), modified = found->find(kModified);
+  if (bytes == found->end() || !bytes->is_number_unsigned()) return {};
+  if (modified == found->end() || !modified->is_number_integer()) return {};
+  return FileStamp{bytes->get<std::uintmax_t>(), modified->get<std::int64_t>()};
+}
+
+}  // namespace
+
 std::filesystem::path recoveryFolder() {
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
   return std::filesystem::path(folder.toStdString()) / "recovery";
@@ -43,7 +58,9 @@ void removeAutosave(const std::filesystem::path& autosave) {
 std::string infoText(const AutosaveInfo& info) {
   // A path need not be UTF-8; JSON must.
   const std::string path = QByteArray::fromStdString(info.path).toPercentEncoding("/ ").toStdString();
-  const nlohmann::json text = {{"id", info.documentId}, {"path", path}, {"name", info.name}, {"kind", info.kind}};
+  nlohmann::json text = {{"id", info.documentId}, {"path", path}, {"name", info.name}, {"kind", info.kind}};
+  if (info.stamp) text[kStamp] = {{kBytes, info.stamp->bytes}, {kModified, info.stamp->modifiedNs}};
+  if (info.isPartial) text[kPartial] = true;
   return text.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -59,6 +76,8 @@ AutosaveInfo parseInfo(std::string_view text) {
   take("name", info.name);
   take("kind", info.kind);
   info.path = QByteArray::fromPercentEncoding(QByteArray::fromStdString(info.path)).toStdString();
+  info.stamp = stampIn(*parsed);
+  info.isPartial = parsed->value(kPartial, nlohmann::json()) == true;
   return info;
 }
 

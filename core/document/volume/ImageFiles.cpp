@@ -60,7 +60,7 @@ Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Pr
   return files;
 }
 
-// Reads files beside a header.
+// Reads files beside a header. The samples are made beside their bytes, so these may need half of the memory.
 SiblingFile besideHeader(const fs::path& header) {
   return [folder = header.parent_path()](const std::string& name, std::size_t most) -> Result<std::string> {
     const fs::path relative(name);
@@ -69,7 +69,14 @@ SiblingFile besideHeader(const fs::path& header) {
     const fs::path path = folder / relative;
     std::error_code failed;
     const auto size = fs::file_size(path, failed);
-    Result<std::string> bytes = readFileHead(path, failed ? 1 : static_cast<std::size_t>(std::min(most, size)));
+    const std::size_t wanted = failed ? 1 : static_cast<std::size_t>(std::min(most, size)),
+                      allowed = systemMemory() / 2;
+    if (wanted > allowed)
+      return Error{ErrorCode::FileTooLarge,
+                   {"bytes of the data file", std::to_string(wanted), std::to_string(allowed)},
+                   {},
+                   path.string()};
+    Result<std::string> bytes = readFileHead(path, wanted);
     if (bytes) return bytes;
     Error error = bytes.error();
     error.subject = path.string();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/image/Inflate.h"
 
+#include "process/SystemMemory.h"
+
 #include <zlib.h>
 #include <algorithm>
 
@@ -29,6 +31,12 @@ bool looksLikeGzip(std::string_view bytes) {
 
 Result<std::string> inflated(std::string_view packed, std::size_t most) {
   constexpr std::size_t kStep = std::size_t{1} << 20, kLongestInput = std::size_t{1} << 30;
+  const std::size_t allowed = systemMemory() / 4;  // what is made of the bytes needs memory, too
+  if (most > allowed)
+    return Error{ErrorCode::FileTooLarge,
+                 {"bytes of the unpacked image", std::to_string(most), std::to_string(allowed)},
+                 {},
+                 {}};
   InflateStream own;
   if (!own.isOpen) return Error{ErrorCode::OutOfMemory, {}, {}, {}};
   std::string plain;

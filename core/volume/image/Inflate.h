@@ -12,7 +12,8 @@ namespace handwheel {
 
 // Unpacks a gzip or zlib stream (RFC 1952, RFC 1950) up to a size limit. The format is found by its first bytes; what
 // follows so many bytes is not unpacked. Memory grows with what comes out, which deflate limits to 1032 times what went
-// in. Errors: LibraryFailed {zlib, reason} where it is damaged or ends early before that.
+// in. Errors: FileTooLarge where the limit is more than a quarter of systemMemory(); LibraryFailed {zlib, reason} where
+// it is damaged or ends early before that.
 Result<std::string> inflated(std::string_view packed, std::size_t most);
 
 // Whether the bytes begin as a gzip stream does.

@@ -62,7 +62,8 @@ VoxelIndex blockAt(const Coord& voxel) {
 
 bool isNearOrigin(const Coord& voxel) {
   constexpr int kMost = SparseVolume::kMostVoxels - 8;
-  return std::max({std::abs(voxel.x()), std::abs(voxel.y()), std::abs(voxel.z())}) < kMost;
+  // Both ends, as the least integer has no absolute value.
+  return std::max({voxel.x(), voxel.y(), voxel.z()}) < kMost && std::min({voxel.x(), voxel.y(), voxel.z()}) > -kMost;
 }
 
 // Depths in voxels of values of a grid.

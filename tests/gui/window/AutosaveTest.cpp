@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 #include "document/RecordingsEdit.h"
@@ -29,6 +30,27 @@ class AutosaveTest : public QObject {
     return names;
   }
   static bool isStored() { return !stored().isEmpty(); }
+
+  static void recoverIn(WindowDriver& driver) {
+    driver.window().offerRecovery();
+    driver.click("messageAction");
+    QVERIFY(QTest::qWaitFor([&] { return driver.tabs() == 1; }, kPatienceMs));
+    QVERIFY(driver.settle());
+    QVERIFY(driver.window().isWindowModified());
+  }
+  // Opens a file, fills its hole, and ends without saving.
+  static void openFillAndCrash(const QString& path) {
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    if (driver.tabs() == 0) driver.click("messageAction");  // opens what is readable
+    QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 1, kPatienceMs);
+    QVERIFY(driver.settle());
+    driver.clickDefect(DefectKind::Hole, 0);
+    driver.click("fillHoleButton");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.window().isWindowModified(), kPatienceMs);
+    QVERIFY(QTest::qWaitFor(isStored, 30000));
+    QVERIFY(driver.settle());
+  }
 
  private slots:
   void initTestCase() {
@@ -127,6 +149,51 @@ class AutosaveTest : public QObject {
       QVERIFY(!driver.find<QWidget>("messageBar")->isVisible());
     }
     QVERIFY(inItsPlace.remove());
+  }
+
+  // Its file is as it was when the document was opened; the second time somebody wrote it meanwhile.
+  void whatIsRecoveredIsSaved() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("part.stl");
+    writeStl(path, quadTorus(48, 24, {{3, 5}}));
+    openFillAndCrash(path);
+    {
+      WindowDriver driver;
+      recoverIn(driver);
+      driver.choose("saveFile");
+      QVERIFY(driver.settle());
+      QVERIFY2(!driver.window().isWindowModified(), qPrintable(driver.text("messageText")));
+      QCOMPARE(openEdges(readStl(path)), 0);
+    }
+    writeStl(path, quadTorus(48, 24, {{3, 5}}));
+    openFillAndCrash(path);
+    WindowDriver driver;
+    writeStl(path, quadTorus(24, 12, {}));
+    recoverIn(driver);
+    driver.choose("saveFile");
+    QVERIFY(driver.settle());
+    QVERIFY2(driver.text("messageText").contains("another program"), qPrintable(driver.text("messageText")));
+    QCOMPARE(readStl(path).size(), quadTorus(24, 12, {}).size());
+  }
+
+  // What the rest of a damaged file holds stays in it: "Save" asks for another name, as it did before the crash.
+  void aDamagedFileIsNotOverwritten() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("damaged.stl");
+    writeStl(path, quadTorus(48, 24, {}));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadWrite) && file.resize(84 + 50 * 2200 + 7));
+    file.close();
+    openFillAndCrash(path);
+    WindowDriver driver;
+    recoverIn(driver);
+    QVERIFY2(driver.text("messageText").contains("damaged.stl"), qPrintable(driver.text("messageText")));
+    driver.choose("saveFile");
+    QTRY_VERIFY(driver.window().findChild<QFileDialog*>("saveDialog"));
+    QVERIFY(driver.enterFileName("saveDialog", folder.filePath("rest.stl")));
+    QVERIFY(driver.settle());
+    QVERIFY(!driver.window().isWindowModified());
+    QCOMPARE(QFileInfo(path).size(), 84 + 50 * 2200 + 7);
   }
 
   // Nothing of the model has changed.

@@ -3,6 +3,8 @@
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
 
 #include <QDockWidget>
 #include <QMessageBox>
@@ -119,6 +121,74 @@ class ClosingTest : public QObject {
     connect(&answers, &QTimer::timeout, qApp, [] { press(QMessageBox::Discard); });
     driver.find<QAction>("quit")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
+  }
+
+  // What changes after its answer, while another is saved, is asked about again.
+  void changedAfterTheAnswer() {
+    WindowDriver driver;
+    openChanged(driver, m_folder.filePath("early.stl"));
+    openChanged(driver, m_folder.filePath("late.stl"));
+    driver.find<QAction>("quit")->trigger();
+    for (const char* name : {"early.stl", "late.stl"}) {
+      QTRY_VERIFY_WITH_TIMEOUT(prompt() && prompt()->text().contains(name), kPatienceMs);
+      if (QByteArray(name) == "late.stl") driver.hold();
+      press(QMessageBox::Save);
+      QTRY_VERIFY(!prompt());
+    }
+    driver.find<DocumentTabs>("tabRow")->all().front()->document.history()->undo();
+    driver.release();
+    QTRY_VERIFY_WITH_TIMEOUT(prompt() && prompt()->text().contains("early.stl"), kPatienceMs);
+    QVERIFY(driver.window().isVisible());
+    press(QMessageBox::Discard);
+    QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
+    QCOMPARE(openEdges(readStl(m_folder.filePath("early.stl"))), 0);
+    QCOMPARE(openEdges(readStl(m_folder.filePath("late.stl"))), 0);
+  }
+
+  // A copy of what has no changes: nobody is asked, but it is written before the window goes.
+  void quittingWaitsForACopy() {
+    for (const bool isTabClosed : {false, true}) {
+      WindowDriver driver;
+      const QString copy = m_folder.filePath(isTabClosed ? "copy-1.stl" : "copy-0.stl");
+      writeStl(m_folder.filePath("original.stl"), quadTorus(12, 8, {}));
+      QVERIFY(driver.open(m_folder.filePath("original.stl")));
+      driver.hold();
+      driver.choose("saveFileAs");
+      QVERIFY(driver.enterFileName("saveDialog", copy));
+      if (isTabClosed) driver.find<QAction>("closeDocument")->trigger();
+      QTRY_COMPARE(driver.tabs(), isTabClosed ? 0 : 1);
+      driver.find<QAction>("quit")->trigger();
+      QTest::qWait(200);
+      QVERIFY(driver.window().isVisible());
+      driver.release();
+      QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
+      QCOMPARE(openEdges(readStl(copy)), 0);
+      QVERIFY(!readStl(copy).empty());
+    }
+  }
+
+  // Its tab is closed while it is saved, and another document gets the same address and has the same revision.
+  void aSaveOfAClosedDocumentIsNotCreditedToAnother() {
+    WindowDriver driver;
+    auto* tabs = driver.find<DocumentTabs>("tabRow");
+    const auto made = [&] {
+      driver.choose("newWorkpiece");
+      driver.edit("diameter", "33");
+      return tabs->current();
+    };
+    const DocumentTab* const closed = made();
+    QVERIFY(driver.settle());
+    driver.hold();
+    driver.choose("saveFileAs");
+    QVERIFY(driver.enterFileName("saveDialog", m_folder.filePath("closed.handwheel")));
+    QVERIFY(closeAndAnswer(driver, QMessageBox::Discard));
+    QTRY_COMPARE(driver.tabs(), 0);
+    constexpr int kMost = 30;
+    while (driver.tabs() < kMost && made() != closed) continue;
+    driver.release();
+    QVERIFY(driver.settle());
+    for (const auto& each : tabs->all()) QVERIFY(each->document.isModified() && each->document.path().isEmpty());
+    if (tabs->current() != closed) QSKIP("no document got the same address");
   }
 
   // Panels call parts of the window when they hide: those are gone once its own destructor has run.

@@ -147,6 +147,41 @@ class DeviationWindowTest : public QObject {
     QVERIFY(driver.text("deviationTitle").contains("whole.stl"));  // what was there stays
   }
 
+  // What was typed into the field of the range is of no use any more when the mesh changes.
+  void theMeshChangesWhileARangeIsTyped() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHole()));
+    driver.choose("repairAll");
+    QVERIFY(driver.settle());
+    driver.choose("deviation");
+    QVERIFY(driver.settle());
+    driver.window().activateWindow();
+    auto* line = driver.find<QWidget>("deviationRange")->findChild<QLineEdit*>();
+    line->setFocus();
+    QTRY_VERIFY(line->hasFocus());
+    line->selectAll();
+    QTest::keyClicks(line, "7");
+    driver.choose("undo");
+    QVERIFY(!isShown(driver));
+    QVERIFY(driver.settle());
+  }
+
+  // The file that was chosen last counts, though the comparison before it still runs.
+  void anotherFileDuringAComparison() {
+    WindowDriver driver;
+    const QString whole = m_folder.filePath(QStringLiteral("chosen.stl"));
+    writeStl(whole, quadTorus(48, 24, {}));
+    QVERIFY(driver.open(fileWithHole()));
+    driver.hold();
+    driver.choose("deviation");
+    driver.click("deviationOther");
+    QVERIFY(driver.enterFileName("compareDialog", whole));
+    driver.release();
+    QVERIFY(driver.settle());
+    QVERIFY2(driver.text("deviationTitle").contains("chosen.stl"), qPrintable(driver.text("deviationTitle")));
+    QVERIFY(driver.find<QWidget>("deviationHistogram")->isVisible());
+  }
+
   // The document in view and its map go together.
   void eachDocumentHasItsOwn() {
     WindowDriver driver;

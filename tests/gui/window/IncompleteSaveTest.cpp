@@ -78,6 +78,34 @@ class IncompleteSaveTest : public QObject {
     QVERIFY(save(driver));
   }
 
+  // What was changed while it was written is saved by the next save: no other program has written the file.
+  void aChangeDuringASaveIsSavedNext() {
+    WindowDriver driver;
+    const QString path = openMarked(driver, "slow.stl");
+    driver.hold();
+    driver.choose("saveFile");
+    auto* unit = driver.find<QWidget>("property/display_unit")->findChild<QComboBox*>();
+    unit->setCurrentIndex(unit->findText("in"));
+    emit unit->activated(unit->currentIndex());
+    driver.release();
+    QVERIFY(driver.settle());
+    QVERIFY(driver.window().isWindowModified());
+    QVERIFY2(save(driver), qPrintable(driver.text("messageText")));
+    QCOMPARE(openEdges(readStl(path)), 8);
+  }
+
+  void twoQuickSavesAreNoForeignChange() {
+    WindowDriver driver;
+    openMarked(driver, "quick.stl");
+    driver.hold();
+    driver.choose("saveFile");
+    driver.choose("saveFile");
+    driver.release();
+    QVERIFY(driver.settle());
+    QVERIFY(!driver.window().isWindowModified());
+    QVERIFY2(!driver.text("messageText").contains("another program"), qPrintable(driver.text("messageText")));
+  }
+
   // Who has read it need not read it at each save; but when there is something else.
   void itIsToldOnce() {
     WindowDriver driver;

@@ -57,6 +57,32 @@ class JobRunnerTest : public QObject {
     QVERIFY(!delivered);
   }
 
+  // Too late, the file is there; or in time, and it is not: nobody hears of the end before it has come.
+  void aCancelledSaveTellsWhatItDid() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    for (const bool isWritten : {true, false}) {
+      QSemaphore release;
+      QStringList told;
+      Job job;
+      job.lane = Job::Lane::Saving;
+      job.failed = [&](const Error&) { told << "failed"; };
+      job.work = [&](Progress progress) -> Job::Finish {
+        release.acquire();
+        if (isWritten) return [&] { told << "written"; };
+        if (progress.cancelled()) return [&] { told << "cancelled"; };
+        return {};
+      };
+      runner.start(std::move(job));
+      QVERIFY(runner.isBusy(Job::Lane::Saving) && !runner.isBusy(Job::Lane::Work));
+      runner.cancelAll();
+      QVERIFY(told.isEmpty() && runner.isBusy(Job::Lane::Saving));
+      release.release();
+      QTRY_VERIFY(runner.isIdle());
+      QCOMPARE(told, QStringList(isWritten ? "written" : "cancelled"));
+    }
+  }
+
   // One job of several: the others go on. What runs and what waits is listed.
   void jobsAreCancelledOneByOne() {
     QThreadPool pool;

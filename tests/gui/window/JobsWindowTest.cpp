@@ -105,7 +105,7 @@ class JobsWindowTest : public QObject {
     QVERIFY2(shownJobs(driver)[1].contains("list.stl"), qPrintable(shownJobs(driver).join('\n')));
     driver.click("jobCancel/1");
     driver.release();
-    QVERIFY(driver.find<QWidget>("messageBar")->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(driver.find<QWidget>("messageBar")->isVisible(), kPatienceMs);
     QVERIFY2(driver.text("messageText").contains("list.stl"), qPrintable(driver.text("messageText")));
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);  // the repair went on
     QVERIFY(driver.settle());

@@ -11,11 +11,14 @@
 #include "panels/defects/RepairSummary.h"
 #include "tools/mesh/repair/DefectFixes.h"
 #include "tools/mesh/repair/HoleFixes.h"
+#include "window/WindowServices.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/kinds/KindUi.h"
+#include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTab.h"
 
+#include <QSemaphore>
 #include <QThreadPool>
 #include <QtTest>
 #include <new>
@@ -82,6 +85,43 @@ class RepairJobsTest : public QObject {
     runner.cancelAll();
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
     QCOMPARE(messages.size(), 2);
+  }
+
+  // While methods are compared, a worker uses the filler of the preview: the fill gets the patch, and another filler.
+  void aFillWhileMethodsAreCompared() {
+    WindowServices services;
+    QThreadPool pool;
+    pool.setMaxThreadCount(1);
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    DocumentTabs tabs;
+    LogModel log;
+    FidelityChoice fidelity;
+    HiddenUi ui;
+    HolePreview preview(pool, services, fidelity);
+    RepairJobs jobs(tabs, runner, log, fidelity);
+    TriangleSoup soup = test::cube();
+    soup.triangles.pop_back();
+    tabs.add(ui.open(test::meshDocument(soup)));
+    auto* document = static_cast<MeshTab*>(tabs.current());
+    const int hole = document->inspection.holes().at(0);
+    const Vertex key = document->inspection.keyOf(hole);
+    const auto isReady = [&] { return preview.state().kind == PreviewState::Kind::Ready; };
+    preview.request(document, hole);
+    QTRY_VERIFY(isReady());
+    QVERIFY(preview.take(key).bench != nullptr);  // nobody uses it
+
+    preview.request(document, hole);
+    QTRY_VERIFY(isReady());
+    QSemaphore gate;
+    pool.start([&gate] { gate.acquire(); });
+    preview.compare();
+    PreparedFill taken = preview.take(key);
+    gate.release();
+    QVERIFY(!taken.bench);
+    QVERIFY(taken.attempt && !taken.attempt->patch.triangles.empty());
+    jobs.fill(document, hole, std::move(taken));
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QVERIFY(document->inspection.holes().empty());
   }
 
   // Message, log and list have the same figures of a fix, and log and list those of a repair.

@@ -72,6 +72,7 @@ DeviationPanel::DeviationPanel(QWidget* parent)
   connect(m_highest, &QPushButton::clicked, this, [this] { emit placeChosen(m_deviation->ofMesh().highest); });
   connect(m_lowest, &QPushButton::clicked, this, [this] { emit placeChosen(m_deviation->ofMesh().lowest); });
   connect(m_range, &NumberField::valueEdited, this, [this](double range) {
+    if (!m_deviation) return;  // a field that is hidden commits what was typed into it
     emit rangeChosen(range);
     showHistogram();
   });

@@ -72,6 +72,9 @@ DeviationView::DeviationView(const WindowContext& parts, MeshLayer& layer, QObje
     m_document->deviation->scale.range = range;
     m_layer.setColourScale(m_document->deviation->scale);
   });
+  connect(&m_parts.tabs, &DocumentTabs::closing, this, [this](const DocumentTab* document) {
+    if (m_running == document) stop();
+  });
   connect(&m_parts.viewport, &Viewport::hovered, this, &DeviationView::read);
 }
 
@@ -102,28 +105,30 @@ void DeviationView::refresh() {
 }
 
 void DeviationView::compare(MeshTab* document, const QString& path, Round round) {
+  stop();
   m_running = document;
   Job job;
   job.name = tr("Comparing %1").arg(document->document.name());
-  job.owner = document;
-  job.work = [this, document, path, round, changes = document->changes, mesh = document->document.mesh(),
-              opened = document->asOpened](Progress progress) -> Job::Finish {
+  job.owner = this;
+  job.work = [this, document, path, round, request = m_request, changes = document->changes,
+              mesh = document->document.mesh(), opened = document->asOpened](Progress progress) -> Job::Finish {
     const Result<HalfEdgeMesh> scan =
         path.isEmpty() ? Result<HalfEdgeMesh>(opened) : readMesh(m_parts.kinds, path, progress.part(0.0, 0.2));
     Result<std::shared_ptr<MeshDeviation>> found =
         scan ? compared(mesh, *scan, progress.part(0.2, 1.0)) : Result<std::shared_ptr<MeshDeviation>>(scan.error());
-    if (!found) return [this, document, error = found.error()] { fail(document, error); };
+    if (!found) return [this, document, request, error = found.error()] { fail(document, request, error); };
     (*found)->file = path;
     (*found)->changes = changes;
-    return [this, document, round, made = *found] { take(document, made, round); };
+    return [this, document, request, round, made = *found] {
+      if (request == m_request) take(document, made, round);
+    };
   };
-  job.failed = [this, document](const Error& error) { fail(document, error); };
+  job.failed = [this, document, request = m_request](const Error& error) { fail(document, request, error); };
   m_parts.jobs.start(std::move(job));
   refresh();
 }
 
 void DeviationView::take(MeshTab* document, std::shared_ptr<MeshDeviation> found, Round round) {
-  if (m_running != document || !m_parts.tabs.contains(document)) return;  // given up
   const bool isStale = found->changes != document->changes;
   if (isStale && round == Round::First) return compare(document, found->file, Round::Second);
   m_running = nullptr;
@@ -138,8 +143,8 @@ void DeviationView::take(MeshTab* document, std::shared_ptr<MeshDeviation> found
   if (document == m_document) refresh();
 }
 
-void DeviationView::fail(MeshTab* document, const Error& error) {
-  if (m_running != document) return;
+void DeviationView::fail(MeshTab* document, std::uint64_t request, const Error& error) {
+  if (request != m_request) return;
   m_running = nullptr;
   if (document == m_document) refresh();
   if (error.code == ErrorCode::Cancelled) return;
@@ -154,8 +159,14 @@ void DeviationView::fail(MeshTab* document, const Error& error) {
                 &document->document});
 }
 
+void DeviationView::stop() {
+  ++m_request;
+  m_running = nullptr;
+  m_parts.jobs.cancelOf(this);
+}
+
 void DeviationView::close() {
-  if (m_running == m_document) m_running = nullptr;
+  if (m_running == m_document) stop();
   m_document->deviation.reset();
   refresh();
 }
@@ -197,7 +208,7 @@ void DeviationView::saveReport(const QString& path) {
   comparison.deviation = found->statistics;
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
-  job.owner = m_document;
+  job.lane = Job::Lane::Saving;
   job.work = [this, path, found, comparison = std::move(comparison),
               mesh = m_document->document.mesh()](Progress progress) mutable -> Job::Finish {
     const Result<QImage> picture = deviationPicture(mesh, found->atVertex, found->scale, progress);

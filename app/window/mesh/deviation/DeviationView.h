@@ -40,7 +40,8 @@ class DeviationView : public QObject {
   // path: of the file to compare with; empty for the mesh as it was opened.
   void compare(MeshTab* document, const QString& path, Round round);
   void take(MeshTab* document, std::shared_ptr<MeshDeviation> found, Round round);
-  void fail(MeshTab* document, const Error& error);
+  void fail(MeshTab* document, std::uint64_t request, const Error& error);
+  void stop();
   void close();
   void refresh();
   void askForFile();
@@ -56,6 +57,7 @@ class DeviationView : public QObject {
   QPointer<DeviationPanel> m_panel;
   MeshTab* m_document = nullptr;
   const MeshTab* m_running = nullptr;  // whose comparison is running
+  std::uint64_t m_request = 0;         // the comparison that counts: the results of earlier ones are discarded
 };
 
 }  // namespace handwheel

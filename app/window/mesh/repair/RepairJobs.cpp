@@ -58,7 +58,7 @@ void RepairJobs::startFill(MeshTab* document, Vertex key, PreparedFill prepared,
   FillOptions options = prepared.options.value_or(FillOptions());
   if (!prepared.options) apply(m_fidelity.values(), options);
   options.numbers = document->document.fileNumbers();
-  if (!prepared.bench) prepared = {std::make_shared<HoleFillerCache>(document->document.mesh()), std::nullopt, options};
+  if (!prepared.bench) prepared.bench = std::make_shared<HoleFillerCache>(document->document.mesh());
   Job job;
   job.name = tr("Filling hole %1").arg(document->inspection.loopNumber(loopId));
   job.work = [this, document, key, revision, round, options, nearWeld = nearWeld(), prepared = std::move(prepared),

@@ -112,10 +112,22 @@ class OrphanedAutosavesTest : public QObject {
   void infoReadsBackTheSame() {
     QVERIFY(rc::check([] {
       const auto text = rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
-      const AutosaveInfo info{*text, *rc::gen::arbitrary<std::string>(), *text, *text};
+      AutosaveInfo info{*text, *rc::gen::arbitrary<std::string>(), *text, *text};
+      if (*rc::gen::arbitrary<bool>())
+        info.stamp = FileStamp{*rc::gen::arbitrary<std::uintmax_t>(), *rc::gen::arbitrary<std::int64_t>()};
+      info.isPartial = *rc::gen::arbitrary<bool>();
       RC_ASSERT(recovery::parseInfo(recovery::infoText(info)) == info);
     }));
     QVERIFY(recovery::parseInfo("[1, 2]") == AutosaveInfo());
+  }
+
+  // As it was written before the description had a stamp; and with one that is none.
+  void infoWithoutAStamp() {
+    const AutosaveInfo old{"id", "/a b.stl", "a b.stl", "mesh"};
+    const std::string text = R"("id": "id", "path": "/a b.stl", "name": "a b.stl", "kind": "mesh")";
+    for (const char* more : {"", R"(, "stamp": 3, "partial": 1)", R"(, "stamp": {"bytes": -1, "modified_ns": 2})",
+                             R"(, "stamp": {"bytes": 1, "modified_ns": "2"})"})
+      QVERIFY(recovery::parseInfo("{" + text + more + "}") == old);
   }
 };
 

@@ -103,6 +103,18 @@ class MetaImageReaderTest : public QObject {
     QVERIFY(!readMeta(bytes.toStdString()));
   }
 
+  // 8 TB by its header: refused before anything of it is unpacked.
+  void moreThanTheMemory() {
+    const Result<ImageFile> file = readMeta(
+        "NDims = 3\nDimSize = 1000 1000 1000\nElementNumberOfChannels = 1000\nElementType = MET_DOUBLE\n"
+        "CompressedData = True\nElementDataFile = LOCAL\n" +
+        packed(std::string(1000, '\0'), true));
+    QVERIFY(!file);
+    QCOMPARE(file.error().code, ErrorCode::FileTooLarge);
+    QCOMPARE(file.error().arguments.at(0), "bytes of the unpacked image");
+    QCOMPARE(file.error().arguments.at(1), "8000000000000");
+  }
+
   void damaged() {
     readDamaged(kMetaHead + "CompressedData = True\nElementType = MET_SHORT\nElementDataFile = LOCAL\n" +
                     packed(bytesOfNumbers(kMetaSamples), false),
