@@ -1515,6 +1515,18 @@
         <source>It begins with a move of all three axes, such as G0 X0 Y0 Z10.</source>
         <translation>Es beginnt mit einer Bewegung aller drei Achsen, wie G0 X0 Y0 Z10.</translation>
     </message>
+    <message>
+        <source>the picture of format %1 is damaged, or not one that can be read</source>
+        <translation>das Bild im Format %1 ist beschädigt oder kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>nothing stands out in it: all is black, or of one height</source>
+        <translation>nichts hebt sich darin ab: alles ist schwarz oder gleich hoch</translation>
+    </message>
+    <message>
+        <source>Choose a picture with bright places, or a shape that rises along z.</source>
+        <translation>Wählen Sie ein Bild mit hellen Stellen oder eine Form, die entlang z ansteigt.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -3017,6 +3029,22 @@
     <message>
         <source>its samples need more memory than there is</source>
         <translation>ihre Abtastwerte brauchen mehr Arbeitsspeicher, als vorhanden ist</translation>
+    </message>
+    <message>
+        <source>bytes of the data file</source>
+        <translation>Bytes der Datendatei</translation>
+    </message>
+    <message>
+        <source>bytes of the unpacked image</source>
+        <translation>Bytes des entpackten Bildes</translation>
+    </message>
+    <message>
+        <source>bytes of a picture</source>
+        <translation>Bytes eines Bildes</translation>
+    </message>
+    <message>
+        <source>pixels of a picture</source>
+        <translation>Bildpunkte eines Bildes</translation>
     </message>
 </context>
 <context>
@@ -7474,6 +7502,46 @@
         <source>On both sides of it</source>
         <translation>Auf beiden Seiten</translation>
     </message>
+    <message>
+        <source>Dome</source>
+        <translation>Kuppel</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>Pyramide</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>Pebbles</source>
+        <translation>Kiesel</translation>
+    </message>
+    <message>
+        <source>Scales</source>
+        <translation>Schuppen</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beides</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>Stempel</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Gedreht um</translation>
+    </message>
+    <message>
+        <source>Pressure changes</source>
+        <translation>Druck ändert</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -9144,10 +9212,6 @@
         <translation>auf und ab bewegen</translation>
     </message>
     <message>
-        <source>the surface encloses nothing, even with its holes closed</source>
-        <translation>die Oberfläche schließt nichts ein, auch nicht mit geschlossenen Löchern</translation>
-    </message>
-    <message>
         <source>the part is thinner than the voxels: choose smaller ones</source>
         <translation>das Teil ist dünner als die Voxel: Wählen Sie kleinere</translation>
     </message>
@@ -9226,6 +9290,50 @@
     <message>
         <source>no part is that small</source>
         <translation>kein Teil ist so klein</translation>
+    </message>
+    <message>
+        <source>the surface encloses nothing, even with its holes closed: set a wall thickness to make walls of it</source>
+        <translation>die Oberfläche umschließt auch mit geschlossenen Löchern nichts: geben Sie eine Wandstärke an, um daraus Wände zu machen</translation>
+    </message>
+    <message>
+        <source>Unmask clay</source>
+        <translation>Maske von Ton entfernen</translation>
+    </message>
+    <message>
+        <source>Mask clay</source>
+        <translation>Ton maskieren</translation>
+    </message>
+    <message>
+        <source>mask clay</source>
+        <translation>Ton maskieren</translation>
+    </message>
+    <message>
+        <source>invert the mask</source>
+        <translation>Maske umkehren</translation>
+    </message>
+    <message>
+        <source>clear the mask</source>
+        <translation>Maske löschen</translation>
+    </message>
+    <message>
+        <source>load a stamp</source>
+        <translation>Stempel laden</translation>
+    </message>
+    <message>
+        <source>Invert the mask</source>
+        <translation>Maske umkehren</translation>
+    </message>
+    <message>
+        <source>Clear the mask</source>
+        <translation>Maske löschen</translation>
+    </message>
+    <message>
+        <source>nothing is masked</source>
+        <translation>nichts ist maskiert</translation>
+    </message>
+    <message>
+        <source>the drill would cut sideways here: begin on a free surface</source>
+        <translation>der Bohrer würde hier seitlich schneiden: beginnen Sie an einer freien Oberfläche</translation>
     </message>
 </context>
 <context>
@@ -10378,6 +10486,14 @@
         <source>Export it again.</source>
         <translation>Exportieren Sie sie noch einmal.</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -11180,10 +11296,6 @@
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>%1 (%2 points)</source>
-        <translation>%1 (%2 Punkte)</translation>
-    </message>
-    <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
@@ -11230,6 +11342,18 @@
     <message>
         <source>Change the hints of a step</source>
         <translation>Die Hinweise eines Schritts ändern</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -13978,10 +14102,6 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>The program was changed since: run it again.</source>
-        <translation>Das Programm wurde seitdem geändert: Führen Sie es erneut aus.</translation>
-    </message>
-    <message>
         <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo restores the present text.</source>
         <translation>Die Schnitte, aus denen dieses Teil entstand, werden zu einem Programm im gewählten Dialekt. Es erscheint im Editor; „Rückgängig“ stellt den jetzigen Text wieder her.</translation>
     </message>
@@ -14012,6 +14132,10 @@
     <message>
         <source>Cut: %1 mm³ removed. Undo restores them.</source>
         <translation>Bearbeitet: %1 mm³ abgetragen. „Rückgängig“ stellt sie wieder her.</translation>
+    </message>
+    <message>
+        <source>The program or the part was changed since: run it again.</source>
+        <translation>Programm oder Teil wurde seitdem geändert: führen Sie es erneut aus.</translation>
     </message>
 </context>
 <context>
@@ -14585,6 +14709,10 @@
     <message>
         <source>It is not a workpiece that was cut.</source>
         <translation>Es ist kein Werkstück, das bearbeitet wurde.</translation>
+    </message>
+    <message>
+        <source>Showing the replay</source>
+        <translation>Wiedergabe wird gezeigt</translation>
     </message>
 </context>
 <context>
@@ -15585,6 +15713,33 @@
     <message>
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StampAction</name>
+    <message>
+        <source>Load s&amp;tamp…</source>
+        <translation>S&amp;tempel laden…</translation>
+    </message>
+    <message>
+        <source>Shape clay by the brightness of a picture, or by the height of a part</source>
+        <translation>Ton nach der Helligkeit eines Bildes oder der Höhe eines Teils formen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.gif *.pgm *.ppm *.pbm)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.gif *.pgm *.ppm *.pbm)</translation>
+    </message>
+    <message>
+        <source>Load a stamp</source>
+        <translation>Stempel laden</translation>
+    </message>
+    <message>
+        <source>Loading a stamp</source>
+        <translation>Stempel wird geladen</translation>
+    </message>
+    <message>
+        <source>The stamp cannot be loaded</source>
+        <translation>Der Stempel kann nicht geladen werden</translation>
     </message>
 </context>
 <context>

@@ -1514,6 +1514,18 @@
         <source>It begins with a move of all three axes, such as G0 X0 Y0 Z10.</source>
         <translation>程序以三个轴同时移动开始，例如 G0 X0 Y0 Z10。</translation>
     </message>
+    <message>
+        <source>the picture of format %1 is damaged, or not one that can be read</source>
+        <translation>格式为 %1 的图片已损坏或无法读取</translation>
+    </message>
+    <message>
+        <source>nothing stands out in it: all is black, or of one height</source>
+        <translation>其中没有任何凸起：全是黑色或高度相同</translation>
+    </message>
+    <message>
+        <source>Choose a picture with bright places, or a shape that rises along z.</source>
+        <translation>请选择有明亮部位的图片，或沿 z 方向凸起的形状。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -3016,6 +3028,22 @@
     <message>
         <source>its samples need more memory than there is</source>
         <translation>其采样点所需内存超过现有内存</translation>
+    </message>
+    <message>
+        <source>bytes of the data file</source>
+        <translation>数据文件的字节数</translation>
+    </message>
+    <message>
+        <source>bytes of the unpacked image</source>
+        <translation>解压后图像的字节数</translation>
+    </message>
+    <message>
+        <source>bytes of a picture</source>
+        <translation>图片的字节数</translation>
+    </message>
+    <message>
+        <source>pixels of a picture</source>
+        <translation>图片的像素数</translation>
     </message>
 </context>
 <context>
@@ -7465,6 +7493,46 @@
         <source>On both sides of it</source>
         <translation>表面两侧</translation>
     </message>
+    <message>
+        <source>Dome</source>
+        <translation>圆顶</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>棱锥</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>圆环</translation>
+    </message>
+    <message>
+        <source>Pebbles</source>
+        <translation>卵石</translation>
+    </message>
+    <message>
+        <source>Scales</source>
+        <translation>鳞片</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>遮罩</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>两者</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>印章</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Pressure changes</source>
+        <translation>压力影响</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -9096,10 +9164,6 @@
         <translation>上下移动</translation>
     </message>
     <message>
-        <source>the surface encloses nothing, even with its holes closed</source>
-        <translation>即使封闭其孔洞，曲面也未围成任何空间</translation>
-    </message>
-    <message>
         <source>the part is thinner than the voxels: choose smaller ones</source>
         <translation>零件比体素还薄：请选择更小的体素</translation>
     </message>
@@ -9178,6 +9242,50 @@
     <message>
         <source>no part is that small</source>
         <translation>没有这么小的部分</translation>
+    </message>
+    <message>
+        <source>the surface encloses nothing, even with its holes closed: set a wall thickness to make walls of it</source>
+        <translation>即使封闭孔洞，该曲面也不包围任何空间：请设置壁厚以生成壁</translation>
+    </message>
+    <message>
+        <source>Unmask clay</source>
+        <translation>取消黏土遮罩</translation>
+    </message>
+    <message>
+        <source>Mask clay</source>
+        <translation>遮罩黏土</translation>
+    </message>
+    <message>
+        <source>mask clay</source>
+        <translation>遮罩黏土</translation>
+    </message>
+    <message>
+        <source>invert the mask</source>
+        <translation>反转遮罩</translation>
+    </message>
+    <message>
+        <source>clear the mask</source>
+        <translation>清除遮罩</translation>
+    </message>
+    <message>
+        <source>load a stamp</source>
+        <translation>加载印章</translation>
+    </message>
+    <message>
+        <source>Invert the mask</source>
+        <translation>反转遮罩</translation>
+    </message>
+    <message>
+        <source>Clear the mask</source>
+        <translation>清除遮罩</translation>
+    </message>
+    <message>
+        <source>nothing is masked</source>
+        <translation>没有任何遮罩</translation>
+    </message>
+    <message>
+        <source>the drill would cut sideways here: begin on a free surface</source>
+        <translation>钻头在此会侧向切削：请从空闲的表面开始</translation>
     </message>
 </context>
 <context>
@@ -10314,6 +10422,14 @@
         <source>Export it again.</source>
         <translation>请重新导出。</translation>
     </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>重命名(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -11114,10 +11230,6 @@
         <translation>移除</translation>
     </message>
     <message>
-        <source>%1 (%2 points)</source>
-        <translation>%1（%2 分）</translation>
-    </message>
-    <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
@@ -11164,6 +11276,18 @@
     <message>
         <source>Change the hints of a step</source>
         <translation>更改步骤的提示</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 分</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 分</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
     </message>
 </context>
 <context>
@@ -13889,10 +14013,6 @@
         <translation>取消</translation>
     </message>
     <message>
-        <source>The program was changed since: run it again.</source>
-        <translation>程序此后已更改：请重新运行。</translation>
-    </message>
-    <message>
         <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo restores the present text.</source>
         <translation>将切削此零件的走刀写成所选代码格式的程序。程序显示在编辑器中；撤销可恢复当前文本。</translation>
     </message>
@@ -13923,6 +14043,10 @@
     <message>
         <source>Cut: %1 mm³ removed. Undo restores them.</source>
         <translation>切削：已去除 %1 mm³。撤销可恢复。</translation>
+    </message>
+    <message>
+        <source>The program or the part was changed since: run it again.</source>
+        <translation>此后程序或零件已更改：请重新运行。</translation>
     </message>
 </context>
 <context>
@@ -14490,6 +14614,10 @@
     <message>
         <source>It is not a workpiece that was cut.</source>
         <translation>它不是经过切削的工件。</translation>
+    </message>
+    <message>
+        <source>Showing the replay</source>
+        <translation>正在显示回放</translation>
     </message>
 </context>
 <context>
@@ -15480,6 +15608,33 @@
     <message>
         <source>Opening %1</source>
         <translation>正在打开 %1</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StampAction</name>
+    <message>
+        <source>Load s&amp;tamp…</source>
+        <translation>加载印章(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Shape clay by the brightness of a picture, or by the height of a part</source>
+        <translation>按图片的亮度或零件的高度塑造黏土</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.gif *.pgm *.ppm *.pbm)</source>
+        <translation>图片 (*.png *.jpg *.jpeg *.bmp *.gif *.pgm *.ppm *.pbm)</translation>
+    </message>
+    <message>
+        <source>Load a stamp</source>
+        <translation>加载印章</translation>
+    </message>
+    <message>
+        <source>Loading a stamp</source>
+        <translation>正在加载印章</translation>
+    </message>
+    <message>
+        <source>The stamp cannot be loaded</source>
+        <translation>无法加载印章</translation>
     </message>
 </context>
 <context>
