@@ -14,6 +14,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -37,8 +38,8 @@ LessonStep lessonStep(const Exercise& exercise, const Attempt& attempt, std::siz
   return shown;
 }
 
-// "⌀30 h10: 29.916 … 30 mm", and where it is measured.
-QString sizeText(const MarkingCriterion& c, const FigureType& type) {
+// "⌀30 h10: 29.916 … 30 mm", and where it is measured. zero: Z from which the read-out counts.
+QString sizeText(const MarkingCriterion& c, const FigureType& type, double zero) {
   const auto number = [](double value) { return QLocale().toString(value, 'g', 8); };
   const bool isTime = type.unit == "s";
   const auto value = [&](double figure) {
@@ -53,9 +54,12 @@ QString sizeText(const MarkingCriterion& c, const FigureType& type) {
   else if (c.lower)
     text += ExerciseLesson::tr(": at least %1%2").arg(value(*c.lower), unit);
   QStringList places;
-  for (std::size_t i = 0; i < std::min(type.arguments.size(), c.arguments.size()); ++i)
+  constexpr double kShown = 1e6;  // parts of a mm: what is below is rounding
+  for (std::size_t i = 0; i < std::min(type.arguments.size(), c.arguments.size()); ++i) {
+    const double at = c.arguments[i] - (type.arguments[i].ends_with('Z') ? zero : 0.0);
     places += QCoreApplication::translate("Property", type.arguments[i].c_str()) + QLatin1Char(' ') +
-              number(c.arguments[i]) + QStringLiteral(" mm");
+              number(std::round(at * kShown) / kShown + 0.0) + QStringLiteral(" mm");
+  }
   return places.isEmpty() ? text : text + QStringLiteral("\n    ") + places.join(QStringLiteral(", "));
 }
 
@@ -65,9 +69,10 @@ QString drawingText(const ExerciseSnapshot& shown, const Exercise& exercise) {
   for (const ExerciseText& line : shown.subject->conditions(*shown.task)) lines += exerciseText(line);
   lines += QString();
   const std::vector<FigureType> types = figureTypes(*shown.subject);
+  const double zero = shown.subject->drawingZero(*shown.task).value_or(0.0);
   for (const MarkingCriterion& c : exercise.criteria) {
     const FigureType* type = figureType(types, c.figure);
-    if (type && !c.isHidden) lines += QStringLiteral("• ") + sizeText(c, *type);
+    if (type && !c.isHidden) lines += QStringLiteral("• ") + sizeText(c, *type, zero);
   }
   return lines.join(QLatin1Char('\n'));
 }
