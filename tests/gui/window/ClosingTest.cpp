@@ -173,7 +173,7 @@ class ClosingTest : public QObject {
     auto* tabs = driver.find<DocumentTabs>("tabRow");
     const auto made = [&] {
       driver.choose("newWorkpiece");
-      driver.edit("diameter", "33");
+      if (!tabs->current()->document.setProperty("diameter", 33.0)) qFatal("no diameter");
       return tabs->current();
     };
     const DocumentTab* const closed = made();
