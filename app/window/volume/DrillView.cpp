@@ -45,11 +45,13 @@ QString drillVerdict(const DrillState& hole) {
   if (hole.figures.forbidden > 0.0)
     return DrillView::tr("The forbidden region was entered by %1 mm: this attempt has failed")
         .arg(lengthText(hole.figures.forbidden));
-  if (hole.breakthrough) return DrillView::tr("Breakthrough: stop. %1 mm beyond").arg(lengthText(hole.figures.plunge));
+  QStringList verdicts;
+  if (hole.breakthrough)
+    verdicts += DrillView::tr("Breakthrough: stop. %1 mm beyond").arg(lengthText(hole.figures.plunge));
   if (isBesidePath(hole))
-    return DrillView::tr("%1 mm beside the planned path")
-        .arg(lengthText(hole.moments[hole.moments.size() - 1].deviation));
-  return {};
+    verdicts +=
+        DrillView::tr("%1 mm beside the planned path").arg(lengthText(hole.moments[hole.moments.size() - 1].deviation));
+  return verdicts.join(QLatin1Char('\n'));
 }
 
 DrillView::DrillView(const WindowContext& parts, QObject* parent) : QObject(parent), m_parts(parts) {
