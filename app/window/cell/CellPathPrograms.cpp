@@ -10,6 +10,7 @@
 #include "window/cell/CellPaths.h"
 #include "window/cell/PathStatus.h"
 #include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
 
 #include <QFile>
@@ -168,13 +169,15 @@ void CellPaths::exportProgram(const Post& post, const QString& file, const Progr
   job.name = tr("Writing %1").arg(QFileInfo(file).fileName());
   job.lane = Job::Lane::Saving;
   job.owner = &tab;
-  job.failed = [this, &tab](const Error& error) { report(&tab, error); };
-  job.work = [this, &tab, scene, known, plans = cell().plans(), path = request.path, &post, file,
+  // A file that is being written comes to its end, also when its document was closed meanwhile.
+  const auto stillOpen = [this, of = &tab]() -> const DocumentTab* { return m_parts.tabs.contains(of) ? of : nullptr; };
+  job.failed = [this, stillOpen](const Error& error) { report(stillOpen(), error); };
+  job.work = [this, stillOpen, scene, known, plans = cell().plans(), path = request.path, &post, file,
               outdated = request.outdated](Progress) -> Job::Finish {
     auto written = writeProgram(*scene, *plans, path, *known, post, QFile::encodeName(file).toStdString(), outdated);
-    return [this, &tab, &post, file, partMoved = known->partMoved, written = std::move(written)] {
-      if (!written) return report(&tab, written.error());
-      reportWritten(tab, *written, post, file, QString::fromStdString(partMoved));
+    return [this, stillOpen, &post, file, partMoved = known->partMoved, written = std::move(written)] {
+      if (!written) return report(stillOpen(), written.error());
+      reportWritten(stillOpen(), *written, post, file, QString::fromStdString(partMoved));
     };
   };
   m_parts.jobs.start(std::move(job));
@@ -190,7 +193,7 @@ void CellPaths::reportNotWritten(const std::string& path) {
   emit message(changed);
 }
 
-void CellPaths::reportWritten(const DocumentTab& tab, const WrittenProgram& written, const Post& post,
+void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& written, const Post& post,
                               const QString& file, const QString& partMoved) {
   const QLocale locale;
   QString detail = tr("%Ln motion(s), read back within %1 mm.", nullptr, static_cast<int>(written.check.motions))
@@ -216,7 +219,7 @@ void CellPaths::reportWritten(const DocumentTab& tab, const WrittenProgram& writ
                 {},
                 {},
                 {},
-                &tab.document});
+                tab ? &tab->document : nullptr});
 }
 
 // Poses are reached by inverse kinematics, one after the other.

@@ -145,7 +145,8 @@ class CellPaths : public QObject {
   void exportAs(const QString& file, const Post& chosen, const ProgramRequest& request);
   void exportProgram(const Post& post, const QString& file, const ProgramRequest& request);
   void reportNotWritten(const std::string& path);
-  void reportWritten(const DocumentTab& tab, const WrittenProgram& written, const Post& post, const QString& file,
+  // tab: null where it was closed.
+  void reportWritten(const DocumentTab* tab, const WrittenProgram& written, const Post& post, const QString& file,
                      const QString& partMoved);
   void importProgram(const QString& file);
   void verify();

@@ -163,15 +163,17 @@ class CellPlanningWindowTest : public QObject {
     leaveAndReturn();
     QVERIFY(QFile::exists(folder.filePath("way.mod")));
     QTRY_VERIFY(driver.text("messageText").contains("way.mod was written"));
+    QVERIFY(driver.settle());
     // Nothing is known of both paths with another body in the cell.
     driver.choose("add-box");
+    QVERIFY(driver.settle());
     driver.edit("body.1.x", "3000");
     QVERIFY(driver.settle());
     driver.tree()->setCurrentItem(nullptr);
     driver.hold();
     driver.choose("verifyAllPaths");
     leaveAndReturn();
-    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("2 path(s) proven"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("2 paths proven"), kPatienceMs);
     QVERIFY(isFree(0) && isFree(1));
   }
 

@@ -136,7 +136,7 @@ class ProgramWindowTest : public QObject {
     const double upper = turned.stock.length;
     TurningPass pass;
     pass.noseRadius = 0.8;
-    pass.path = {{20.0, upper + 2.0}, {20.0, upper - 60.0}};
+    pass.path = {{24.8, upper + 2.0}, {24.8, upper - 60.0}};  // to 48 mm: the program finds material
     pass.times = {0.0, 1.0};
     const auto part = withPasses(turned, {pass}, 0.1);
     window.document().commit(QStringLiteral("by hand"), std::make_unique<TurnedPartEdit>(part));
