@@ -59,15 +59,6 @@ class ExerciseWindowTest : public QObject {
  private slots:
   void init() { QSettings().clear(); }
 
-  // The sizes of a drawing stand where the read-out and programs have them: from its finished face at Z 80.
-  void sizesCountFromTheDrawing() {
-    WindowDriver driver;
-    driver.choose("openFirstLesson");
-    QVERIFY(driver.settle());
-    const QString sizes = driver.window().findChild<QLabel*>("lesson/sizes")->text();
-    QVERIFY2(sizes.contains(QStringLiteral("From Z -27 mm, To Z -1 mm")), qPrintable(sizes));
-  }
-
   void aLessonOpensItsBar() {
     WindowDriver driver;
     driver.click("lessonTile");
