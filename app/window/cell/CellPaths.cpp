@@ -167,15 +167,20 @@ void CellPaths::connectActions() {
 }
 
 void CellPaths::setDocument(DocumentTab* document) {
-  if (m_document) m_document->document.disconnect(this);
+  if (m_document) {
+    m_document->document.disconnect(this);
+    m_rows[m_document] = m_tree->current();
+  }
   m_document = document;
   m_checks.setDocument(document);
   if (document) connect(&document->document, &Document::changed, this, &CellPaths::followDocument);
   followDocument();
+  if (const auto before = m_rows.find(document); before != m_rows.end()) m_tree->select(before->second);
 }
 
 void CellPaths::forget(const DocumentTab* document) {
   m_checks.forget(document);
+  m_rows.erase(document);
   if (const auto wanted = m_wanted.find(document); wanted != m_wanted.end()) m_parts.jobs.cancelOf(&wanted->second);
   m_wanted.erase(document);
 }

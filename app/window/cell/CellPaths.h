@@ -172,6 +172,7 @@ class CellPaths : public QObject {
   PlanTree* m_tree;
   QLabel* m_detail;
   std::shared_ptr<PathLayer> m_layer;
+  std::map<const DocumentTab*, PlanTree::Entry> m_rows;  // that were selected when it was in view last
   PathChecks m_checks;
   std::optional<OperationValues> m_planned;              // what was chosen in the dialog last
   std::map<const DocumentTab*, WantedProcess> m_wanted;  // one at most of a document

@@ -156,6 +156,8 @@ class CellPlanningWindowTest : public QObject {
       driver.tree()->setCurrentItem(driver.paths()->child(count - 1));
       QTRY_VERIFY_WITH_TIMEOUT(isFree(count - 1), kPatienceMs);
     }
+    leaveAndReturn();
+    QVERIFY(driver.paths()->child(1)->isSelected());
     const QTemporaryDir folder;
     driver.choose("exportProgram");
     driver.hold();
