@@ -14,6 +14,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -65,12 +66,22 @@ void StampAction::load(const QString& path) {
                         errorAdvice(stamp.error())});
         return;
       }
-      const std::size_t number = m_stamps->add(QFileInfo(path).fileName().toStdString(), *stamp);
-      m_parts.chooseTool(QStringLiteral("clayTool"));
-      m_parts.tools.choose("clay", "stamp", static_cast<double>(number));
+      use(m_stamps->add(QFileInfo(path).fileName().toStdString(), *stamp));
     };
   };
   m_parts.jobs.start(std::move(job));
+}
+
+// With the tool as it is, unless its action has no stamps.
+void StampAction::use(std::size_t number) {
+  const ToolRunner& runner = m_parts.tools.runner();
+  if (!dynamic_cast<const ClayTool*>(runner.tool())) m_parts.chooseTool(QStringLiteral("clayTool"));
+  if (!runner.tool()) return;
+  const std::vector<Property> settings = runner.tool()->settings();
+  const auto isStamp = [](const Property& setting) { return setting.id == "stamp"; };
+  if (std::none_of(settings.begin(), settings.end(), isStamp))
+    m_parts.tools.choose("clay", "action", static_cast<double>(ClayAction::Add));
+  m_parts.tools.choose("clay", "stamp", static_cast<double>(number));
 }
 
 }  // namespace handwheel

@@ -27,6 +27,7 @@ class StampAction : public QObject {
  private:
   void ask();
   void load(const QString& path);
+  void use(std::size_t number);
 
   WindowContext m_parts;
   QAction m_action;

