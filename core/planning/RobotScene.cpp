@@ -59,12 +59,11 @@ RobotScene::RobotScene(const RobotModel& robot, const Pose& base, std::vector<Co
     MovedJoint& moved = m_joints[index];
     moved.parent = mover[joint.parent];
     moved.joint.isPrismatic = joint.kind == JointKind::Prismatic;
-    const Joint& named = robot.jointOfDof(joint.dof);  // a joint that follows it has its limits, as in SerialArm
-    if (named.kind != JointKind::Continuous) {
-      moved.joint.lower = named.limits.lower;
-      moved.joint.upper = named.limits.upper;
+    if (joint.kind != JointKind::Continuous) {
+      moved.joint.lower = joint.limits.lower;
+      moved.joint.upper = joint.limits.upper;
     }
-    moved.joint.velocity = named.limits.velocity;
+    moved.joint.velocity = joint.limits.velocity;
     const Vec3 axis = joint.factor * joint.axis;
     const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
     moved.joint.before = origin;

@@ -77,7 +77,7 @@ class RobotScene {
   // How far a point of the robot can be from where it is at these values, when each joint is off by at most so much;
   // mm.
   double travelBound(const ArmValues& values, const ArmValues& spread) const;
-  // The same from any place of a motion: where its middle is, and how much its levers change to either end.
+  // The same from any place of a motion, by its middle and by how much levers change to either end.
   double travelBound(const ArmValues& from, const ArmValues& to, const ArmValues& spread) const;
   // Whether everything keeps its clearance wherever each joint is, off these values by at most so much.
   bool isFreeAround(const ArmValues& values, const ArmValues& spread, double clearance, double ownClearance) const;

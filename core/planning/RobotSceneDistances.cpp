@@ -68,13 +68,30 @@ double RobotScene::travelBound(const ArmValues& values, const ArmValues& spread)
 }
 
 double RobotScene::travelBound(const ArmValues& from, const ArmValues& to, const ArmValues& spread) const {
-  const ArmValues middle = 0.5 * (from + to);
-  double turns = 0.0;
-  for (std::size_t j = 0; j < m_joints.size(); ++j)
-    if (!m_joints[j].joint.isPrismatic) turns += std::abs(spread[static_cast<Eigen::Index>(j)]);
-  // A point and an axis each move by this at most to either end.
-  const double levers = 2.0 * travelBound(middle, 0.5 * (to - from).cwiseAbs());
-  return travelBound(middle, spread) + turns * levers;
+  Places places;
+  placesAt(0.5 * (from + to), places);
+  double most = 0.0;
+  for (const Part& part : m_parts) {
+    if (part.joint == kNone) continue;
+    const Vec3 at = places.of(part.joint) * part.body.centre();
+    // From the part to the base: what the joints so far move it by to either end, and what they may be off.
+    double moved = 0.0, off = 0.0;
+    for (std::uint32_t j = part.joint; j != kNone; j = m_joints[j].parent) {
+      const double way = 0.5 * std::abs(to[j] - from[j]), own = std::abs(spread[j]);
+      if (m_joints[j].joint.isPrismatic) {
+        moved += way;
+        off += own;
+        continue;
+      }
+      const Pose& pose = places.joints[j];
+      const Vec3 away = at - pose.translation();
+      const double lever = away.cross(Vec3(pose.linear().col(2))).norm() + part.body.radius() + moved;
+      off += own * (lever + off);
+      moved += way * lever;
+    }
+    most = std::max(most, off);
+  }
+  return most * (1.0 + kRounding);
 }
 
 bool RobotScene::isFreeAround(const ArmValues& values, const ArmValues& spread, double clearance,

@@ -8,6 +8,7 @@
 #include "report/exercise/MarkingWords.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
@@ -88,13 +89,18 @@ ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::pat
 }
 
 void remarkEqualWorks(std::vector<ReportedWork>& works) {
-  const auto isSame = [](const ReportDetails& a, const ReportDetails& b) {
-    const auto sameCurve = [](const ReportCurve& c, const ReportCurve& d) {
-      return std::ranges::equal(c.series, d.series, {}, &ReportCurve::Series::points, &ReportCurve::Series::points);
-    };
-    const auto isRecorded = [](const ReportCurve& curve) { return !curve.series.empty(); };
-    return a.seconds > 0.0 && a.seconds == b.seconds && std::ranges::any_of(a.curves, isRecorded) &&
-           std::ranges::equal(a.curves, b.curves, sameCurve);
+  const auto isEqual = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };  // NaN: a gap
+  const auto isSamePoint = [&](const auto& p, const auto& q) {
+    return isEqual(p.first, q.first) && isEqual(p.second, q.second);
+  };
+  const auto isSameSeries = [&](const ReportCurve::Series& a, const ReportCurve::Series& b) {
+    return std::ranges::equal(a.points, b.points, isSamePoint);
+  };
+  const auto isSameCurve = [&](const ReportCurve& a, const ReportCurve& b) {
+    return std::ranges::equal(a.series, b.series, isSameSeries);
+  };
+  const auto isSame = [&](const ReportDetails& a, const ReportDetails& b) {
+    return a.seconds > 0.0 && a.seconds == b.seconds && std::ranges::equal(a.curves, b.curves, isSameCurve);
   };
   const auto nameOf = [](const ClassRow& row) {
     return row.attempt.student.empty() ? row.file : row.attempt.student + " (" + row.file + ")";

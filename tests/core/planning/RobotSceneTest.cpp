@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planning/RobotScene.h"
 
-#include "../robot/Robots.h"
 #include "Scenes.h"
 #include "TestClass.h"
 #include "planning/PathShortcuts.h"
@@ -76,26 +75,6 @@ class RobotSceneTest : public QObject {
       // It is of use only while it is not much more than what one place has.
       RC_ASSERT(scene.travelBound(from, to, spread) <= 1.5 * scene.travelBound(from, spread) + 1e-9);
     }));
-  }
-
-  // A joint that follows one outside of the arm has the limits and the velocity of that one, as inverse kinematics has.
-  void limitsOfAFollower() {
-    const RobotModel robot =
-        readOrThrow(test::robotOf(link("a") + link("b") + link("c") +
-                                  joint("j", "revolute", "a", "b", "<limit lower='0' upper='2' velocity='3'/>") +
-                                  joint("k", "revolute", "a", "c",
-                                        "<limit lower='-2' upper='0' velocity='1'/>"
-                                        "<mimic joint='j' multiplier='-1'/>")))
-            .robot;
-    const auto arm = SerialArm::of(robot, 0, 2);
-    QVERIFY(arm);
-    const RobotScene scene = sceneOf(robot);
-    QVERIFY(scene.isSound());
-    QCOMPARE(scene.joint(0).lower, 0.0);
-    QCOMPARE(scene.joint(0).upper, 2.0);
-    QCOMPARE(*scene.joint(0).velocity, 3.0);
-    QCOMPARE(scene.joint(0).lower, arm->arm.joints()[0].lower);
-    QCOMPARE(scene.joint(0).upper, arm->arm.joints()[0].upper);
   }
 
   // Around a ball in the corner: along one side and along the other, without the places in between.

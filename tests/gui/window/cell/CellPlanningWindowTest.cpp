@@ -158,6 +158,7 @@ class CellPlanningWindowTest : public QObject {
     }
     leaveAndReturn();
     QVERIFY(driver.paths()->child(1)->isSelected());
+    QVERIFY(driver.settle());
     const QTemporaryDir folder;
     driver.choose("exportProgram");
     driver.hold();
