@@ -123,7 +123,10 @@ class ClayWindowTest : public QObject {
     QTest::keyClick(clay.view, Qt::Key_E, Qt::ShiftModifier);
     clay.stroke(middle - QPoint(0, 60), middle + QPoint(0, 60));
     QTRY_COMPARE_WITH_TIMEOUT(steps(), 2, kPatienceMs);
-    const Vec3 front = 19.9 * clay.view->camera().towardsViewer();
+    // Just below the surface of the ball of 20 mm, where the middle of the view meets it.
+    const ViewRay ray = clay.view->rayAt(middle);
+    const Vec3 nearest = ray.origin - ray.origin.dot(ray.direction) * ray.direction;
+    const Vec3 front = nearest - std::sqrt(19.9 * 19.9 - nearest.squaredNorm()) * ray.direction;
     QVERIFY(clay.depthAt(front) > 0.0);
     const QString path = folder.filePath("masked.handwheel");
     clay.driver.click("quickActions/saveFile");
