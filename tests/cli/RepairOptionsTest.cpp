@@ -272,6 +272,42 @@ class RepairOptionsTest : public QObject {
     QVERIFY(ran.err.endsWith("handwheel: Damage at 501 further places.\n"));
     QCOMPARE(bench.json("r.json").at("damage").size(), std::size_t(1001));
   }
+
+  // The open end of a tube of 48 sides, each turned by 7.5° from the next, gets a lid at a right angle: that is said. A
+  // ball that is closed where a cap was cut off goes on as it did: nothing is said.
+  void patchesThatBendMoreThanTheirSurroundings() {
+    const Bench bench;
+    constexpr int kSides = 48, kRings = 12;
+    Shape tube, ball;
+    for (int k = 0; k <= kRings; ++k) {
+      for (int i = 0; i < kSides; ++i) {
+        const double angle = 2.0 * M_PI * i / kSides, polar = M_PI - (M_PI - 0.4) * (k + 1) / (kRings + 1);
+        tube.points.push_back({10.0 * std::cos(angle), 10.0 * std::sin(angle), 2.0 * k});
+        ball.points.push_back({10.0 * std::sin(polar) * std::cos(angle), 10.0 * std::sin(polar) * std::sin(angle),
+                               10.0 * std::cos(polar)});
+      }
+    }
+    tube.points.push_back({0.0, 0.0, 0.0});
+    ball.points.push_back({0.0, 0.0, -10.0});
+    for (int i = 0; i < kSides; ++i) {
+      const int next = (i + 1) % kSides;
+      tube.faces.push_back({kSides * (kRings + 1), next, i});
+      for (int k = 0; k < kRings; ++k) {
+        const int a = kSides * k + i, b = kSides * k + next;
+        tube.faces.push_back({a, b, b + kSides});
+        tube.faces.push_back({a, b + kSides, a + kSides});
+      }
+    }
+    ball.faces = tube.faces;
+    bench.put("tube.off", tube.off());
+    bench.put("ball.off", ball.off());
+    const Ran lid = bench.run({"repair", "tube.off", "-o", "a.off"});
+    QCOMPARE(lid.code, 0);
+    QVERIFY2(lid.err.contains("check its patch: the patch bends by 90°, its surroundings by at most 8°"), lid.err);
+    const Ran cap = bench.run({"repair", "ball.off", "-o", "b.off"});
+    QCOMPARE(cap.code, 0);
+    QCOMPARE(cap.err, QByteArray());
+  }
 };
 
 HANDWHEEL_TEST(RepairOptionsTest)
