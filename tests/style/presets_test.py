@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Handwheel developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every room of core is built, tested, and run by the preset for threads."""
+"""Every room of core is built, tested, and run by the presets for threads and coverage."""
 
 import json
 import os
@@ -9,7 +9,7 @@ import unittest
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 # A room that a preset leaves out, with the reason.
-LEFT_OUT = {"tsan": {"document": "starts no thread; its tests are mostly Qt, which is not instrumented"}}
+LEFT_OUT = {"tsan": {"document": "starts no thread; its tests are mostly Qt, which is not instrumented"}, "coverage": {}}
 
 
 def text_of(*path):
@@ -63,7 +63,10 @@ class PresetsTest(unittest.TestCase):
 
     def test_finds_a_missing_room(self):
         more = self.rooms | {"lathe"}
-        self.assertEqual(list(missing(self.presets, more)), [("tsan", "lathe", "build"), ("tsan", "lathe", "test")])
+        self.assertEqual(
+            list(missing(self.presets, more)),
+            [("tsan", "lathe", "build"), ("tsan", "lathe", "test"), ("coverage", "lathe", "build")],
+        )
         targets = named(self.presets["buildPresets"], "tsan")["targets"]
         targets.remove("tests/core/mesh/all")
         self.assertEqual(list(missing(self.presets, self.rooms)), [("tsan", "mesh", "build")])
