@@ -84,6 +84,7 @@ void CellPaths::select(const DocumentTab& tab, const PlanTree::Entry& entry) {
 }
 
 void CellPaths::store() {
+  m_document->document.settle();  // the hand may lead the robot
   CellPlans changed = plans();
   const std::string wish = tr("Configuration %1").arg(changed.configurations.size() + 1).toStdString();
   const std::string name = changed.freePlaceName(wish);
@@ -113,6 +114,7 @@ void CellPaths::reportStored(const DocumentTab& tab, const QString& title, const
 
 // On the selected body it moves with that, unless the robot itself carries it.
 void CellPaths::storeTarget() {
+  m_document->document.settle();  // the hand may lead the robot
   CellPlans changed = plans();
   const std::string wish = tr("Target %1").arg(changed.targets.size() + 1).toStdString();
   NamedTarget target{.name = changed.freePlaceName(wish)};
@@ -176,6 +178,7 @@ void CellPaths::goTo(const PlanTree::Entry& entry) {
 
 // Before the goal, if no place before that is selected: the path goes on ending there.
 void CellPaths::insertHere() {
+  m_document->document.settle();
   const PlanTree::Entry entry = m_tree->current();
   const RobotPath* const present = path();
   if (!present) return;
@@ -201,6 +204,7 @@ void CellPaths::insertAt(std::size_t behind) {
 }
 
 void CellPaths::addPlace() {
+  m_document->document.settle();  // the hand may lead the robot
   const PlanTree::Entry chosen = m_tree->current();
   if (chosen.kind == Kind::Path || chosen.kind == Kind::Place) {
     const RobotPath* const present = path();
@@ -220,6 +224,7 @@ void CellPaths::addPlace() {
 }
 
 void CellPaths::setPlaceHere() {
+  m_document->document.settle();
   const PlanTree::Entry entry = m_tree->current();
   if (entry.kind == Kind::Target) return setTargetHere(entry.name);
   CellPlans changed = plans();

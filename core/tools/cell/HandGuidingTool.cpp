@@ -189,6 +189,11 @@ ToolReply HandGuidingTool::release() {
   return ToolReply::Used;
 }
 
+// Where the hand has led the robot it is, also while it goes on: what is stored meanwhile is that.
+void HandGuidingTool::settle() {
+  if (m_guidance) release();
+}
+
 ToolReply HandGuidingTool::perform(std::string_view action) {
   if (action == "place") {
     if (m_guidance) release();

@@ -56,6 +56,7 @@ class HandGuidingTool : public Tool {
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
   std::vector<DeviceSpring> forces() const override;
+  void settle() override;
   void documentChanged() override;
 
   bool isLeading() const { return m_guidance != nullptr; }

@@ -152,6 +152,10 @@ ToolReply JointDragTool::release() {
   return ToolReply::Used;
 }
 
+void JointDragTool::settle() {
+  if (m_drag) release();
+}
+
 ToolReply JointDragTool::perform(std::string_view action) {
   if (action != "revert" && action != "commit") return ToolReply::Ignored;
   if (!m_drag) return ToolReply::Finished;

@@ -35,6 +35,7 @@ class JointDragTool : public Tool {
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
+  void settle() override;
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking"}; }
 

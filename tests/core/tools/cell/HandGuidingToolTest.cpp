@@ -236,6 +236,24 @@ class HandGuidingToolTest : public QObject {
   }
 
   // Joint by joint: 100 mm of the hand are half of a joint's range.
+  // Whoever stores, saves or goes to another tool meanwhile has the robot where the hand has led it.
+  void settlesWhereItIs() {
+    HandGuidingBench bench;
+    HandGuidingTool tool = bench.tool();
+    const Pose before = bench.toolPose(), hand = moved({7, 8, 9});
+    const int steps = bench.steps();
+    tool.settle();
+    QCOMPARE(bench.steps(), steps);  // nothing was led
+    tool.pointer(byHand(Kind::Press, hand));
+    tool.pointer(byHand(Kind::Drag, moved({7, 8, 29})));
+    const Pose led = *tool.toolPose();
+    QVERIFY((led.translation() - before.translation()).norm() > 15.0);
+    tool.settle();
+    QCOMPARE(bench.steps(), steps + 1);
+    QVERIFY((bench.toolPose().translation() - led.translation()).norm() < 1e-6);
+    QVERIFY(!tool.isLeading());
+  }
+
   void jointByJoint() {
     HandGuidingBench bench;
     HandGuidingTool tool = bench.tool();
