@@ -4783,6 +4783,13 @@
         <source>Closed. Looking for self-intersections…</source>
         <translation>Geschlossen. Selbstdurchdringungen werden gesucht…</translation>
     </message>
+    <message numerus="yes">
+        <source>…and %Ln more, see the log.</source>
+        <translation>
+            <numerusform>… und %Ln weiterer, siehe Protokoll.</numerusform>
+            <numerusform>… und %Ln weitere, siehe Protokoll.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Note</name>

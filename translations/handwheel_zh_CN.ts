@@ -4775,6 +4775,12 @@
         <source>Closed. Looking for self-intersections…</source>
         <translation>封闭。正在查找自相交…</translation>
     </message>
+    <message numerus="yes">
+        <source>…and %Ln more, see the log.</source>
+        <translation>
+            <numerusform>…还有 %Ln 个，见日志。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Note</name>

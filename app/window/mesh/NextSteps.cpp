@@ -149,6 +149,16 @@ void addFurther(NextStep& step, const MeshTab& document, const NextStepActions& 
   if (document.isJustRepaired() && document.document.isModified()) step.actions.push_back(actions.undoRepair);
 }
 
+// The card must not cover the part: of many warnings it has the first ones.
+QStringList shownPatchWarnings(const Inspection& inspection) {
+  constexpr int kMostShown = 2;
+  QStringList warnings = inspection.patchWarnings();
+  const auto more = static_cast<int>(warnings.size()) - kMostShown;
+  if (more < 2) return warnings;
+  warnings = warnings.mid(0, kMostShown);
+  return warnings << NextStepsWords::tr("…and %Ln more, see the log.", nullptr, more);
+}
+
 // What is closed, or kept open, with nothing else that "Repair all" mends.
 NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
   const Inspection& inspection = document.inspection;
@@ -166,7 +176,7 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
     step.colour = colours.warning;
     if (state.closed) step.title = NextStepsWords::tr("Closed, but self-intersecting.");
   }
-  QStringList details = inspection.patchWarnings();
+  QStringList details = shownPatchWarnings(inspection);
   const auto turned = static_cast<int>(document.document.reversedFaces().size());
   if (isWorthSaving(document)) {
     details << comparison(inspection) << otherFindings(inspection, Compared::Yes);
@@ -193,9 +203,9 @@ NextStep leftStep(const MeshTab& document, const NextStepActions& actions) {
                 themeColours(currentTheme()).warning,
                 holes > 0 ? NextStepsWords::tr("%Ln hole(s) could not be filled.", nullptr, holes)
                           : NextStepsWords::tr("Some defects remain."),
-                joined({inspection.patchWarnings().join(QLatin1Char(' ')), comparison(inspection), reasons(inspection),
-                        failedFixes(inspection), openSheets(inspection), otherFindings(inspection, Compared::Yes),
-                        savedAs(document)}),
+                joined({shownPatchWarnings(inspection).join(QLatin1Char(' ')), comparison(inspection),
+                        reasons(inspection), failedFixes(inspection), openSheets(inspection),
+                        otherFindings(inspection, Compared::Yes), savedAs(document)}),
                 {}};
   if (holes > 0) left.actions.push_back(actions.oneByOne);
   if (isWorthSaving(document)) left.actions.push_back(actions.saveAs);
