@@ -19,10 +19,6 @@ std::string point(const Vec3& p) {
   return roundedText(p.x()) + ", " + roundedText(p.y()) + ", " + roundedText(p.z());
 }
 
-std::string rightAligned(const std::string& text, std::size_t width) {
-  return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
-}
-
 // Where the triangles of the file, as they are in it before any are reversed on opening, are not oriented.
 std::string disagreementText(const MeshReport& report) {
   std::string text = std::to_string(report.inconsistentEdges) + (report.inconsistentEdges == 1 ? " edge" : " edges");
@@ -52,6 +48,10 @@ std::string loopTable(const std::vector<LoopReport>& loops, bool isOfRims, const
 }
 
 }  // namespace
+
+std::string rightAligned(const std::string& text, std::size_t width) {
+  return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
+}
 
 std::string readableText(const MeshReport& report) {
   std::string text;

@@ -8,6 +8,9 @@
 
 namespace handwheel {
 
+// A text behind so many blanks that it ends at this width; one that is longer stays as it is.
+std::string rightAligned(const std::string& text, std::size_t width);
+
 // Formats the report as an aligned table for people. Numbers have six digits and a decimal point in every locale.
 std::string readableText(const MeshReport& report);
 

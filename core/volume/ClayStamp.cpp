@@ -192,10 +192,8 @@ std::shared_ptr<const ClayStamp> stampOfSurface(const TriangleSoup& surface, Pro
   const int width = count(size.x()), height = count(size.y());
   HeightGrid grid(box.min(), cell, width, height);
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    if (i % 256 == 0) {
-      if (progress.cancelled()) return nullptr;
-      progress.set(static_cast<double>(i) / static_cast<double>(surface.triangles.size()));
-    }
+    if (progress.cancelled()) return nullptr;  // one may cover all cells
+    if (i % 256 == 0) progress.set(static_cast<double>(i) / static_cast<double>(surface.triangles.size()));
     const auto& t = surface.triangles[i];
     grid.add(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
   }

@@ -5,12 +5,14 @@
 #include "base/NumberText.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
+#include "cli/ReportText.h"
 #include "cli/mesh/RepairArguments.h"
 #include "cli/mesh/RepairByVolume.h"
 #include "cli/mesh/RepairCommand.h"
 #include "document/AtomicFile.h"
 #include "text/RepairText.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -34,14 +36,16 @@ struct BothWays {
   RepairWay triangles;
   std::optional<RepairWay> volume;
   std::optional<Error> volumeError;  // why there is none
-  bool isByVolume = false;           // what was written
+  double lost = 0.0;        // mm, by which the result by volume is farther than a voxel from what it should have kept
+  bool isByVolume = false;  // what was written
 };
 
 Result<BothWays> repairFileBothWays(const RepairRequest& byTriangles, const VolumeRepairRequest& byVolume,
                                     const DocumentKinds& kinds, Progress progress) {
   Result<RepairRun> run = repairFile(byTriangles, kinds, progress.part(0.0, 0.4));
   if (!run) return run.error();
-  BothWays both{std::move(*run), {}, {}, {}, false};
+  BothWays both;
+  both.run = std::move(*run);
   if (both.run.output.empty()) return both;
   both.triangles = wayOf(both.run.after, *both.run.deviation, both.run.seconds);
 
@@ -53,20 +57,19 @@ Result<BothWays> repairFileBothWays(const RepairRequest& byTriangles, const Volu
   if (repaired) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     both.volume = wayOf(repaired->after, repaired->deviation, seconds);
+    // Walls within a volume are meant to go. What is outside of it now was a sheet, or thinner than a voxel.
+    const double farthest = std::max(repaired->deviation.ofScan.highest.distance, repaired->repair.keptDistance);
+    if (farthest > repaired->voxel) both.lost = farthest;
   } else {
     both.volumeError = repaired.error();
   }
-  both.isByVolume = both.volume && both.volume->after.isSound() && !both.triangles.after.isSound();
+  both.isByVolume = both.volume && both.volume->after.isSound() && !both.triangles.after.isSound() && both.lost == 0.0;
   const Status written = both.isByVolume
                              ? writeRepairedByVolume(*input, *repaired, byVolume, progress.part(0.9, 1.0))
                              : writeFilesAtomically(std::vector<FileContent>{{byTriangles.output, both.run.output}},
                                                     progress.part(0.9, 1.0));
   if (!written) return written.error();
   return both;
-}
-
-std::string rightAligned(const std::string& text, std::size_t width) {
-  return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
 }
 
 std::string rowOf(std::string_view name, const RepairWay& way) {
@@ -83,7 +86,10 @@ std::string tableOf(const BothWays& both, const RepairRequest& request) {
   if (both.isByVolume) return text + "the repair by volume, because the other leaves defects.\n";
   if (both.triangles.after.isSound())
     return text + "the repair by triangles, which leaves everything else as it was.\n";
-  return text + "the repair by triangles; neither is free of defects.\n";
+  if (both.lost == 0.0) return text + "the repair by triangles; neither is free of defects.\n";
+  return text +
+         "the repair by triangles. That by volume has lost open sheets or walls thinner than its voxels: up to " +
+         roundedText(both.lost, 3) + " mm of the input is away from it.\n";
 }
 
 nlohmann::ordered_json jsonOf(std::string_view name, const RepairWay& way) {
@@ -102,7 +108,7 @@ nlohmann::ordered_json jsonOf(const BothWays& both) {
     ways.push_back(jsonOf("volume", *both.volume));
   else
     ways.push_back({{"by", "volume"}, {"error", sentenceFor(*both.volumeError)}});
-  return {{"written", both.isByVolume ? "volume" : "triangles"}, {"ways", ways}};
+  return {{"written", both.isByVolume ? "volume" : "triangles"}, {"lost_by_volume_mm", both.lost}, {"ways", ways}};
 }
 
 }  // namespace

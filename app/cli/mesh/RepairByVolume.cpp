@@ -91,7 +91,8 @@ nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done) {
 
 std::vector<OptionSpec> volumeRepairOptions() {
   return {{"by", 0, "WAY",
-           "triangles (default); volume: the surface of the enclosed volume replaces all; both: the better is written"},
+           "triangles (default); volume: the surface of the enclosed volume replaces all; both: the two compared, one "
+           "written"},
           {"voxel", 0, "MM", "By volume: edge of a voxel; default: a 256th of the largest extent"},
           {"close-gaps", 0, "MM", "By volume: fill gaps that a ball of this radius does not get into"},
           {"wall", 0, "MM", "By volume: make walls of this thickness of triangles that enclose nothing"}};

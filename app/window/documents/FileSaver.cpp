@@ -55,7 +55,7 @@ void FileSaver::save(DocumentTab* document, const QString& path, std::function<v
   // Null once it is closed: another document may have the address of its tab then.
   const QPointer<const Document> open = &document->document;
   // What the saves before this one have written is no change by another program.
-  const auto stamp = std::make_shared<std::optional<FileStamp>>();
+  const auto stamp = std::make_shared<std::optional<FileStamp>>(document->document.file().stamp);
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
   job.starting = [open, stamp] {

@@ -13,6 +13,7 @@
 #include "window/CommandLines.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/documents/FileDialogs.h"
 #include "window/documents/FileFilters.h"
 #include "window/mesh/MeshReading.h"
 #include "window/mesh/MeshTab.h"
@@ -119,11 +120,9 @@ void ShellActions::reportFailed(const MeshTab* document, const QString& title, c
 }
 
 void ShellActions::askForMesh() {
-  auto* dialog = new QFileDialog(m_parts.window, tr("Add a mesh"), QFileInfo(m_document->document.path()).path(),
-                                 openFilters(m_parts.kinds).join(QStringLiteral(";;")));
+  auto* dialog = openingDialog(m_parts.window, m_document->document, tr("Add a mesh"),
+                               openFilters(m_parts.kinds).join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("addMeshDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
     if (m_parts.tabs.contains(document)) add(document, path);
   });

@@ -10,6 +10,7 @@
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/documents/FileDialogs.h"
 #include "window/documents/FileFilters.h"
 #include "window/tools/ToolHost.h"
 
@@ -145,12 +146,9 @@ std::vector<OtherBody> ReshapeActions::bodies() const {
 }
 
 void ReshapeActions::addFile() {
-  auto* const dialog =
-      new QFileDialog(m_parts.window, tr("Combine with"), QFileInfo(m_document->document.path()).path(),
-                      openFilters(m_parts.kinds).join(QStringLiteral(";;")));
+  auto* const dialog = openingDialog(m_parts.window, m_document->document, tr("Combine with"),
+                                     openFilters(m_parts.kinds).join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("combineDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
     if (document != m_document) return;
     if (!m_files.contains(path)) m_files << path;

@@ -8,6 +8,7 @@
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
+#include "window/documents/FileDialogs.h"
 #include "window/documents/FileFilters.h"
 #include "window/tools/ToolHost.h"
 
@@ -40,11 +41,8 @@ void StampAction::ask() {
   QStringList filters = openFilters(m_parts.kinds);
   filters.prepend(tr("Pictures (*.png *.jpg *.jpeg *.bmp *.gif *.pgm *.ppm *.pbm)"));
   auto* const dialog =
-      new QFileDialog(m_parts.window, tr("Load a stamp"), QFileInfo(m_document->document.path()).path(),
-                      filters.join(QStringLiteral(";;")));
+      openingDialog(m_parts.window, m_document->document, tr("Load a stamp"), filters.join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("stampDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
     if (document == m_document) load(path);
   });

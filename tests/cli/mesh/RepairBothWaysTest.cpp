@@ -60,6 +60,23 @@ class RepairBothWaysTest : public QObject {
     QCOMPARE(inspected(bench, "c.off").at("self_intersecting_pairs").get<int>(), 0);
   }
 
+  // A volume has no sheets: one beside a body is lost, so the result is that of the triangles, with the reason.
+  void whatAVolumeLoses() {
+    const Bench bench;
+    Shape part = cube(10.0);
+    part.add({{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}, {{0, 1, 2}}}, {30.0, 0.0, 0.0});
+    bench.put("a.off", part.off());
+    const QStringList words = {"repair", "a.off", "-o", "b.off", "--by", "both", "--voxel", "0.5"};
+    const Ran ran = bench.run(words);
+    QCOMPARE(ran.code, 2);
+    QVERIFY2(ran.out.contains("the repair by triangles. That by volume has lost open sheets"), ran.out);
+    const auto result = nlohmann::json::parse(bench.run(words + QStringList{"--json"}).out.toStdString());
+    QVERIFY(result["ways"][1]["sound"].get<bool>());
+    // The farthest corner is 30 mm from the cube's side, at its height.
+    QVERIFY(std::abs(result["lost_by_volume_mm"].get<double>() - 30.0) < 0.5);
+    QCOMPARE(inspected(bench, "b.off").at("triangles").get<int>(), 13);
+  }
+
   // What encloses nothing has no volume: the row says so, and the result is that of the triangles.
   void withoutVolume() {
     const Bench bench;

@@ -4,6 +4,7 @@
 
 #include "base/JsonText.h"
 #include "cli/ReportJson.h"
+#include "cli/ReportText.h"
 #include "cli/Wording.h"
 #include "cli/mesh/RepairJson.h"
 #include "document/FileBytes.h"
@@ -110,11 +111,8 @@ std::string oneDecimal(double value) {
 }
 
 std::string row(std::string_view name, const Total& total) {
-  const auto right = [](const std::string& text, std::size_t width) {
-    return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
-  };
-  return std::string(name) + std::string(12 - name.size(), ' ') + right(std::to_string(total.files), 8) +
-         right(std::to_string(total.filled), 15) + right(oneDecimal(total.seconds), 12) + "\n";
+  return std::string(name) + std::string(12 - name.size(), ' ') + rightAligned(std::to_string(total.files), 8) +
+         rightAligned(std::to_string(total.filled), 15) + rightAligned(oneDecimal(total.seconds), 12) + "\n";
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "window/CommandLines.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/documents/FileDialogs.h"
 #include "window/documents/FileFilters.h"
 #include "window/mesh/MeshReading.h"
 #include "window/mesh/MeshTab.h"
@@ -172,11 +173,9 @@ void DeviationView::close() {
 }
 
 void DeviationView::askForFile() {
-  auto* dialog = new QFileDialog(m_parts.window, tr("Compare with"), QFileInfo(m_document->document.path()).path(),
-                                 openFilters(m_parts.kinds).join(QStringLiteral(";;")));
+  auto* dialog = openingDialog(m_parts.window, m_document->document, tr("Compare with"),
+                               openFilters(m_parts.kinds).join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("compareDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
     if (m_parts.tabs.contains(document) && document == m_document) compare(document, path, Round::First);
   });
