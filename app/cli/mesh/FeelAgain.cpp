@@ -21,7 +21,7 @@ struct FeltAgain {
   HapticPathResult felt;
   std::size_t same = 0;     // ticks with the recorded force, to the last digit
   double difference = 0.0;  // N, the largest
-  std::size_t without = 0;  // ticks of which no scene is known
+  std::size_t without = 0;  // ticks of which no scene, or no contact, is known
   std::size_t scenes = 0, edits = 0;
   std::set<std::string> leftOut;
   std::string problem;
@@ -106,7 +106,9 @@ int feelAgain(const Arguments& arguments, std::string_view text, const DocumentK
   for (const std::string& id : again.leftOut)
     complain("The force '" + id + "' of the recording is left out: only surfaces are replayed.");
   if (!again.problem.empty()) complain("The recording is replayed only up to a change: " + again.problem);
-  if (again.without > 0) complain(std::to_string(again.without) + " ticks are left out: their scene is not known.");
+  if (again.without > 0)
+    complain(std::to_string(again.without) +
+             " ticks are left out: their scene, or a contact that began in it, is not known.");
   const int code = print(out == "-" ? again.felt.csv : summary(again));
   if (code != kExitDone) return code;
   return again.problem.empty() && again.without == 0 ? kExitDone : kExitSomethingLeft;

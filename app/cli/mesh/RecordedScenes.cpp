@@ -5,7 +5,6 @@
 #include "cli/Messages.h"
 #include "document/ShapeDigest.h"
 #include "haptics/contact/TouchableSurface.h"
-#include "haptics/scene/MeshHaptics.h"
 #include "tools/mesh/MeshSurface.h"
 
 #include <algorithm>
@@ -74,7 +73,23 @@ ForceRenderer* RecordedScenes::at(const RecordedTick& tick) {
   }
   // Of several scenes before a tick only the last was felt; the edits of the others were made all the same.
   for (std::size_t i = 0; i < notes.size() && m_problem.empty(); ++i) begin(notes[i], i + 1 == notes.size());
-  return m_problem.empty() ? m_scene.get() : nullptr;
+  return m_problem.empty() && m_scene && isKnown(tick) ? m_scene.get() : nullptr;
+}
+
+// Where a contact is that began in a scene of which nothing was noted cannot be known. It is known once the tip is
+// free.
+bool RecordedScenes::isKnown(const RecordedTick& tick) {
+  if (m_isKnown || !tick.hasSource) return m_isKnown;
+  m_isKnown = tick.tip.isRestart || !tick.felt.isContact;
+  if (m_isKnown && !tick.tip.isRestart) {
+    MeshHaptics felt = m_felt;
+    felt.comesFrom = Vec3::Zero();
+    SceneForces before(forceSources(std::move(felt)));
+    ForceOut none;
+    before.tick(tick.tip, none);
+    m_scene->follow(before);
+  }
+  return m_isKnown;
 }
 
 void RecordedScenes::begin(const std::string& note, bool isFelt) {
@@ -192,6 +207,7 @@ void RecordedScenes::setScene(const nlohmann::json* surface) {
     felt.surface->contact.tolerance = numberOf(*surface, "tolerance", 1.0);
     felt.comesFrom = directionOf(*surface);
   }
+  m_felt = felt;
   auto next = std::make_unique<SceneForces>(forceSources(std::move(felt)));
   if (m_scene) next->follow(*m_scene);
   m_scene = std::move(next);

@@ -6,6 +6,7 @@
 #include "document/mesh/MeshDocument.h"
 #include "haptics/contact/ContactSurface.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/scene/MeshHaptics.h"
 #include "haptics/scene/SceneForces.h"
 #include "tools/mesh/MeshSteps.h"
 
@@ -28,7 +29,7 @@ class RecordedScenes {
   // parts: as the file has them; only those that were felt with the shapes of these can be felt again.
   RecordedScenes(const Recording& recording, DisplayModel parts, Progress progress);
 
-  // The scene of a tick: those of a recording in order. Null: nothing is known of it.
+  // The scene of a tick: those of a recording in order. Null: nothing is known of it, or of the contact it began with.
   ForceRenderer* at(const RecordedTick& tick);
 
   std::size_t sceneCount() const { return m_sceneCount; }
@@ -44,6 +45,7 @@ class RecordedScenes {
   void place(const nlohmann::json& surface);
   bool doStep(const std::string& step);
   void setScene(const nlohmann::json* surface);
+  bool isKnown(const RecordedTick& tick);
 
   const Recording& m_recording;
   MeshDocument* m_document = nullptr;  // null: the parts are felt
@@ -57,7 +59,9 @@ class RecordedScenes {
   // Done to the document, and taken back from it, the last one at the end.
   std::vector<std::string> m_steps, m_undone;
   std::optional<ContactSurface> m_surface;
+  MeshHaptics m_felt;  // what m_scene was made of
   std::unique_ptr<SceneForces> m_scene;
+  bool m_isKnown = false;  // the state of m_scene
   std::size_t m_sceneCount = 0, m_editCount = 0;
   std::set<std::string> m_leftOut;
   std::string m_problem;
