@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// A text behind so many blanks that it ends at this width; one that is longer stays as it is.
+// Puts blanks in front of a text so that it is this wide. A longer one stays as it is.
 std::string rightAligned(const std::string& text, std::size_t width);
 
 // Formats the report as an aligned table for people. Numbers have six digits and a decimal point in every locale.
