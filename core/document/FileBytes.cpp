@@ -41,19 +41,19 @@ Result<OpenFile> openFile(const std::filesystem::path& path) {
 Result<std::string> readFileBytes(const std::filesystem::path& path, Progress progress) {
   const Result<OpenFile> file = openFile(path);
   if (!file) return file.error();
-  constexpr std::size_t kBlock = std::size_t{4} << 20;
+  constexpr std::size_t kReadAtOnce = std::size_t{4} << 20;
   std::error_code failed;
   const auto expected = std::filesystem::file_size(path, failed);
   std::string bytes;
-  if (!failed) bytes.reserve(static_cast<std::size_t>(expected) + kBlock);
+  if (!failed) bytes.reserve(static_cast<std::size_t>(expected) + kReadAtOnce);
   for (;;) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     const std::size_t before = bytes.size();
-    bytes.resize(before + kBlock);
-    const std::size_t got = std::fread(bytes.data() + before, 1, kBlock, file->get());
+    bytes.resize(before + kReadAtOnce);
+    const std::size_t got = std::fread(bytes.data() + before, 1, kReadAtOnce, file->get());
     bytes.resize(before + got);
     if (std::ferror(file->get())) return unreadable(errno);
-    if (got < kBlock) return bytes;
+    if (got < kReadAtOnce) return bytes;
     if (!failed && expected > 0)
       progress.set(std::min(1.0, static_cast<double>(bytes.size()) / static_cast<double>(expected)));
   }

@@ -10,6 +10,7 @@ namespace handwheel {
 // The argument vector of a command for exec, which changes none. They must outlive it.
 inline std::vector<char*> argumentVector(const std::vector<std::string>& words) {
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   return argv;

@@ -73,6 +73,10 @@ class Batch {
  public:
   Batch(const Bench& bench, const QStringList& words) {
     m_process.setWorkingDirectory(bench.path());
+    auto environment = QProcessEnvironment::systemEnvironment();
+    // A signal ends the program with the sanitizers as it does without.
+    environment.insert("ASAN_OPTIONS", environment.value("ASAN_OPTIONS") + ":handle_segv=0");
+    m_process.setProcessEnvironment(environment);
     m_process.start(HANDWHEEL_PROGRAM, QStringList{"repair"} + words);
     if (!m_process.waitForStarted()) qFatal("the program does not start");
   }

@@ -31,12 +31,12 @@ double widthOf(const std::string& text, double height) {
 
 ProfileBox Sheet::Text::box() const {
   constexpr double kDescent = 0.35;  // of the height of capitals
-  const double width = widthOf(text, height), before = align == Align::Left ? 0.0 : align == Align::Centre ? 0.5 : 1.0;
+  const double length = widthOf(text, height), before = align == Align::Left ? 0.0 : align == Align::Centre ? 0.5 : 1.0;
   const ProfilePoint along = isUpwards ? ProfilePoint(0, 1) : ProfilePoint(1, 0);
   const ProfilePoint up = isUpwards ? ProfilePoint(-1, 0) : ProfilePoint(0, 1);
   ProfileBox box;
-  box.extend(ProfilePoint(at - before * width * along - kDescent * height * up));
-  box.extend(ProfilePoint(at + (1.0 - before) * width * along + height * up));
+  box.extend(ProfilePoint(at - before * length * along - kDescent * height * up));
+  box.extend(ProfilePoint(at + (1.0 - before) * length * along + height * up));
   return box;
 }
 

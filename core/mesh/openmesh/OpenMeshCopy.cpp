@@ -5,8 +5,9 @@
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/EdgeTable.h"
 
+#include <algorithm>
 #include <bit>
-#include <cstring>
+#include <cstdint>
 
 namespace handwheel {
 namespace {
@@ -37,7 +38,9 @@ OpenMeshRefusal refusalOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh::Compact&
 }
 
 bool sameBits(const Vec3& a, const Vec3& b) {
-  return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+  return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  });
 }
 
 // The corners in the order in which most are what they were.

@@ -31,6 +31,7 @@ constexpr std::size_t kTestsPerStep = 8;  // of two triangles
 
 std::vector<Face> facesOf(const std::vector<HalfEdge>& fan) {
   std::vector<Face> faces;
+  faces.reserve(fan.size());
   for (HalfEdge h : fan) faces.push_back(HalfEdgeMesh::face(h));
   return faces;
 }

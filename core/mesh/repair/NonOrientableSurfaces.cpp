@@ -114,6 +114,7 @@ class LoopCutter {
     std::map<std::size_t, Side> sides;
     for (std::size_t i = 0; i < corners.size(); ++i) sides[find(i)].push_back(corners[i]);
     std::vector<Side> result;
+    result.reserve(sides.size());
     for (auto& entry : sides) result.push_back(std::move(entry.second));
     return result;
   }

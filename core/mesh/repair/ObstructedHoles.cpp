@@ -224,6 +224,7 @@ class Closer {
                                         std::vector<Face>& newFaces, std::vector<ObstructedClosing>& closings) {
     WorkBudget effort = m_progress.share(m_effort.left() / kThickeningShare);
     std::vector<LoopOfSheet> loops;
+    loops.reserve(backs.size());
     for (const Proposal* p : backs) loops.push_back({p->loop.halfEdges.front(), m_holes[p->hole].back});
     const SheetTrial made = thickenAt(mesh, loops, m_thickness, m_options.numbers, m_progress.within(effort));
     for (std::size_t i = 0; i < backs.size(); ++i) {

@@ -27,6 +27,7 @@ DirectionBehind behindPart(const std::vector<FanFace>& fan, std::size_t begin, s
 
 VertexOffsets vertexOffsets(const std::vector<FanFace>& fan, bool isClosed) {
   std::vector<FaceAtVertex> faces;
+  faces.reserve(fan.size());
   for (const FanFace& f : fan) faces.push_back(f.face);
   if (const Vec3 offset = offsetBehind(faces); !offset.isZero()) return {{offset}};
   VertexOffsets best;

@@ -47,20 +47,20 @@ void ErrorTracker::hang(Face f, const Vec3& p) {
 
 // The middle; where a face is longer than others, points on it that are as dense as the vertices elsewhere.
 void ErrorTracker::hangInner(Face f, const TrianglePoints& t) {
-  const double steps = std::min(std::ceil(longestEdge(t) / m_spacing), kMostSteps);
-  if (steps <= 2.0) return hang(f, (t[0] + t[1] + t[2]) / 3.0);
-  for (double i = 0.0; i < steps; ++i) {
-    for (double j = 0.0; j < steps - i; ++j) {
-      hang(f, t[0] + (i + 0.5) / steps * (t[1] - t[0]) + j / steps * (t[2] - t[0]));
+  const int steps = static_cast<int>(std::min(kMostSteps, std::ceil(longestEdge(t) / m_spacing)));
+  if (steps <= 2) return hang(f, (t[0] + t[1] + t[2]) / 3.0);
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; j < steps - i; ++j) {
+      hang(f, t[0] + (i + 0.5) / steps * (t[1] - t[0]) + double(j) / steps * (t[2] - t[0]));
     }
   }
 }
 
 bool ErrorTracker::isNear(const TrianglePoints& t) const {
-  const double steps = std::clamp(std::ceil(longestEdge(t) / m_spacing), 1.0, kMostSteps);
-  for (double i = 0.0; i < steps; ++i) {
-    for (double j = 0.0; j <= i; ++j) {
-      const Vec3 p = t[0] + (i - j) / steps * (t[1] - t[0]) + j / steps * (t[2] - t[0]);
+  const int steps = static_cast<int>(std::min(kMostSteps, std::max(1.0, std::ceil(longestEdge(t) / m_spacing))));
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      const Vec3 p = t[0] + double(i - j) / steps * (t[1] - t[0]) + double(j) / steps * (t[2] - t[0]);
       if (!m_original.hierarchy().nearest(p, m_error)) return false;
     }
   }

@@ -168,6 +168,7 @@ PlanResult planByOmpl(const RobotScene& scene, const ArmValues& start, const Arm
   ob::PlannerData data(space);
   made->getPlannerData(data);
   result.milestones = data.numVertices();
+  made->clear();  // LazyPRM of OMPL 1.5 has no destructor that frees its states
   if (!problem->hasExactSolution()) {
     if (progress.cancelled()) result.outcome = PlanResult::Outcome::Cancelled;
     return result;

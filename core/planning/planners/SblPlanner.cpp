@@ -244,8 +244,7 @@ class Sbl {
 
 PlanResult planBySbl(const RobotScene& scene, const ArmValues& start, const ArmValues& goal,
                      const PlanSettings& settings, Progress progress) {
-  using Clock = std::chrono::steady_clock;
-  const auto begin = Clock::now();
+  const auto begin = std::chrono::steady_clock::now();
   PlanResult result = checkedEnds(scene, start, goal, settings);
   if (result.outcome != PlanResult::Outcome::TimeOut) return result;
   Sbl sbl(scene, settings, result);
@@ -255,7 +254,7 @@ PlanResult planBySbl(const RobotScene& scene, const ArmValues& start, const ArmV
       result.outcome = PlanResult::Outcome::Cancelled;
       return result;
     }
-    if (std::chrono::duration<double>(Clock::now() - begin).count() > settings.seconds) break;
+    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > settings.seconds) break;
     sbl.expand();
   }
   result.milestones = sbl.count();

@@ -6,8 +6,8 @@
 #include "volume/VolumeRegions.h"
 #include "volume/image/ImageHeader.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace handwheel {
 
@@ -40,7 +40,7 @@ std::optional<VdbVolume> vdbVolumeIn(std::string_view bytes) {
   const std::string_view rest = bytes.substr(end + 1);
   if (rest.size() % 2 != 0) return {};
   std::vector<std::int16_t> numbers(rest.size() / 2);
-  std::memcpy(numbers.data(), rest.data(), rest.size());
+  std::copy(rest.begin(), rest.end(), reinterpret_cast<char*>(numbers.data()));
   VdbVolume read{SparseVolume(Vec3(f[1], f[2], f[3]), f[0]), f[4] != 0.0, static_cast<std::size_t>(f[5])};
   if (!readRegions(numbers, read.volume)) return {};
   if (!closeOff(read.volume, 64 * rest.size() / sizeof(VolumeBlock))) return {};

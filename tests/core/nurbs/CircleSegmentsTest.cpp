@@ -51,7 +51,7 @@ void CircleSegmentsTest::levelsAreHalves() {
     const auto segments = CircleSegments::make(radius, tolerance);
     RC_ASSERT(segments.has_value());
     RC_ASSERT(segments->count(segments->levels()) >= 8u && segments->count(segments->levels()) <= 15u);
-    RC_ASSERT(segments->count(segments->levels()) << segments->levels() == segments->count(0));
+    RC_ASSERT((segments->count(segments->levels()) << segments->levels()) == segments->count(0));
     for (int level = 0; level <= segments->levels(); ++level) {
       RC_ASSERT(segments->levelOf(segments->count(level)) == level);
       RC_ASSERT(std::abs(sagitta(segments->reach(level), segments->count(level)) / tolerance - 1) < 1e-12);

@@ -4,6 +4,7 @@
 
 #include "../window/StlFiles.h"
 #include "controls/CommandPalette.h"
+#include "document/Container.h"
 #include "document/DocumentKind.h"
 #include "viewport/Viewport.h"
 #include "window/MainWindow.h"
@@ -18,6 +19,7 @@
 #include <QMessageBox>
 #include <QtTest>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace handwheel::test {
 
@@ -67,6 +69,25 @@ std::string contentOf(const DocumentTab& open) {
   const auto bytes =
       containerBytes(open.document.kind(), file, *open.document.snapshot(), {}, Compression::None, Progress());
   return bytes ? *bytes : std::string();
+}
+
+// In what two containers differ, for whoever looks for the reason.
+QString difference(const std::string& before, const std::string& after) {
+  const auto first = readContainer(before), second = readContainer(after);
+  if (!first || !second) return QStringLiteral("not read");
+  QStringList all;
+  for (const auto& each : nlohmann::json::diff(*first->container.manifest, *second->container.manifest))
+    all << QString::fromStdString(each.dump()).left(200);
+  for (const auto& [name, bytes] : first->container.blobs) {
+    const auto found = second->container.blobs.find(name);
+    if (found == second->container.blobs.end())
+      all << QStringLiteral("without %1").arg(QString::fromStdString(name));
+    else if (found->second != bytes)
+      all << QStringLiteral("another %1").arg(QString::fromStdString(name));
+  }
+  for (const auto& [name, bytes] : second->container.blobs)
+    if (!first->container.blobs.contains(name)) all << QStringLiteral("with %1").arg(QString::fromStdString(name));
+  return all.join(QStringLiteral(", "));
 }
 
 }  // namespace
@@ -369,8 +390,9 @@ void RandomUser::undoEverything(const std::function<void()>& alive) {
   for (const auto& open : m_tabs.all()) {
     m_tabs.setCurrent(open.get());
     open->document.history()->setIndex(0);
-    if (contentOf(*open) != m_opened.at(open.get()))
-      m_problems << QStringLiteral("%1 is not what it was, after all was undone").arg(open->document.name());
+    if (const std::string now = contentOf(*open); now != m_opened.at(open.get()))
+      m_problems << QStringLiteral("%1 is not what it was, after all was undone: %2")
+                        .arg(open->document.name(), difference(m_opened.at(open.get()), now));
   }
 }
 

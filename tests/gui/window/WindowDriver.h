@@ -27,7 +27,11 @@
 // names.
 namespace handwheel::test {
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr int kPatienceMs = 120000;  // all takes several times as long
+#else
 constexpr int kPatienceMs = 20000;
+#endif
 
 class WindowDriver {
  public:

@@ -48,7 +48,8 @@ void provideTools(LatheSetup& setup, const TurningTask& task) {
   if (setup.allowed.empty()) return;
   const LatheTools tools = shippedLatheTools();
   setup.stations.clear();
-  for (const std::string& id : setup.allowed) {
+  const std::vector<std::string> allowed = setup.allowed;  // the setup is another after each tool
+  for (const std::string& id : allowed) {
     const auto tool = toolNamed(tools, id);
     if (!tool || tool->kind == LatheToolKind::Drill || setup.stations.size() == LatheSetup::kMostSlots) continue;
     setup.stations.emplace_back();

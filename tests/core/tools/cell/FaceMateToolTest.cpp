@@ -168,7 +168,8 @@ class FaceMateToolTest : public QObject {
   Pose pose() const { return m_cell->document().bodies().withId(m_box)->pose; }
   Pose shown(const FaceMateTool& tool) const {
     const std::string name = "body." + std::to_string(m_box);
-    for (const DisplayPart& part : tool.preview().replaced->parts) {
+    const auto model = tool.preview().replaced;
+    for (const DisplayPart& part : model->parts) {
       if (part.name == name) return part.pose;
     }
     return Pose::Identity();

@@ -122,7 +122,7 @@ class IkSolutionsToolTest : public QObject {
     const auto shown = tool.preview().replaced;
     QVERIFY(shown);
     // A box where the third link of that solution is, and not of the first.
-    const auto& way = propertyNamed(tool.settings(), "way")->choices[1];
+    const std::string way = propertyNamed(tool.settings(), "way")->choices[1];
     QVERIFY(!way.empty());
     m_cell->addBox({30, 30, 30}, shown->parts[3].pose.translation());
     tool.documentChanged();

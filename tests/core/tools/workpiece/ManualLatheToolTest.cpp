@@ -124,7 +124,8 @@ class ManualLatheToolTest : public QObject {
     HandLathe lathe;
     const auto triangles = [&lathe] {
       std::vector<std::shared_ptr<const TriangleSoup>> all;
-      for (const DisplayPart& part : lathe.tool->preview().replaced->parts) {
+      const auto model = lathe.tool->preview().replaced;
+      for (const DisplayPart& part : model->parts) {
         if (part.group == kStockGroup) all.push_back(part.soup);
       }
       return all;

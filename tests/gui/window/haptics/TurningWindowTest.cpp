@@ -42,9 +42,9 @@ class TurningWindowTest : public QObject {
 
   // What the simulation cuts while the mouse rests is shown without another input.
   void isShownWhileTheMouseRests() {
+    std::shared_ptr<const DisplayModel> shown;  // outlives the window, which calls back when it closes
     TurningWindow turning;
     QVERIFY(turning.begin());
-    std::shared_ptr<const DisplayModel> shown;
     connect(turning.driver.window().findChild<ToolHost*>(), &ToolHost::previewed, this,
             [&shown](const ToolPreview& preview) { shown = preview.replaced; });
     const QPoint beside = turning.pixelOf(28.0, 30.0), inside = turning.pixelOf(22.0, 30.0);
