@@ -8096,6 +8096,10 @@
             <numerusform>%n Außenränder zusammen mit anderen Dreiecken entfernt</numerusform>
         </translation>
     </message>
+    <message>
+        <source>bodies that intersect united</source>
+        <translation>Körper, die sich durchdringen, vereinigt</translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -9341,6 +9345,14 @@
     <message>
         <source>the drill would cut sideways here: begin on a free surface</source>
         <translation>der Bohrer würde hier seitlich schneiden: beginnen Sie an einer freien Oberfläche</translation>
+    </message>
+    <message>
+        <source>Unite bodies</source>
+        <translation>Körper vereinigen</translation>
+    </message>
+    <message>
+        <source>only closed bodies that intersect can be united: close holes and reverse bodies that are inside out before</source>
+        <translation>nur geschlossene Körper, die sich durchdringen, lassen sich vereinigen: Löcher vorher schließen und umgestülpte Körper umkehren</translation>
     </message>
 </context>
 <context>
@@ -10747,6 +10759,14 @@
     <message>
         <source>&amp;Thicken sheets by %1</source>
         <translation>Flächen um %1 &amp;verdicken</translation>
+    </message>
+    <message>
+        <source>&amp;Unite bodies</source>
+        <translation>Körper &amp;vereinigen</translation>
+    </message>
+    <message>
+        <source>Make one body of those that intersect, and remove what lies inside of it</source>
+        <translation>Macht aus Körpern, die sich durchdringen, einen und entfernt, was in ihm liegt</translation>
     </message>
 </context>
 <context>

@@ -8047,6 +8047,10 @@
             <numerusform>%n 个外边界随其他三角形一起移除</numerusform>
         </translation>
     </message>
+    <message>
+        <source>bodies that intersect united</source>
+        <translation>已合并相交的实体</translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -9292,6 +9296,14 @@
     <message>
         <source>the drill would cut sideways here: begin on a free surface</source>
         <translation>钻头在此会侧向切削：请从空闲的表面开始</translation>
+    </message>
+    <message>
+        <source>Unite bodies</source>
+        <translation>合并实体</translation>
+    </message>
+    <message>
+        <source>only closed bodies that intersect can be united: close holes and reverse bodies that are inside out before</source>
+        <translation>只有封闭且相交的实体才能合并：请先封闭孔洞并反转内外翻转的实体</translation>
     </message>
 </context>
 <context>
@@ -10682,6 +10694,14 @@
     <message>
         <source>&amp;Thicken sheets by %1</source>
         <translation>加厚片体 %1(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Unite bodies</source>
+        <translation>合并实体(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Make one body of those that intersect, and remove what lies inside of it</source>
+        <translation>将相交的实体合并为一个，并删除其内部的部分</translation>
     </message>
 </context>
 <context>

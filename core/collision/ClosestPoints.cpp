@@ -107,6 +107,7 @@ class PiecePair {
   // Of leaves that meet.
   ClosestPoints apart(const std::vector<PairTraversal::Leaves>& meeting, const PairHint& hint) {
     std::vector<MeetingShapes> shapes;
+    shapes.reserve(meeting.size());
     for (const PairTraversal::Leaves& leaves : meeting)
       shapes.push_back({m_a.shape(leaves.first, Pose::Identity()), m_b.shape(leaves.second, m_pose)});
     const Vec3 last = m_world.linear().transpose() * hint.normal;

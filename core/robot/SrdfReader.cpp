@@ -105,7 +105,7 @@ class Semantics {
 
 Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot, Progress progress) {
   const RobotArm all{.name = {}, .title = {}, .base = robot.root};
-  return readSrdf(bytes, robot, std::span(&all, 1), 0, std::move(progress));
+  return readSrdf(bytes, robot, std::span(&all, 1), 0, progress);
 }
 
 Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot, std::span<const RobotArm> arms,

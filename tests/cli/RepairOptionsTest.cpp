@@ -223,6 +223,27 @@ class RepairOptionsTest : public QObject {
     QVERIFY(std::abs(bench.json("r.json").at("after").at("volume_mm3").get<double>() - 16.0) < 1e-9);
   }
 
+  // What both have in common is there once. Bodies that are apart stay as they are.
+  void bodiesAreUnited() {
+    const Bench bench;
+    bench.put("a.off", cube(2).add(cube(2), {1.1, 0.9, 1.3}).off());
+    const Ran united = bench.run({"repair", "a.off", "-o", "b.off", "--unite", "--report", "r.json"});
+    QCOMPARE(united.code, 0);
+    QCOMPARE(united.err, QByteArray());
+    const Json after = bench.json("r.json").at("after");
+    QCOMPARE(after.at("self_intersecting_pairs").get<int>(), 0);
+    QCOMPARE(after.at("components").get<int>(), 1);
+    QVERIFY(std::abs(after.at("volume_mm3").get<double>() - (16.0 - 0.9 * 1.1 * 0.7)) < 1e-9);
+    QVERIFY(bench.json("r.json").at("inner_faces").get<int>() > 0);
+    QVERIFY(united.out.contains("bodies that intersect united"));
+    QCOMPARE(bench.run({"edit", "a.off", "-o", "c.off", "unite"}).code, 0);
+    QCOMPARE(bench.run({"repair", "c.off", "-o", "d.off", "--unite", "--report", "s.json"}).code, 0);
+    QCOMPARE(bench.json("s.json").at("inner_faces").get<int>(), 0);
+    QVERIFY(bench.run({"repair", "c.off", "-o", "d.off", "--unite"}).err.contains("No bodies were united"));
+    QVERIFY(std::abs(bench.json("s.json").at("after").at("volume_mm3").get<double>() - (16.0 - 0.9 * 1.1 * 0.7)) <
+            1e-9);
+  }
+
   // Single precision is coarse far from the origin.
   void roundingIsTold() {
     const Bench bench;

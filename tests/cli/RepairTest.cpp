@@ -80,6 +80,7 @@ class RepairTest : public QObject {
                                             "merged_vertices",
                                             "cut_crossings",
                                             "cut_faces",
+                                            "inner_faces",
                                             "replaced_faces",
                                             "lost_loops",
                                             "one_sided_cuts",

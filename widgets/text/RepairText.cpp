@@ -192,6 +192,7 @@ QStringList repairSummary(const RepairReport& report, LengthUnit unit) {
   add(report.cutFaces, [](int n) { return RepairWords::tr("%n triangle(s) cut where patches intersect", nullptr, n); });
   add(report.cutClusters,
       [](int n) { return RepairWords::tr("self-intersections resolved at %n place(s)", nullptr, n); });
+  if (report.innerFaces > 0) parts << RepairWords::tr("bodies that intersect united");
   add(report.lostLoops.size(),
       [](int n) { return RepairWords::tr("%n hole(s) to be kept open lost with removed triangles", nullptr, n); });
   add(report.replacedFaces,

@@ -114,6 +114,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"merged_vertices", run.repair.mergedVertices},
       {"cut_crossings", run.repair.cutClusters},
       {"cut_faces", run.repair.cutFaces},
+      {"inner_faces", run.repair.innerFaces},
       {"replaced_faces", run.repair.replacedFaces},
       {"lost_loops", run.repair.lostLoops},
       {"one_sided_cuts", run.repair.nonOrientableCuts},

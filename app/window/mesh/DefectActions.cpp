@@ -83,7 +83,8 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
       m_thickenSheet(tr("&Thicken sheets"), this),
       m_cutAndClose(tr("&Cut and close"), this),
       m_reverseBodies(tr("Reverse &inside-out bodies"), this),
-      m_resolveIntersections(tr("Resolve &self-intersections"), this) {
+      m_resolveIntersections(tr("Resolve &self-intersections"), this),
+      m_uniteBodies(tr("&Unite bodies"), this) {
   prepare(m_fix, "fixDefect", "repair", tr("Fix the defects selected in the list"));
   prepare(m_thickenSheet, "thickenSheet", "sheet-back",
           tr("Turn open sheets into thin closed bodies: the selected one, or all. A body grows to the side opposite to "
@@ -93,11 +94,17 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   prepare(m_reverseBodies, "reverseBodies", "inside-out", tr("Reverse all bodies whose triangles face inwards"));
   prepare(m_resolveIntersections, "resolveIntersections", "self-intersection",
           tr("Cut all triangles that intersect apart, and join the rest"));
+  prepare(m_uniteBodies, "uniteBodies", "unite-bodies",
+          tr("Make one body of those that intersect, and remove what lies inside of it"));
   connect(&m_fix, &QAction::triggered, this, [this] {
     if (m_kind) fixRow({*m_kind, m_row});
   });
   connect(&m_reverseBodies, &QAction::triggered, this, [this] { fixRow({DefectKind::InsideOut, -1}); });
   connect(&m_resolveIntersections, &QAction::triggered, this, [this] { fixRow({DefectKind::SelfIntersection, -1}); });
+  connect(&m_uniteBodies, &QAction::triggered, this, [this] {
+    m_jobs.change(m_document, unionFix(m_document->document.fileNumbers()),
+                  DefectRow{DefectKind::SelfIntersection, -1});
+  });
   connect(&m_thickenSheet, &QAction::triggered, this, [this] { m_jobs.change(m_document, thickening()); });
   connect(&m_cutAndClose, &QAction::triggered, this, [this] { m_jobs.change(m_document, cutting()); });
   // After every change of the inspection, too.
@@ -160,6 +167,7 @@ void DefectActions::follow() {
   if (m_thickenSheet.isEnabled()) emit thicknessChanged();
   m_reverseBodies.setEnabled(free && m_document->inspection.count(DefectKind::InsideOut) > 0);
   m_resolveIntersections.setEnabled(free && m_document->inspection.count(DefectKind::SelfIntersection) > 0);
+  m_uniteBodies.setEnabled(m_resolveIntersections.isEnabled() && m_document->document.defects().components.size() > 1);
   const int loop = selectedLoop();
   const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).rim &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&

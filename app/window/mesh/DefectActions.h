@@ -45,7 +45,10 @@ class DefectActions : public QObject {
   QAction* cutAndClose() { return &m_cutAndClose; }      // hidden unless a patch would intersect the part
   QAction* reverseBodies() { return &m_reverseBodies; }  // all that are inside out
   QAction* resolveIntersections() { return &m_resolveIntersections; }  // all
-  QList<QAction*> all() { return {&m_fix, &m_thickenSheet, &m_cutAndClose, &m_reverseBodies, &m_resolveIntersections}; }
+  QAction* uniteBodies() { return &m_uniteBodies; }                    // all that intersect
+  QList<QAction*> all() {
+    return {&m_fix, &m_thickenSheet, &m_cutAndClose, &m_reverseBodies, &m_resolveIntersections, &m_uniteBodies};
+  }
 
  signals:
   // The thickness that sheets will get may be another.
@@ -83,6 +86,7 @@ class DefectActions : public QObject {
   QAction m_cutAndClose;
   QAction m_reverseBodies;
   QAction m_resolveIntersections;
+  QAction m_uniteBodies;
 };
 
 }  // namespace handwheel

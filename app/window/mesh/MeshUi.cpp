@@ -311,6 +311,7 @@ NextStep MeshUi::nextStep() {
                                    .thickenSheet = m_defectActions.thickenSheet(),
                                    .reverseBodies = m_defectActions.reverseBodies(),
                                    .resolveIntersections = m_defectActions.resolveIntersections(),
+                                   .uniteBodies = m_defectActions.uniteBodies(),
                                    .repairByVolume = m_actions.repairByVolume(),
                                    .showDefects = m_parts.isPanelVisible() ? nullptr : m_parts.showPanel,
                                    .saveAs = m_parts.saveAs});

@@ -143,6 +143,7 @@ void addFurther(NextStep& step, const MeshTab& document, const NextStepActions& 
   if (inspection.count(DefectKind::InsideOut) > 0) step.actions.push_back(actions.reverseBodies);
   if (inspection.count(DefectKind::SelfIntersection) > 0 && !inspection.isHopeless(DefectKind::SelfIntersection))
     step.actions.push_back(actions.resolveIntersections);
+  if (actions.uniteBodies->isEnabled()) step.actions.push_back(actions.uniteBodies);
   if (needsVolume(inspection)) step.actions.push_back(actions.repairByVolume);
   if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);

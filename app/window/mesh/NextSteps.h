@@ -19,6 +19,7 @@ struct NextStepActions {
   QAction* thickenSheet;
   QAction* reverseBodies;
   QAction* resolveIntersections;
+  QAction* uniteBodies;
   QAction* repairByVolume;
   QAction* showDefects;  // null: the defects are visible
   QAction* saveAs;

@@ -50,6 +50,7 @@ void groupByRobot(std::vector<Property>& joints, const CellRobot& cell) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return owners[a] < owners[b]; });
   std::vector<Property> grouped;
+  grouped.reserve(order.size());
   for (const std::size_t dof : order) grouped.push_back(std::move(joints[dof]));
   joints = std::move(grouped);
 }

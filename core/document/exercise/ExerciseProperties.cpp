@@ -39,6 +39,7 @@ std::string joined(const std::vector<std::string>& words, char sign) {
 
 std::string numbersText(const std::vector<double>& numbers) {
   std::vector<std::string> words;
+  words.reserve(numbers.size());
   for (const double number : numbers) words.push_back(shortestText(number));
   return joined(words, kListSign);
 }

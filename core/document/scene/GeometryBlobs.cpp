@@ -103,7 +103,8 @@ const GeometryFormat* formatOf(std::string_view kind, std::span<const GeometryFo
 }
 
 json writeUnknown(const UnknownGeometry& geometry, const std::string& folder, Container& container) {
-  for (const auto& [name, bytes] : geometry.parts()) container.blobs[folder + '/' + name] = bytes;
+  for (const auto& [name, bytes] : geometry.parts())
+    container.blobs[std::string(folder).append("/").append(name)] = bytes;
   const Result<json> described = parseJson(geometry.description(), "geometry");
   return described ? *described : json();
 }

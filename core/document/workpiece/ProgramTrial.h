@@ -46,7 +46,8 @@ class ProgramTrial {
   std::optional<TurnedProfile> profileAt(const ProgramPosition& position, Progress progress = {}) const;
 
  private:
-  ProgramTrial(ToolPath path, ProgramSetup setup) : m_path(std::move(path)), m_setup(setup), m_steps(m_path) {}
+  ProgramTrial(ToolPath path, ProgramSetup setup)
+      : m_path(std::move(path)), m_setup(std::move(setup)), m_steps(m_path) {}
   bool simulate(const WorkpieceSnapshot& workpiece, TurnedPart before, const CuttingForceModel* model,
                 Progress progress);
 

@@ -58,6 +58,7 @@ class CornerMerging {
       }
     }
     std::vector<std::uint32_t> order;  // the same in each run
+    order.reserve(reach.size());
     for (const auto& [v, own] : reach) order.push_back(v);
     std::sort(order.begin(), order.end());
     for (const std::uint32_t v : order) place(v, reach[v]);

@@ -139,7 +139,7 @@ Result<ForceSamples> forceSamplesFromCsv(std::string_view text, double diameter,
       progress.set(1.0 - static_cast<double>(text.size()) / static_cast<double>(length));
     }
     const std::string_view row = takeLine(text);
-    if (row.find_first_not_of(" ") == row.npos) continue;
+    if (row.find_first_not_of(' ') == row.npos) continue;
     if (++table.rows > kMostForceRows)
       return Error{ErrorCode::FileTooLarge, {"rows", {}, std::to_string(kMostForceRows)}, {}, {}};
     splitCsvLine(row, kMostForceColumns, fields);

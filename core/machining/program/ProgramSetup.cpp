@@ -157,8 +157,10 @@ std::string toolTableText(const ProgramTools& tools) {
   std::string text;
   for (const auto& [number, tool] : tools) {
     const std::string name = std::to_string(number);
-    text += "T" + name + " P" + name + " X" + shortestText(tool.offset.x()) + " Z" + shortestText(tool.offset.y()) +
-            " D" + shortestText(2.0 * tool.noseRadius) + " Q" + std::to_string(tool.orientation);
+    text.append("T").append(name).append(" P").append(name);
+    text.append(" X").append(shortestText(tool.offset.x())).append(" Z").append(shortestText(tool.offset.y()));
+    text.append(" D").append(shortestText(2.0 * tool.noseRadius)).append(" Q");
+    text.append(std::to_string(tool.orientation));
     if (tool.body) text += " ;" + tool.body->id;
     text += '\n';
   }

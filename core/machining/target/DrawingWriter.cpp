@@ -73,7 +73,8 @@ std::string svgOf(const TargetProfile& target) {
     if (s.isArc()) {
       const std::string r = shortestText(s.radius());
       const bool isLarge = std::abs(s.angle()) > M_PI, isPositive = s.bulge < 0.0;  // y is down
-      path += " A " + r + " " + r + " 0 " + (isLarge ? "1 " : "0 ") + (isPositive ? "1 " : "0 ");
+      path.append(" A ").append(r).append(" ").append(r);
+      path.append(isLarge ? " 0 1 " : " 0 0 ").append(isPositive ? "1 " : "0 ");
     } else {
       path += " L ";
     }

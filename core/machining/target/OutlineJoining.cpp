@@ -161,7 +161,8 @@ bool joinByFaces(std::vector<Segments>& chains, double gap) {
 
 }  // namespace
 
-Result<std::vector<ProfileSegment>> joinedOutline(std::vector<ProfileSegment> segments, double gap, Progress progress) {
+Result<std::vector<ProfileSegment>> joinedOutline(const std::vector<ProfileSegment>& segments, double gap,
+                                                  Progress progress) {
   Places places(gap);
   Result<std::vector<Edge>> joined = edgesOf(segments, places, gap, progress);
   if (!joined) return joined.error();

@@ -100,7 +100,7 @@ Result<TargetProfile> joined(std::vector<ProfileSegment> all, Progress progress)
       if (std::abs(p->x()) <= kEdgeGap) p->x() = 0.0;
   }
   std::erase_if(all, [](const ProfileSegment& s) { return !s.isArc() && s.from.x() == 0.0 && s.to.x() == 0.0; });
-  Result<std::vector<ProfileSegment>> outline = joinedOutline(std::move(all), kEdgeGap, progress.part(0.0, 0.5));
+  Result<std::vector<ProfileSegment>> outline = joinedOutline(all, kEdgeGap, progress.part(0.0, 0.5));
   if (!outline) return outline.error();
   return TargetProfile::make(std::move(outline.value()), progress.part(0.5, 1.0));
 }

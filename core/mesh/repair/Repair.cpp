@@ -17,6 +17,7 @@
 #include "mesh/repair/intersections/FoldedRegionRemoval.h"
 #include "mesh/repair/intersections/IntersectionClusters.h"
 #include "mesh/repair/intersections/SelfIntersectionRemoval.h"
+#include "mesh/repair/intersections/SolidUnion.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshDelta.h"
@@ -276,6 +277,7 @@ class Repairer {
     const Progress now = progress.within(effort);
     // A round that was cut short stays so unless a later one leaves nothing to cut.
     const bool wasCutShort = std::exchange(m_report.isIntersectionRemovalIncomplete, true);
+    if (m_options.uniteSolids) m_report.innerFaces += uniteSolids(m_mesh, m_options.fill.numbers, now).innerFaces;
     const auto pairs = findSelfIntersections(m_mesh, now.part(0.0, 0.3));
     if (!pairs) return;
     const ClusterRemoval cut = removeClusterIntersections(m_mesh, *pairs, m_options.fill.numbers, now.part(0.3, 1.0));

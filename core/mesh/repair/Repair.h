@@ -28,6 +28,7 @@ struct RepairOptions {
   bool removeDebris = false;
   bool replaceFoldedRegions = true;  // where nothing else closes a hole (replaceFoldedRegions())
   bool cutCrossings = false;         // remove self-intersections of the surface (removeClusterIntersections())
+  bool uniteSolids = false;          // with it, and before: unite solids that intersect (uniteSolids())
 };
 
 // The outcomes of a repair for a boundary loop, from best to worst.
@@ -68,6 +69,7 @@ struct RepairReport {
   std::size_t nonOrientableCuts = 0;             // along short cycles, where the surface was non-orientable
   std::size_t cutFaces = 0;                      // where a patch intersects the part
   std::size_t cutClusters = 0;                   // clusters of self-intersections that were removed
+  std::size_t innerFaces = 0;                    // of united solids, pieces of walls inside of them that were removed
   std::size_t replacedFaces = 0;                 // removed from folded regions around holes, which were refilled
   std::size_t separatedVertices = 0;             // moved, or inserted in the middle of an edge, against wrong welding
   SheetOutcomes sheets;                          // that were to be thickened

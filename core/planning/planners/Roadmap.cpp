@@ -9,6 +9,7 @@
 #include <array>
 #include <chrono>
 #include <queue>
+#include <thread>
 
 namespace handwheel {
 
@@ -219,9 +220,7 @@ PlanResult Roadmap::plan(const RobotScene& scene, const ArmValues& start, const 
   PlanResult result = checkedEnds(scene, start, goal, settings);
   if (result.outcome != PlanResult::Outcome::TimeOut) return result;
   std::unique_lock lock(m_mutex, std::defer_lock);
-  while (!lock.try_lock_for(std::chrono::milliseconds(50))) {
-    if (progress.cancelled()) break;
-  }
+  while (!lock.try_lock() && !progress.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   if (progress.cancelled()) {
     result.outcome = PlanResult::Outcome::Cancelled;
     return result;

@@ -196,6 +196,7 @@ DhTable tableOf(const Published& published) {
 std::span<const LibraryRobot> robotLibrary() {
   static const auto kRobots = [] {
     std::vector<LibraryRobot> robots;
+    robots.reserve(std::size(kPublished));
     for (const Published& each : kPublished) robots.push_back(each.robot);
     return robots;
   }();
@@ -212,6 +213,7 @@ const LibraryRobot* libraryRobot(std::string_view model) {
 const DhTable* libraryTable(std::string_view id) {
   static const auto kTables = [] {
     std::vector<DhTable> tables;
+    tables.reserve(std::size(kPublished));
     for (const Published& each : kPublished) tables.push_back(tableOf(each));
     return tables;
   }();

@@ -25,7 +25,7 @@ bool isBesidePath(const DrillState& state) {
   return now.isCutting && now.deviation > state.plan->tolerance;
 }
 
-DrillSimulation::DrillSimulation(std::shared_ptr<const ClayState> begin, const DrillSetup& setup,
+DrillSimulation::DrillSimulation(const std::shared_ptr<const ClayState>& begin, const DrillSetup& setup,
                                  std::optional<DrillFeed> feed, std::shared_ptr<ClayChannel> channel,
                                  std::optional<DrillPlan> plan)
     : m_state(beginning(*begin)),
@@ -33,7 +33,7 @@ DrillSimulation::DrillSimulation(std::shared_ptr<const ClayState> begin, const D
       m_setup(setup),
       m_run(m_volume, setup),
       m_plan(std::move(plan)),
-      m_feed(feed),
+      m_feed(std::move(feed)),
       m_channel(std::move(channel)) {}
 
 void DrillSimulation::step(double dt, std::span<const SimulationInput> inputs) {

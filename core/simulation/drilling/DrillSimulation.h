@@ -36,7 +36,7 @@ class DrillSimulation : public Simulation {
  public:
   // feed: none for a device, whose tip is the centre of the head and whose stylus is the shank. plan: none: straight on
   // from where the hole is begun.
-  DrillSimulation(std::shared_ptr<const ClayState> begin, const DrillSetup& setup, std::optional<DrillFeed> feed,
+  DrillSimulation(const std::shared_ptr<const ClayState>& begin, const DrillSetup& setup, std::optional<DrillFeed> feed,
                   std::shared_ptr<ClayChannel> channel, std::optional<DrillPlan> plan = {});
 
   void step(double dt, std::span<const SimulationInput> inputs) override;

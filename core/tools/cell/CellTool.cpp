@@ -28,12 +28,12 @@ BodyDragTool::Pick bodyPick(const RobotCellDocument& document, const JointDragTo
 CellTool::CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick, Mark mark,
                    Pressed pressed)
     : m_document(document),
-      m_pick(pick),
+      m_pick(std::move(pick)),
       m_mark(std::move(mark)),
       m_pressed(std::move(pressed)),
       m_selection(selection),
-      m_joints(document, pick),
-      m_bodies(document, selection, bodyPick(document, pick)) {}
+      m_joints(document, m_pick),
+      m_bodies(document, selection, bodyPick(document, m_pick)) {}
 
 std::span<const ToolKey> CellTool::keys() {
   static const std::vector<ToolKey> all = [] {

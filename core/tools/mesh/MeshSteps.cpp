@@ -242,6 +242,8 @@ constexpr Verb kVerbs[] = {
      },
      nullptr},
     {"cut-crossings", readCutCrossings, nullptr},
+    {"unite", [](StepReader&, const OperationValues& v, const MeshDocument& d) { return unionFix(numbersFor(d, v)); },
+     nullptr},
     {"by-volume",
      [](StepReader&, const OperationValues& v, const MeshDocument& d) {
        return volumeRepairChange({v.given("voxel").value_or(0.0), v.number("close-gaps"), v.number("wall")},

@@ -188,9 +188,7 @@ void ClayTool::feed(const Vec3& place, const PointerEvent& event) {
 
 void ClayTool::hover(const PointerEvent& event) {
   m_hovered.reset();
-  if (event.device) {
-    m_hovered = placeOf(event);
-  } else if (m_grip && m_present.action == ClayAction::Move) {
+  if (event.device || (m_grip && m_present.action == ClayAction::Move)) {
     m_hovered = placeOf(event);
   } else if (const auto hit = firstHit(m_grip ? m_grip->surface->volume : m_document.volume()->volume, event.ray.origin,
                                        event.ray.direction)) {

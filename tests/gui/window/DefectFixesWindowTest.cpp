@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "StlFiles.h"
 #include "WindowDriver.h"
@@ -63,6 +64,29 @@ class DefectFixesWindowTest : public QObject {
   }
 
   // What opening turns over is done, with undo; neither asks to save.
+  // What lies inside both goes, in one step that undoes; bodies that do not intersect are not offered it.
+  void bodiesThatIntersectAreUnited() {
+    TriangleSoup soup = cube();
+    append(soup, cube(1.0, {0.41, 0.27, 0.33}));
+    WindowDriver driver;
+    QVERIFY(driver.open(file("two.stl", soup)));
+    const Document& shown = driver.window().findChild<DocumentTabs*>()->current()->document;
+    const auto volumeOf = [&shown] {
+      return test::volume(static_cast<const MeshDocument&>(shown).mesh().compact().soup);
+    };
+    auto* const unite = driver.find<QAction>("uniteBodies");
+    QVERIFY(unite->isEnabled());
+    unite->trigger();
+    QVERIFY(driver.settle());
+    QVERIFY(std::abs(volumeOf() - (2.0 - 0.59 * 0.73 * 0.67)) < 1e-5);
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
+    QVERIFY(!unite->isEnabled());
+    driver.find<QAction>("undo")->trigger();
+    QVERIFY(driver.settle());
+    QVERIFY(std::abs(volumeOf() - 2.0) < 1e-5);
+    QVERIFY(unite->isEnabled());
+  }
+
   void turnedOnOpening() {
     TriangleSoup soup = icosphere(2);
     for (const std::size_t f : {3, 40, 200}) std::swap(soup.triangles[f][1], soup.triangles[f][2]);

@@ -14,7 +14,7 @@ namespace handwheel {
 // - Facing each other, where two solids touch: both go, and the solids become one. Winding numbers stay.
 // - Facing each other, but not closed without them: those stay that agree with their neighbours.
 // - Facing the same way: one stays where the surface is no less closed then, as under a flake; else all do, as where
-//   two solids have a common base (uniteAtSharedWalls()).
+//   two solids have a common base (uniteAtWalls()).
 // The sides of a plate that stands alone stay. Returns the number of removed faces; relink() is to follow. O(n). The
 // mesh is invalid if cancelled.
 std::size_t joinCoincidentPieces(HalfEdgeMesh& mesh, Face firstPiece, Progress progress = {});

@@ -15,14 +15,15 @@ namespace {
 
 using Cluster = std::vector<Face>;
 
-// The share that one trial may take of the effort that is left.
+// The share that one trial may take of the effort that is left, where there are others to try.
 constexpr std::size_t kClusterTrialShare = 4;
 
 class ClusterResolver {
  public:
-  ClusterResolver(HalfEdgeMesh& mesh, NumberType numbers, Progress progress)
+  ClusterResolver(HalfEdgeMesh& mesh, NumberType numbers, bool isOne, Progress progress)
       : m_mesh(mesh),
         m_numbers(numbers),
+        m_isOne(isOne),
         m_effort(progress.share(std::numeric_limits<std::size_t>::max())),
         m_progress(progress.measuredBy(m_effort)),
         m_badEdges(countBadEdges(mesh, m_progress)) {}
@@ -30,7 +31,7 @@ class ClusterResolver {
   void take(std::span<const Cluster> some) {
     m_result.isCutShort = m_result.isCutShort || (!some.empty() && m_effort.isSpent());
     if (some.empty() || m_progress.cancelled()) return;
-    WorkBudget effort = m_progress.share(m_effort.left() / kClusterTrialShare);
+    WorkBudget effort = m_progress.share(m_effort.left() / (m_isOne ? 1 : kClusterTrialShare));
     if (tryTogether(some, m_progress.within(effort))) {
       m_result.clusters += some.size();
       return;
@@ -60,6 +61,7 @@ class ClusterResolver {
 
   HalfEdgeMesh& m_mesh;
   NumberType m_numbers;
+  bool m_isOne;  // of clusters
   WorkBudget m_effort;
   Progress m_progress;
   std::size_t m_badEdges;  // of the mesh, as the file will show it
@@ -89,8 +91,9 @@ std::vector<std::vector<Face>> intersectionClusters(const std::vector<std::pair<
 
 ClusterRemoval removeClusterIntersections(HalfEdgeMesh& mesh, const std::vector<std::pair<Face, Face>>& pairs,
                                           NumberType numbers, Progress progress) {
-  ClusterResolver remover(mesh, numbers, progress);
-  remover.take(intersectionClusters(pairs));
+  const std::vector<Cluster> clusters = intersectionClusters(pairs);
+  ClusterResolver remover(mesh, numbers, clusters.size() == 1, progress);
+  remover.take(clusters);
   return remover.result();
 }
 

@@ -25,8 +25,9 @@ struct ClusterRemoval {
 // Removes self-intersections cluster by cluster, starting from pairs of intersecting faces. For each of these pairs and
 // whatever intersects them, removeAllSelfIntersections() is kept if it leaves none of a cluster's intersections, makes
 // no new one and opens no edge; other clusters stay as they are. All are tried together, then by halves. Takes no more
-// than the effort of the progress, and each trial no more than a quarter of what is left of it: the other clusters stay
-// as they are. O(n) for the mesh in each trial; one where all goes well. The mesh is invalid if the user cancelled.
+// than the effort of the progress, and each trial, unless there is but one cluster, no more than a quarter of what is
+// left of it: the other clusters stay as they are. O(n) for the mesh in each trial; one where all goes well. The mesh
+// is invalid if the user cancelled.
 ClusterRemoval removeClusterIntersections(HalfEdgeMesh& mesh, const std::vector<std::pair<Face, Face>>& pairs,
                                           NumberType numbers, Progress progress = {});
 

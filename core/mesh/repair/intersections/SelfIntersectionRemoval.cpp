@@ -7,7 +7,6 @@
 #include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/repair/intersections/Autorefinement.h"
 #include "mesh/repair/intersections/CoincidentPieces.h"
-#include "mesh/repair/intersections/SharedWalls.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/PositionTriangles.h"
 
@@ -73,7 +72,7 @@ void replace(HalfEdgeMesh& mesh, const Autorefinement& cuts, const PositionTrian
 
 // most: of crossings; none for those of other clusters.
 IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std::vector<Face>& faces,
-                                                  NumberType numbers, std::optional<std::size_t> most,
+                                                  NumberType numbers, std::optional<std::size_t> most, Uniting which,
                                                   const Progress& progress) {
   IntersectionRemoval report;
   const auto before = crossings(mesh, numbers, progress.part(0.0, 0.2));
@@ -99,7 +98,8 @@ IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std:
   joinCoincidentPieces(result, firstPiece, progress.part(0.6, 0.63));
   if (progress.cancelled()) return report;
   // A wall is inside or outside as a whole only where all is cut.
-  if (pairs.size() == before->size()) uniteAtSharedWalls(result, firstPiece, progress.part(0.63, 0.65));
+  if (pairs.size() == before->size())
+    report.innerFaces = uniteAtWalls(result, firstPiece, which, progress.part(0.63, 0.65));
   if (progress.cancelled()) return report;
   relink(result, progress.part(0.65, 0.7));
   removeDegenerateFaces(result, progress.part(0.7, 0.75));
@@ -138,12 +138,12 @@ std::vector<Face> intersectionCluster(const HalfEdgeMesh& mesh, const std::vecto
 
 IntersectionRemoval removeSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
                                             std::size_t allowed, Progress progress) {
-  return removeSelfIntersectionsWithin(mesh, faces, numbers, allowed, progress);
+  return removeSelfIntersectionsWithin(mesh, faces, numbers, allowed, Uniting::SharedWalls, progress);
 }
 
 IntersectionRemoval removeAllSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
-                                               Progress progress) {
-  return removeSelfIntersectionsWithin(mesh, faces, numbers, std::nullopt, progress);
+                                               Progress progress, Uniting which) {
+  return removeSelfIntersectionsWithin(mesh, faces, numbers, std::nullopt, which, progress);
 }
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "mesh/repair/intersections/SharedWalls.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 
 #include <utility>
@@ -27,13 +28,14 @@ struct IntersectionRemoval {
   std::size_t cutFaces = 0;             // of the mesh before; tried, when not changed
   std::size_t intersectionsBefore = 0;  // intersecting pairs of faces, in the whole mesh, rounded to numbers
   std::size_t intersectionsAfter = 0;
+  std::size_t innerFaces = 0;  // pieces that were removed with walls of united solids
 };
 
 // Removes self-intersections by cutting the faces and reconnecting the pieces. Faces are cut along their intersections
 // (autorefine()), and the pieces are joined the other way: where two sheets crossed, two now touch along the cut, each
 // on its side, and are separated by the last digits (separateCoincidentVertices()), so that every piece of the surface
 // stays where it was and nothing intersects. Where surfaces lie on each other in one plane, pieces that bound nothing
-// are removed (joinCoincidentPieces()), and solids with a wall in common are united (uniteAtSharedWalls()). Begins with
+// are removed (joinCoincidentPieces()), and solids with a wall in common are united (uniteAtWalls()). Begins with
 // these faces and includes whatever intersects what it has to cut. Abandoned, with the mesh unchanged, when that is too
 // much (tolerance::kMaxSelfIntersectionPairs), when the result would have more self-intersections than allowed, or if
 // cancelled. Needs O(n) for the mesh beside O(m log m) for m intersections.
@@ -42,6 +44,6 @@ IntersectionRemoval removeSelfIntersections(HalfEdgeMesh& mesh, const std::vecto
 // Removes all self-intersections connected with these faces, as removeSelfIntersections() does. Allowed are those that
 // have nothing to do with these faces.
 IntersectionRemoval removeAllSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
-                                               Progress progress = {});
+                                               Progress progress = {}, Uniting which = Uniting::SharedWalls);
 
 }  // namespace handwheel

@@ -36,8 +36,9 @@ struct Sides {
 // way most of them do.
 class Walls {
  public:
-  Walls(const HalfEdgeMesh& mesh, Face firstPiece, Progress progress)
+  Walls(const HalfEdgeMesh& mesh, Face firstPiece, Uniting which, Progress progress)
       : m_mesh(mesh),
+        m_which(which),
         m_progress(progress),
         m_nameOf(mesh.faceSlots()),
         m_net(mesh.faceSlots(), 1),
@@ -49,13 +50,14 @@ class Walls {
     std::iota(m_nameOf.begin(), m_nameOf.end(), 0u);
     for (const FaceGroup& group : equalFaces(byPosition.triangles, edges, progress.part(0.4, 0.5)))
       nameGroup(group, byPosition.triangles, firstPiece);
-    if (!m_shared.empty()) connect(edges, byPosition.triangles, progress.part(0.5, 0.7));
+    if (m_which == Uniting::AllSolids || !m_starts.empty())
+      connect(edges, byPosition.triangles, progress.part(0.5, 0.7));
   }
 
   std::vector<Face> toRemove() {
     std::vector<Face> removed;
-    if (m_shared.empty() || m_progress.cancelled()) return removed;
-    for (const Face f : m_shared) unite(wallOf(f));
+    if (m_starts.empty() || m_progress.cancelled()) return removed;
+    for (const Face f : m_starts) unite(wallOf(f));
     for (Face f = 0; f < m_mesh.faceSlots(); ++f) {
       if (!m_mesh.isLive(f)) continue;
       const auto fate = m_removed.find(wallOf(f));
@@ -77,7 +79,7 @@ class Walls {
                                     [&](Face f) { return net == 0 || looksUp(triangles[f]) == (net > 0); });
     for (const Face f : group.faces) m_nameOf[f] = name;
     m_net[name] = std::abs(net);
-    if (std::abs(net) > 1 && group.faces.front() >= firstPiece) m_shared.push_back(name);
+    if (std::abs(net) > 1 && group.faces.front() >= firstPiece) m_starts.push_back(name);
   }
 
   void connect(const EdgeTable& edges, const std::vector<Triangle>& triangles, const Progress& progress) {
@@ -102,8 +104,11 @@ class Walls {
       for (const Face wall : walls) m_forksOf[wall].push_back(m_forks.size());
       m_forks.emplace_back(walls.begin(), walls.end());
     }
+    if (m_which == Uniting::AllSolids) {
+      for (const auto& [wall, at] : m_forksOf) m_starts.push_back(wall);
+    }
     std::set<Face> bodies;
-    for (const Face f : m_shared) bodies.insert(m_bodies.root(f));
+    for (const Face f : m_starts) bodies.insert(m_bodies.root(f));
     for (Face f = 0; f < triangles.size(); ++f) {
       if (hasRepeatedVertex(triangles[f])) continue;
       const Face body = m_bodies.root(m_nameOf[f]);
@@ -136,7 +141,7 @@ class Walls {
     return known != m_sides.end() ? known->second : m_sides.emplace(wall, measure(wall)).first->second;
   }
 
-  // With this shared wall all that are shared or lie inside and are connected with it through such.
+  // With this wall all that are shared or lie inside and are connected with it through such.
   void unite(Face start) {
     if (!m_seen.insert(start).second) return;
     std::map<Face, Removal> group;
@@ -166,10 +171,11 @@ class Walls {
   }
 
   const HalfEdgeMesh& m_mesh;
+  const Uniting m_which;
   const Progress m_progress;
   std::vector<Face> m_nameOf;                          // per face
   std::vector<int> m_net;                              // per name: how many more look its way than the other
-  std::vector<Face> m_shared;                          // names
+  std::vector<Face> m_starts;                          // names, of shared walls or of all at forks
   DisjointSets m_walls;                                // of names
   DisjointSets m_bodies;                               // of names
   std::vector<std::vector<Face>> m_forks;              // the walls that meet at an edge, three or more
@@ -183,8 +189,8 @@ class Walls {
 
 }  // namespace
 
-std::size_t uniteAtSharedWalls(HalfEdgeMesh& mesh, Face firstPiece, Progress progress) {
-  const std::vector<Face> removed = Walls(mesh, firstPiece, progress).toRemove();
+std::size_t uniteAtWalls(HalfEdgeMesh& mesh, Face firstPiece, Uniting which, Progress progress) {
+  const std::vector<Face> removed = Walls(mesh, firstPiece, which, progress).toRemove();
   if (progress.cancelled()) return 0;
   for (const Face f : removed) mesh.removeFace(f);
   return removed.size();

@@ -71,6 +71,10 @@ std::vector<Operation> mendOperations() {
        .operands = "[T:T,...]",
        .parameters = {numbersParameter()},
        .formerId = "uncross"},
+      {.id = "unite",
+       .title = QT_TRANSLATE_NOOP("Tool", "Unite bodies"),
+       .meaning = "Make one body of those that intersect, and remove what lies inside of it",
+       .parameters = {numbersParameter()}},
   };
 }
 

@@ -41,6 +41,9 @@ const Operation& repairOperation() {
                                 "Leave holes open that close only if folded triangles around them are replaced"));
     all.back().formerId = "keep-tangles";
     all.push_back(flagParameter("cut-crossings", "Resolve self-intersections by cutting triangles apart"));
+    all.push_back(flagParameter("unite",
+                                "Unite bodies that intersect: what lies inside of the union is removed. Other "
+                                "self-intersections are resolved as with 'cut-crossings'"));
     return repair;
   }();
   return operation;
@@ -55,7 +58,8 @@ RepairOptions repairOptionsOf(const OperationValues& values) {
   options.maxEdges = values.whole("max-hole");
   options.removeDebris = values.flag("remove-debris");
   options.replaceFoldedRegions = !values.flag("keep-folded-regions");
-  options.cutCrossings = values.flag("cut-crossings");
+  options.uniteSolids = values.flag("unite");
+  options.cutCrossings = values.flag("cut-crossings") || options.uniteSolids;
   return options;
 }
 
@@ -69,6 +73,7 @@ OperationValues valuesOf(const RepairOptions& options) {
   values.setValid("remove-debris", options.removeDebris);
   values.setValid("keep-folded-regions", !options.replaceFoldedRegions);
   values.setValid("cut-crossings", options.cutCrossings);
+  values.setValid("unite", options.uniteSolids);
   return values;
 }
 

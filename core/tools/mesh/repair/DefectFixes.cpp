@@ -11,6 +11,7 @@
 #include "mesh/repair/NonOrientableSurfaces.h"
 #include "mesh/repair/SheetThickening.h"
 #include "mesh/repair/intersections/IntersectionClusters.h"
+#include "mesh/repair/intersections/SolidUnion.h"
 #include "mesh/structure/FaceComponents.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/PositionKey.h"
@@ -161,6 +162,20 @@ MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>
                      return cut.isCutShort ? kTooLong : hasHoles(mesh, progress) ? kOnlyWithHoles : nullptr;
                    },
                    kNoCleanSeparation),
+               step.text());
+}
+
+MeshChange unionFix(NumberType numbers) {
+  StepWriter step("unite");
+  step.options(roundingValues("unite", numbers));
+  return asFix(explainedChange(
+                   meshOperation("unite").title,
+                   [numbers](HalfEdgeMesh& mesh, Progress progress) {
+                     WorkBudget effort = progress.share(mostEffort(mesh));
+                     uniteSolids(mesh, numbers, progress.within(effort));
+                     return effort.isSpent() ? kTooLong : nullptr;
+                   },
+                   kNoUnion),
                step.text());
 }
 

@@ -23,6 +23,10 @@ inline constexpr const char* kNoCleanSeparation =
     QT_TRANSLATE_NOOP("Tool", "no cut would separate the triangles cleanly");
 inline constexpr const char* kNoCleanCut =
     QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without intersecting the part");
+inline constexpr const char* kNoUnion =
+    QT_TRANSLATE_NOOP("Tool",
+                      "only closed bodies that intersect can be united: close holes and reverse bodies that are "
+                      "inside out before");
 
 // Each of these functions creates the change that repairs one kind of defect, with its step. It changes only the defect
 // and its surroundings. Where faces, vertices or pairs are named, only defects at these are repaired, otherwise all.
@@ -41,6 +45,8 @@ MeshChange nonManifoldFix(NumberType numbers, std::vector<Vertex> vertices = {})
 MeshChange nonOrientableFix(const FillOptions& options, std::vector<Vertex> vertices = {});
 // Resolves self-intersections by cutting and rejoining the faces. pairs: as findSelfIntersections() returns them.
 MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs);
+// Unites the solids that intersect: the walls inside the union are removed.
+MeshChange unionFix(NumberType numbers);
 // Removes the loose pieces that contain one of these faces.
 MeshChange debrisFix(std::vector<Face> faces);
 // Removes all that findDefects() reports as debris.

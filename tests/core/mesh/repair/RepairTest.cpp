@@ -469,11 +469,11 @@ void RepairTest::saysWhatWasCutShort() {
 
   RepairOptions options;
   options.cutCrossings = true;
-  for (const std::size_t points : {5, 1000}) {  // of the grid: many are shared, or hardly any
-    std::mt19937 random(0);
-    mesh = buildMesh(test::randomSoup(random, 100, points)).mesh;
-    QVERIFY2(repair(mesh, options).isIntersectionRemovalIncomplete, qPrintable(QString::number(points)));
-  }
+  std::mt19937 random(0);
+  TriangleSoup soup = test::randomSoup(random, 100, 1000);
+  soup.points[soup.triangles[0][0]].x() = 1e-90;  // exact arithmetic takes long
+  mesh = buildMesh(soup).mesh;
+  QVERIFY(repair(mesh, options).isIntersectionRemovalIncomplete);
 
   TriangleSoup cubes = test::twoCubesSharingAnEdge();
   test::append(cubes, test::cube(1.0, {0.41, 0.27, 0.33}));

@@ -225,9 +225,9 @@ void SharedWallsTest::cancelled() {
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
   JobState state;
   state.cancelled = true;
-  QCOMPARE(uniteAtSharedWalls(mesh, 0, Progress(state)), std::size_t{0});
+  QCOMPARE(uniteAtWalls(mesh, 0, Uniting::SharedWalls, Progress(state)), std::size_t{0});
   QCOMPARE(mesh.liveFaceCount(), std::size_t{24});
-  QCOMPARE(uniteAtSharedWalls(mesh, 0), std::size_t{12});
+  QCOMPARE(uniteAtWalls(mesh, 0, Uniting::SharedWalls), std::size_t{12});
 }
 
 HANDWHEEL_TEST(SharedWallsTest)

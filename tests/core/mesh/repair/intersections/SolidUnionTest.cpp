@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/intersections/SolidUnion.h"
+
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
+
+#include <rapidcheck.h>
+#include <QTest>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace handwheel;
+
+namespace {
+
+TriangleSoup boxAt(const Vec3& corner, const Vec3& size) {
+  TriangleSoup soup = test::cube();
+  for (Vec3& p : soup.points) p = corner + p.cwiseProduct(size);
+  return soup;
+}
+
+TriangleSoup together(const std::vector<TriangleSoup>& parts) {
+  TriangleSoup all;
+  for (const TriangleSoup& part : parts) test::append(all, part);
+  return all;
+}
+
+TriangleSoup insideOut(TriangleSoup soup) {
+  for (Triangle& t : soup.triangles) std::swap(t[0], t[1]);
+  return soup;
+}
+
+// How many cells of a grid of ones lie in one of the boxes, which have whole corners.
+double cellsIn(const std::vector<Box>& boxes) {
+  Box all;
+  for (const Box& box : boxes) all.extend(box);
+  double count = 0.0;
+  for (double x = all.min().x() + 0.5; x < all.max().x(); ++x) {
+    for (double y = all.min().y() + 0.5; y < all.max().y(); ++y) {
+      for (double z = all.min().z() + 0.5; z < all.max().z(); ++z)
+        count += std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return b.contains(Vec3(x, y, z)); });
+    }
+  }
+  return count;
+}
+
+const TriangleSoup kCube = boxAt({0, 0, 0}, {10, 10, 10});
+
+}  // namespace
+
+// Solids that intersect become one, without walls inside.
+class SolidUnionTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void twoCubes() {
+    const HalfEdgeMesh united = unionOf({kCube, boxAt({5, 5, 5}, {10, 10, 10})});
+    QVERIFY(test::countEdges(united).sound());
+    QCOMPARE(test::pieces(united).size(), std::size_t{1});
+    QVERIFY(std::abs(test::volume(united.compact().soup) - 1875.0) < 1e-9);
+  }
+
+  // Three bars along the axes: what sticks out of the others stays, and there is nothing in the middle.
+  void barsAlongTheAxes() {
+    const HalfEdgeMesh united =
+        unionOf({boxAt({-10, -1, -2}, {20, 2, 4}), boxAt({-2, -10, -1}, {4, 20, 2}), boxAt({-1, -2, -10}, {2, 4, 20})});
+    QVERIFY(test::countEdges(united).sound());
+    QCOMPARE(test::pieces(united).size(), std::size_t{1});
+    const std::vector<Box> boxes{
+        {Vec3(-10, -1, -2), Vec3(10, 1, 2)}, {Vec3(-2, -10, -1), Vec3(2, 10, 1)}, {Vec3(-1, -2, -10), Vec3(1, 2, 10)}};
+    QVERIFY(std::abs(test::volume(united.compact().soup) - cellsIn(boxes)) < 1e-9);
+  }
+
+  // Of any boxes with whole corners, however their walls meet, the volume is counted in cells.
+  void anyBoxes() {
+    int united = 0;
+    QVERIFY(rc::check("the union of boxes holds what they hold", [&] {
+      std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+      const auto upTo = [&](int most) { return static_cast<double>(random() % static_cast<unsigned>(most)); };
+      std::vector<Box> boxes;
+      std::vector<TriangleSoup> parts;
+      for (int i = *rc::gen::inRange(2, 6); i > 0; --i) {
+        const Vec3 corner(upTo(8), upTo(8), upTo(8)), size(2 + upTo(6), 2 + upTo(6), 2 + upTo(6));
+        boxes.emplace_back(corner, corner + size);
+        parts.push_back(boxAt(corner, size));
+      }
+      HalfEdgeMesh mesh = buildMesh(together(parts)).mesh;
+      const double before = test::volume(mesh.compact().soup);
+      const SolidUnion done = uniteSolids(mesh, NumberType::Float64);
+      RC_ASSERT(validate(mesh) == std::string());
+      RC_PRE(done.changed);
+      ++united;
+      RC_ASSERT(test::meetingPairs(mesh) == std::size_t{0});
+      RC_ASSERT(test::countEdges(mesh).border == std::size_t{0});
+      // A box inside another that it does not touch stays: it is counted once more.
+      const double volume = test::volume(mesh.compact().soup);
+      RC_ASSERT(volume <= before);
+      if (test::pieces(buildMesh(mesh.compact().soup).mesh).size() == 1)
+        RC_ASSERT(std::abs(volume - cellsIn(boxes)) < 1e-6);
+    }));
+    QVERIFY(united > 50);
+  }
+
+  // Two balls: the volume of the lens in common is known.
+  void twoBalls() {
+    const TriangleSoup ball = test::icosphere(5);
+    TriangleSoup other = ball;
+    const double distance = 1.1234;
+    for (Vec3& p : other.points) p += Vec3(0.3, 0.5, 0.81).normalized() * distance;
+    const HalfEdgeMesh united = unionOf({ball, other});
+    QVERIFY(test::countEdges(united).sound());
+    const double lens = std::numbers::pi / 12.0 * (4.0 + distance) * (2.0 - distance) * (2.0 - distance);
+    const double wanted = 2.0 * 4.0 / 3.0 * std::numbers::pi - lens;
+    QVERIFY(std::abs(test::volume(united.compact().soup) / wanted - 1.0) < 2e-3);
+  }
+
+  // In single precision, too, and however it is turned.
+  void turned() {
+    std::mt19937 random(3);
+    std::normal_distribution<double> any;
+    for (int i = 0; i < 10; ++i) {
+      const Eigen::Quaterniond turn =
+          Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized();
+      for (const NumberType numbers : {NumberType::Float32, NumberType::Float64}) {
+        TriangleSoup soup = together({kCube, boxAt({5, 4, 3}, {10, 10, 10})});
+        for (Vec3& p : soup.points) p = rounded(Vec3(turn * p), numbers);
+        HalfEdgeMesh mesh = buildMesh(soup).mesh;
+        QVERIFY(uniteSolids(mesh, numbers).changed);
+        QCOMPARE(validate(mesh), std::string());
+        QVERIFY(test::countEdges(mesh).sound());
+        QVERIFY(std::abs(test::volume(mesh.compact().soup) - (2000.0 - 5.0 * 6.0 * 7.0)) < 1e-2);
+      }
+    }
+  }
+
+  // A cavity is no wall inside the union; nor is it lost where another solid reaches into it.
+  void cavitiesStay() {
+    const TriangleSoup hollow = together({kCube, insideOut(boxAt({2, 2, 2}, {6, 6, 6}))});
+    const HalfEdgeMesh beside = unionOf({hollow, boxAt({9, 1, 1}, {5, 5, 5})});
+    QVERIFY(std::abs(test::volume(beside.compact().soup) - (1000.0 - 216.0 + 100.0)) < 1e-9);
+    const HalfEdgeMesh into = unionOf({hollow, boxAt({7, 3, 3}, {5, 1, 1})});
+    QVERIFY(std::abs(test::volume(into.compact().soup) - (1000.0 - 216.0 + 1.0 + 2.0)) < 1e-9);
+  }
+
+  void againChangesNothing() {
+    HalfEdgeMesh united = unionOf({kCube, boxAt({5, 5, 5}, {10, 10, 10})});
+    QVERIFY(!uniteSolids(united, NumberType::Float64).changed);
+  }
+
+  void leftAsItIs_data() {
+    QTest::addColumn<TriangleSoup>("soup");
+    const TriangleSoup other = boxAt({5, 5, 5}, {10, 10, 10});
+    QTest::newRow("empty") << TriangleSoup();
+    QTest::newRow("apart") << together({kCube, boxAt({20, 0, 0}, {1, 1, 1})});
+    QTest::newRow("one inside the other") << together({kCube, boxAt({2, 2, 2}, {1, 1, 1})});
+    QTest::newRow("one inside out") << together({kCube, insideOut(other)});
+    TriangleSoup open = other;
+    open.triangles.resize(6);
+    QTest::newRow("one is open") << together({kCube, open});
+  }
+  void leftAsItIs() {
+    QFETCH(TriangleSoup, soup);
+    HalfEdgeMesh mesh = buildMesh(soup).mesh;
+    const TriangleSoup before = mesh.compact().soup;
+    const SolidUnion done = uniteSolids(mesh, NumberType::Float64);
+    QVERIFY(!done.changed && done.innerFaces == 0);
+    QVERIFY(mesh.compact().soup.triangles == before.triangles);
+    QVERIFY(mesh.compact().soup.points == before.points);
+  }
+
+  void cancelled() {
+    HalfEdgeMesh mesh = buildMesh(together({kCube, boxAt({5, 5, 5}, {10, 10, 10})})).mesh;
+    JobState state;
+    state.cancelled = true;
+    QVERIFY(!uniteSolids(mesh, NumberType::Float64, Progress(state)).changed);
+    QCOMPARE(mesh.liveFaceCount(), std::size_t{24});
+  }
+
+ private:
+  static HalfEdgeMesh unionOf(const std::vector<TriangleSoup>& parts) {
+    HalfEdgeMesh mesh = buildMesh(together(parts)).mesh;
+    const SolidUnion done = uniteSolids(mesh, NumberType::Float64);
+    [&] {
+      QVERIFY(done.changed && done.innerFaces > 0);
+      QCOMPARE(validate(mesh), std::string());
+      QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+    }();
+    return buildMesh(mesh.compact().soup).mesh;
+  }
+};
+
+HANDWHEEL_TEST(SolidUnionTest)
+#include "SolidUnionTest.moc"
