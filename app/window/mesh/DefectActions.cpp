@@ -101,10 +101,9 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   });
   connect(&m_reverseBodies, &QAction::triggered, this, [this] { fixRow({DefectKind::InsideOut, -1}); });
   connect(&m_resolveIntersections, &QAction::triggered, this, [this] { fixRow({DefectKind::SelfIntersection, -1}); });
-  connect(&m_uniteBodies, &QAction::triggered, this, [this] {
-    m_jobs.change(m_document, unionFix(m_document->document.fileNumbers()),
-                  DefectRow{DefectKind::SelfIntersection, -1});
-  });
+  // In vain it says so in a message: as the reason of the row it would stand for what else may resolve them.
+  connect(&m_uniteBodies, &QAction::triggered, this,
+          [this] { m_jobs.change(m_document, unionFix(m_document->document.fileNumbers())); });
   connect(&m_thickenSheet, &QAction::triggered, this, [this] { m_jobs.change(m_document, thickening()); });
   connect(&m_cutAndClose, &QAction::triggered, this, [this] { m_jobs.change(m_document, cutting()); });
   // After every change of the inspection, too.

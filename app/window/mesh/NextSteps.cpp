@@ -232,6 +232,7 @@ NextStep nextStepFor(const MeshTab& document, const NextStepActions& actions) {
               otherFindings(inspection, changes.isEmpty() ? Compared::No : Compared::Yes), savedAs(document)}),
       {actions.repairAll}};
   if (holes) step.actions.push_back(actions.oneByOne);
+  if (actions.uniteBodies->isEnabled()) step.actions.push_back(actions.uniteBodies);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);
   return step;
 }
