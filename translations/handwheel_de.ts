@@ -9538,8 +9538,8 @@
         <translation>Griff</translation>
     </message>
     <message>
-        <source>Drag a knob to move the simulated hand; with keys: arrows, Page Up and Down, Home</source>
-        <translation>Einen Knopf ziehen, um die simulierte Hand zu bewegen; mit Tasten: Pfeile, Bild auf und ab, Pos1</translation>
+        <source>Drag a knob to move the simulated hand; with keys: arrows, finer with Ctrl, Page Up and Down, Home</source>
+        <translation>Knopf ziehen, um die simulierte Hand zu bewegen; mit Tasten: Pfeile, feiner mit Strg, Bild auf und ab, Pos1</translation>
     </message>
 </context>
 <context>

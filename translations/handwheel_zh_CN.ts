@@ -9485,8 +9485,8 @@
         <translation>手柄</translation>
     </message>
     <message>
-        <source>Drag a knob to move the simulated hand; with keys: arrows, Page Up and Down, Home</source>
-        <translation>拖动滑钮以移动模拟手；按键：方向键、Page Up、Page Down、Home</translation>
+        <source>Drag a knob to move the simulated hand; with keys: arrows, finer with Ctrl, Page Up and Down, Home</source>
+        <translation>拖动滑块可移动模拟手；键盘：方向键，按住 Ctrl 更精细，Page Up 和 Page Down，Home</translation>
     </message>
 </context>
 <context>

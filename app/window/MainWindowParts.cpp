@@ -136,6 +136,7 @@ void MainWindow::buildDocks() {
   connect(m_spaceMouse, &SpaceMouseNavigation::changed, device,
           [this, device] { device->setSpaceMice(m_spaceMouse->names()); });
   m_deviceDock = addDock(*this, Qt::RightDockWidgetArea, "deviceDock", tr("Device"), device, "device");
+  m_deviceDock->installEventFilter(m_tools);  // what the knobs of the simulated hand do not take is a key of the tool
   tabifyDockWidget(m_viewDock, m_deviceDock);
   m_deviceDock->hide();
   m_kindDock->raise();

@@ -19,10 +19,11 @@ export ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=halt_on_error=1:pr
 # fuzz_one NAME: false when something was found.
 fuzz_one() {
   local name=$1 corpus=$root/build/fuzz/corpus/$1 found=$root/build/fuzz/found/$1 log=$root/build/fuzz/$1.log
-  local dictionary=() runs status=0
+  local dictionary=() patience=10 runs status=0
+  [[ $name == RepairFuzz ]] && patience=60  # seconds for one input: a repair may take some, and ten times that here
   mkdir -p "$corpus" "$found"
   [[ -f $seeds/$name.dict ]] && dictionary=(-dict="$seeds/$name.dict")
-  "$root/build/fuzz/tests/$name" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536 \
+  "$root/build/fuzz/tests/$name" -max_total_time="$seconds" -timeout="$patience" -rss_limit_mb=2048 -max_len=65536 \
     -print_final_stats=1 -artifact_prefix="$found/" "${dictionary[@]}" "$corpus" "$seeds/$name" > "$log" 2>&1 || status=$?
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   if ((status == 0)); then

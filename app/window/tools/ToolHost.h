@@ -63,7 +63,8 @@ class ToolHost : public QObject {
   void previewed(const handwheel::ToolPreview& preview);
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;  // handles keys of the tool pressed in the view
+  bool eventFilter(QObject* watched,
+                   QEvent* event) override;  // handles keys of the tool pressed in the view or the panel "Device"
 
  private:
   bool take(const PointerInput& input);

@@ -82,7 +82,8 @@ Status DxfEntity::take(const DxfPair& pair) {
   if (pair.code == 6) lineType = lowered(pair.value);
   if (pair.code == 67 || pair.code == 60) isShown = isShown && pair.whole() == 0;
   if (pair.code == 70 && type != "VERTEX") flags = pair.whole();
-  if (pair.code == 70 && type == "VERTEX") vertices.back().isFrame = (pair.whole() & kFrameVertex) != 0;
+  if (pair.code == 70 && type == "VERTEX" && !vertices.empty())
+    vertices.back().isFrame = (pair.whole() & kFrameVertex) != 0;
   constexpr std::array kNumbers{10, 11, 20, 21, 40, 41, 42, 50, 51, 210, 220, 230};
   if (std::find(kNumbers.begin(), kNumbers.end(), pair.code) == kNumbers.end()) return Done{};
   const Result<double> number = pair.number();

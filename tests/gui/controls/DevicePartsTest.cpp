@@ -323,8 +323,18 @@ void DevicePartsTest::theHandIsLed() {
   QTest::keyClick(&bars, Qt::Key_Right);
   QTest::keyClick(&bars, Qt::Key_PageDown);
   QCOMPARE(led.back().position, Vec3(5.0, -9.0, 0.0));
-  pull(0, 1.5);  // no further than it reaches
-  QCOMPARE(led.back().position, Vec3(40.0, -9.0, 0.0));
+  QTest::keyClick(&bars, Qt::Key_Left, Qt::ControlModifier);
+  QCOMPARE(led.back().position, Vec3(5.0, -9.0, 0.0) + Vec3(0.0, -0.1, 0.0));
+  QTest::keyClick(&bars, Qt::Key_Right, Qt::ControlModifier);
+  // A click on the number chooses the axis, and does not throw the hand to the end.
+  const std::size_t before = led.size();
+  pull(0, 1.5);
+  QCOMPARE(led.size(), before);
+  QTest::keyClick(&bars, Qt::Key_PageUp);
+  QVERIFY((led.back().position - Vec3(15.0, -9.0, 0.0)).norm() < 1e-9);
+  pull(0, 1.0);
+  QTest::keyClick(&bars, Qt::Key_PageUp);  // no further than it reaches
+  QVERIFY((led.back().position - Vec3(40.0, -9.0, 0.0)).norm() < 1e-9);
   pull(5, 0.5);
   const Eigen::AngleAxisd turn(led.back().orientation);
   QVERIFY(std::abs(turn.angle() * turn.axis().z() / kRadiansPerDegree - 90.0) < 2.0);

@@ -70,8 +70,13 @@ class RandomUser : public QObject {
   QTemporaryDir m_folder;
   QStringList m_files;
   QStringList m_problems;
-  std::map<const DocumentTab*, std::string> m_opened;  // the container of each document as it was opened
-  bool m_mayClose = false;                             // the present action is a command that closes
+  // Each document as it was opened: its container, and the index of its history, which is 1 where faces were reversed.
+  struct Opened {
+    std::string bytes;
+    int index = 0;
+  };
+  std::map<const DocumentTab*, Opened> m_opened;
+  bool m_mayClose = false;    // the present action is a command that closes
   bool m_mayDiscard = false;  // a prompt was answered with "discard" and its document has not closed yet
 };
 

@@ -22,8 +22,8 @@ constexpr double kUnknownReach = 100.0;  // mm, of a device that does not state 
 constexpr double kGripperReach = 50.0;
 constexpr int kBarHeight = 8;
 constexpr int kGap = 8;
-constexpr double kKnob = 6.0;                      // logical pixels, its radius
-constexpr double kKeyStep = 1.0, kKeyPage = 10.0;  // mm or degrees by key
+constexpr double kKnob = 6.0;                                      // logical pixels, its radius
+constexpr double kKeyStep = 1.0, kKeyFine = 0.1, kKeyPage = 10.0;  // mm or degrees by key
 
 double orUnknown(double reach) {
   return reach > 0.0 && std::isfinite(reach) ? reach : kUnknownReach;
@@ -98,8 +98,9 @@ void AxisBars::setLed(bool isLed) {
   m_chosen = 0;
   setFocusPolicy(isLed ? Qt::StrongFocus : Qt::NoFocus);
   setCursor(isLed ? Qt::PointingHandCursor : Qt::ArrowCursor);
-  setToolTip(isLed ? tr("Drag a knob to move the simulated hand; with keys: arrows, Page Up and Down, Home")
-                   : QString());
+  setToolTip(
+      isLed ? tr("Drag a knob to move the simulated hand; with keys: arrows, finer with Ctrl, Page Up and Down, Home")
+            : QString());
   update();
 }
 
@@ -138,17 +139,21 @@ void AxisBars::mousePressEvent(QMouseEvent* event) {
     return QWidget::mousePressEvent(event);
   m_chosen = static_cast<std::size_t>(row);
   update();
-  lead(event->pos().x());
+  // A click on a name or a number only chooses the axis.
+  const QRectF bar = barRect(m_chosen).adjusted(-kKnob, 0, kKnob, 0);
+  m_isDragged = event->pos().x() >= bar.left() && event->pos().x() <= bar.right();
+  if (m_isDragged) lead(event->pos().x());
 }
 
 void AxisBars::mouseMoveEvent(QMouseEvent* event) {
-  if (!m_isLed || !(event->buttons() & Qt::LeftButton)) return QWidget::mouseMoveEvent(event);
+  if (!m_isLed || !m_isDragged || !(event->buttons() & Qt::LeftButton)) return QWidget::mouseMoveEvent(event);
   lead(event->pos().x());
 }
 
 void AxisBars::keyPressEvent(QKeyEvent* event) {
   if (!m_isLed) return QWidget::keyPressEvent(event);
   const double wanted = m_axes[m_chosen].wanted;
+  const double step = event->modifiers() & Qt::ControlModifier ? kKeyFine : kKeyStep;
   switch (event->key()) {
     case Qt::Key_Up:
       m_chosen -= m_chosen > 0 ? 1 : 0;
@@ -157,9 +162,9 @@ void AxisBars::keyPressEvent(QKeyEvent* event) {
       m_chosen += m_chosen + 1 < m_axes.size() ? 1 : 0;
       return update();
     case Qt::Key_Left:
-      return leadTo(wanted - kKeyStep);
+      return leadTo(wanted - step);
     case Qt::Key_Right:
-      return leadTo(wanted + kKeyStep);
+      return leadTo(wanted + step);
     case Qt::Key_PageDown:
       return leadTo(wanted - kKeyPage);
     case Qt::Key_PageUp:

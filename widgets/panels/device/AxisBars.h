@@ -71,6 +71,7 @@ class AxisBars : public QWidget {
   HandPose m_hand;
   std::size_t m_chosen = 0;  // axis that mouse and keys lead
   bool m_isLed = false;
+  bool m_isDragged = false;
 };
 
 }  // namespace handwheel

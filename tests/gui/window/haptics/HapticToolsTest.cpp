@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "HandBench.h"
+#include "panels/device/AxisBars.h"
+
+#include <QDockWidget>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -53,6 +56,34 @@ class HapticToolsTest : public QObject {
     b.leadTo(0.97 * kRadius * out, 0);
     QTRY_VERIFY(b.driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
     QVERIFY(!b.driver.find<QAction>("undo")->isEnabled());
+  }
+
+  // While the knobs of the panel have the focus, they take the arrows, and the tool takes its keys.
+  void keysWhileTheKnobsHaveTheFocus() {
+    HandBench b;
+    QVERIFY(b.begin(ballIn(m_folder)));
+    auto* const dock = b.driver.find<QDockWidget>("deviceDock");
+    dock->show();
+    dock->raise();
+    auto* const knobs = b.driver.find<AxisBars>("axisBars");
+    QTRY_VERIFY(knobs->isVisible() && knobs->focusPolicy() != Qt::NoFocus);
+    b.driver.find<QAction>("selectTool")->trigger();
+    QVERIFY(b.driver.settle());
+    const Vec3 out = b.towardsViewer();
+    b.leadTo(0.97 * kRadius * out);
+    QVERIFY(b.waitForContact());
+    b.leadTo(0.97 * kRadius * out, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(b.now().device.buttons, 1u, kPatienceMs);
+    b.leadTo(0.97 * kRadius * out, 0);
+    QTRY_VERIFY(b.driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
+    QSignalSpy led(knobs, &AxisBars::handLed);
+    QTest::keyClick(knobs, Qt::Key_Right);
+    QCOMPARE(led.count(), 1);
+    QVERIFY(!b.driver.find<QAction>("undo")->isEnabled());
+    QTest::keyClick(knobs, Qt::Key_Delete);
+    QVERIFY(b.driver.settle());
+    QTRY_VERIFY(b.driver.find<QAction>("undo")->isEnabled());
+    QCOMPARE(led.count(), 1);
   }
 
   // A point of an open edge draws the tip while a tool for such points is in use, and no other.
