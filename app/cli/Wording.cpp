@@ -73,15 +73,22 @@ std::string reasonSentence(FillFailure failure) {
 }
 
 std::vector<std::string> patchWarnings(const RepairReport& repair) {
+  constexpr std::size_t kMostLines = 10;
   std::vector<std::string> lines;
+  std::size_t more = 0;
   const std::vector<std::string> names = namesOf(repair.loops);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const LoopResult& loop = repair.loops[i];
     const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
-    if (!warning.isEmpty())
+    if (!warning.isEmpty() && lines.size() == kMostLines)
+      ++more;
+    else if (!warning.isEmpty())
       lines.push_back(names[i] + " (" + idOf(loop) + counted(loop.edges, "edge", "edges") +
                       "): check its patch: " + warning.toStdString() + ".");
   }
+  if (more > 0)
+    lines.push_back("Check " + counted(more, "further patch", "further patches") +
+                    ", too: --report FILE has the bends of all.");
   return lines;
 }
 

@@ -325,6 +325,13 @@ class RepairOptionsTest : public QObject {
     const Ran lid = bench.run({"repair", "tube.off", "-o", "a.off"});
     QCOMPARE(lid.code, 0);
     QVERIFY2(lid.err.contains("check its patch: the patch bends by 90°, its surroundings by at most 8°"), lid.err);
+    // Of many such patches the first are named: the report has all.
+    Shape many;
+    for (int i = 0; i < 13; ++i) many.add(tube, {0.0, 0.0, 100.0 * i});
+    bench.put("many.off", many.off());
+    const Ran lids = bench.run({"repair", "many.off", "-o", "c.off"});
+    QCOMPARE(lids.err.count("check its patch"), 10);
+    QVERIFY2(lids.err.contains("Check 3 further patches, too: --report FILE has the bends of all."), lids.err);
     const Ran cap = bench.run({"repair", "ball.off", "-o", "b.off"});
     QCOMPARE(cap.code, 0);
     QCOMPARE(cap.err, QByteArray());
