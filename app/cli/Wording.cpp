@@ -42,7 +42,7 @@ std::string cutShort(bool isCutShort, const std::string& what) {
 
 // --cut-crossings is no advice to those who gave it.
 std::string adviceOnCrossings(const RepairReport& repair, const RepairOptions& options) {
-  if (!options.cutCrossings) return " --cut-crossings resolves them where possible.";
+  if (!options.resolvesIntersections()) return " --cut-crossings resolves them where possible.";
   if (repair.isIntersectionRemovalIncomplete) return cutShort(true, "Cutting");
   return " --cut-crossings found no cut that would separate these cleanly.";
 }
@@ -163,7 +163,7 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
     lines.push_back("New: " + counted(after.debris - before.debris, "piece", "pieces") + " of debris, " +
                     std::to_string(after.debris) + " in all. Another repair with --remove-debris removes them.");
   }
-  const bool isCut = options.cutCrossings && after.selfIntersectingPairs.value_or(0) > 0;
+  const bool isCut = options.resolvesIntersections() && after.selfIntersectingPairs.value_or(0) > 0;
   if (after.nonManifoldEdges > 0 || after.nonManifoldVertices > 0 || isCut)
     lines.push_back("--by volume makes a surface without such places, in the detail of its voxels.");
   return lines;

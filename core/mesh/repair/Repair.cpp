@@ -98,7 +98,7 @@ class Repairer {
     if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
     if (m_options.replaceFoldedRegions && !progress.cancelled()) replaceFolded(progress.part(0.85, 0.93));
-    if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.97));
+    if (m_options.resolvesIntersections() && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.97));
     if (!progress.cancelled()) separateTouching(progress.part(0.97, 0.975).within(m_efforts.separation));
     if (!progress.cancelled()) m_report.removedDebris += removeNewDebris(m_mesh, m_input, progress.part(0.975, 0.98));
     if (progress.cancelled()) return;
@@ -109,7 +109,8 @@ class Repairer {
 
   void clean(Progress progress) {
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.0, 0.15));
-    if (m_options.cutCrossings && m_round == 0 && !progress.cancelled()) cutAtDuplicates(progress.part(0.15, 0.2));
+    if (m_options.resolvesIntersections() && m_round == 0 && !progress.cancelled())
+      cutAtDuplicates(progress.part(0.15, 0.2));
     if (!progress.cancelled()) m_report.removedDuplicates += removeDuplicateFaces(m_mesh, progress.part(0.2, 0.35));
     if (!progress.cancelled()) m_report.removedFlaps += removeFlaps(m_mesh, progress.part(0.35, 0.6));
     if (m_options.removeDebris && !progress.cancelled())
@@ -277,10 +278,13 @@ class Repairer {
     const Progress now = progress.within(effort);
     // A round that was cut short stays so unless a later one leaves nothing to cut.
     const bool wasCutShort = std::exchange(m_report.isIntersectionRemovalIncomplete, true);
-    if (m_options.uniteSolids) m_report.innerFaces += uniteSolids(m_mesh, m_options.fill.numbers, now).innerFaces;
-    const auto pairs = findSelfIntersections(m_mesh, now.part(0.0, 0.3));
+    const double united = m_options.uniteSolids ? 0.5 : 0.0;  // of the progress
+    if (m_options.uniteSolids)
+      m_report.innerFaces += uniteSolids(m_mesh, m_options.fill.numbers, now.part(0.0, united)).innerFaces;
+    const auto pairs = findSelfIntersections(m_mesh, now.part(united, united + 0.3));
     if (!pairs) return;
-    const ClusterRemoval cut = removeClusterIntersections(m_mesh, *pairs, m_options.fill.numbers, now.part(0.3, 1.0));
+    const ClusterRemoval cut =
+        removeClusterIntersections(m_mesh, *pairs, m_options.fill.numbers, now.part(united + 0.3, 1.0));
     m_report.cutClusters += cut.clusters;
     m_report.isIntersectionRemovalIncomplete = cut.isCutShort || (wasCutShort && !pairs->empty());
   }

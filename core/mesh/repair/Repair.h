@@ -28,7 +28,9 @@ struct RepairOptions {
   bool removeDebris = false;
   bool replaceFoldedRegions = true;  // where nothing else closes a hole (replaceFoldedRegions())
   bool cutCrossings = false;         // remove self-intersections of the surface (removeClusterIntersections())
-  bool uniteSolids = false;          // with it, and before: unite solids that intersect (uniteSolids())
+  bool uniteSolids = false;          // before that: unite solids that intersect (uniteSolids())
+
+  bool resolvesIntersections() const { return cutCrossings || uniteSolids; }
 };
 
 // The outcomes of a repair for a boundary loop, from best to worst.

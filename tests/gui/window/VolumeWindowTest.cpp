@@ -80,7 +80,8 @@ class VolumeWindowTest : public QObject {
     QVERIFY(isNear(material(), ball(kRadius)));
     driver.choose("volumeShell");
     driver.edit("wall", QStringLiteral("3"));
-    QVERIFY(driver.settle());
+    // All distances of the volume: long with sanitizers.
+    QVERIFY(QTest::qWaitFor([&] { return driver.window().isSettled(); }, 4 * kPatienceMs));
     QVERIFY(isNear(material(), ball(kRadius)));
     auto* const view = driver.find<Viewport>("viewport");
     view->setFocus();

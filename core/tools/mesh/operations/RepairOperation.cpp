@@ -59,7 +59,7 @@ RepairOptions repairOptionsOf(const OperationValues& values) {
   options.removeDebris = values.flag("remove-debris");
   options.replaceFoldedRegions = !values.flag("keep-folded-regions");
   options.uniteSolids = values.flag("unite");
-  options.cutCrossings = values.flag("cut-crossings") || options.uniteSolids;
+  options.cutCrossings = values.flag("cut-crossings");
   return options;
 }
 
