@@ -157,7 +157,7 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
     lines.push_back("The surface intersects itself: " + counted(pairs, "pair", "pairs") +
                     " of triangles intersect or overlap." + adviceOnCrossings(repair, options));
   }
-  if (options.uniteSolids && repair.innerFaces == 0)
+  if (options.uniteSolids && repair.innerFaces == 0 && !repair.isIntersectionRemovalIncomplete)
     lines.push_back("No bodies were united: only closed ones that intersect can be, with none of them inside out.");
   if (after.debris > before.debris) {
     lines.push_back("New: " + counted(after.debris - before.debris, "piece", "pieces") + " of debris, " +

@@ -202,64 +202,77 @@ std::vector<std::uint32_t> PartSurface::trianglesNear(const Vec3& onPlane, const
   return near;
 }
 
-SurfaceTrack PartSurface::sectionNear(const Vec3& onPlane, const Vec3& normal, const Vec3& place) const {
-  // Points in the plane count as above it, so that it never goes through a vertex.
-  const auto isAbove = [&](std::uint32_t i) { return (m_points[i] - onPlane).dot(normal) >= 0.0; };
-  using EndEdge = std::pair<std::uint32_t, std::uint32_t>;
+struct PartSurface::Section {
+  using EndEdge = std::pair<std::uint32_t, std::uint32_t>;  // of the surface, which the plane cuts in an end
   struct Segment {
     std::array<EndEdge, 2> ends;
     std::uint32_t triangle;
   };
-  const auto pointOn = [&](const EndEdge& edge) {
+  std::vector<Segment> segments;
+  std::map<EndEdge, std::vector<std::uint32_t>> segmentsAt;
+  std::map<EndEdge, Vec3> pointAt;
+  std::uint32_t nearest = 0;  // segment, to the place
+};
+
+PartSurface::Section PartSurface::sectionOf(const Vec3& onPlane, const Vec3& normal, const Vec3& place) const {
+  // Points in the plane count as above it, so that it never goes through a vertex.
+  const auto isAbove = [&](std::uint32_t i) { return (m_points[i] - onPlane).dot(normal) >= 0.0; };
+  const auto pointOn = [&](const Section::EndEdge& edge) {
     const Vec3 &a = m_points[edge.first], &b = m_points[edge.second];
     const double from = (a - onPlane).dot(normal), to = (b - onPlane).dot(normal);
     return Vec3(a + from / (from - to) * (b - a));
   };
-  std::vector<Segment> segments;
-  std::map<EndEdge, std::vector<std::uint32_t>> segmentsAt;
+  Section section;
   double least = std::numeric_limits<double>::infinity();
-  std::uint32_t nearest = 0;
   for (const std::uint32_t t : trianglesNear(onPlane, normal)) {
     const Triangle& corners = m_triangles[t];
-    Segment segment{{}, t};
+    Section::Segment segment{{}, t};
     std::size_t found = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = corners[i], b = corners[(i + 1) % 3];
       if (isAbove(a) != isAbove(b) && found < 2) segment.ends[found++] = std::minmax(a, b);
     }
     if (found < 2) continue;
-    const auto number = static_cast<std::uint32_t>(segments.size());
-    for (const EndEdge& end : segment.ends) segmentsAt[end].push_back(number);
-    const double distance = distanceTo(place, pointOn(segment.ends[0]), pointOn(segment.ends[1]));
+    const auto number = static_cast<std::uint32_t>(section.segments.size());
+    for (const Section::EndEdge& end : segment.ends) {
+      section.segmentsAt[end].push_back(number);
+      section.pointAt.emplace(end, pointOn(end));
+    }
+    const double distance = distanceTo(place, section.pointAt.at(segment.ends[0]), section.pointAt.at(segment.ends[1]));
     if (distance < least) {
       least = distance;
-      nearest = number;
+      section.nearest = number;
     }
-    segments.push_back(segment);
+    section.segments.push_back(segment);
   }
+  return section;
+}
+
+SurfaceTrack PartSurface::sectionNear(const Vec3& onPlane, const Vec3& normal, const Vec3& place) const {
+  const Section section = sectionOf(onPlane, normal, place);
   SurfaceTrack track;
-  if (segments.empty()) return track;
-  std::vector<bool> isUsed(segments.size(), false);
-  isUsed[nearest] = true;
-  const auto follow = [&](EndEdge end) {
+  if (section.segments.empty()) return track;
+  std::vector<bool> isUsed(section.segments.size(), false);
+  isUsed[section.nearest] = true;
+  const auto follow = [&](Section::EndEdge end) {
     std::vector<TrackPoint> points;
-    Vec3 before = m_normals[segments[nearest].triangle];
+    Vec3 before = m_normals[section.segments[section.nearest].triangle];
     for (;;) {
       std::optional<std::uint32_t> on;
-      for (const std::uint32_t s : segmentsAt[end]) {
+      for (const std::uint32_t s : section.segmentsAt.at(end)) {
         if (!isUsed[s]) on = s;
       }
-      const Vec3 after = on ? m_normals[segments[*on].triangle] : before;
-      points.push_back({pointOn(end), Vec3::Zero(), (before + after).normalized()});
+      const Vec3 after = on ? m_normals[section.segments[*on].triangle] : before;
+      points.push_back({section.pointAt.at(end), Vec3::Zero(), (before + after).normalized()});
       if (!on) return points;
       isUsed[*on] = true;
-      const auto& ends = segments[*on].ends;
+      const auto& ends = section.segments[*on].ends;
       end = ends[0] == end ? ends[1] : ends[0];
       before = after;
     }
   };
-  std::vector<TrackPoint> ahead = follow(segments[nearest].ends[1]);
-  track.points = follow(segments[nearest].ends[0]);
+  std::vector<TrackPoint> ahead = follow(section.segments[section.nearest].ends[1]);
+  track.points = follow(section.segments[section.nearest].ends[0]);
   std::reverse(track.points.begin(), track.points.end());
   track.points.insert(track.points.end(), ahead.begin(), ahead.end());
   // Cut vertices give points at one place.

@@ -47,6 +47,8 @@ class PartSurface {
   Chain chainThrough(std::uint32_t edge) const;
   void buildTree();
   std::vector<std::uint32_t> trianglesNear(const Vec3& onPlane, const Vec3& normal) const;
+  struct Section;  // the segments in which a plane cuts the triangles
+  Section sectionOf(const Vec3& onPlane, const Vec3& normal, const Vec3& place) const;
   std::optional<std::uint32_t> next(std::uint32_t edge, std::uint32_t vertex) const;
 
   EdgeSettings m_settings;

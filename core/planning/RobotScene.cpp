@@ -18,44 +18,57 @@ Error noScene(std::string reason) {
   return {ErrorCode::ElementMalformed, {"robot", std::move(reason)}, {}, {}};
 }
 
+// What a joint does at this position, rad or mm, in its own frame.
+Pose motionOf(const Joint& joint, double position) {
+  Pose motion = Pose::Identity();
+  if (joint.kind == JointKind::Prismatic)
+    motion.translate(position * joint.axis);
+  else
+    motion.rotate(Eigen::AngleAxisd(position, joint.axis));
+  return motion;
+}
+
 }  // namespace
 
 RobotScene::RobotScene(const RobotModel& robot, const Pose& base, std::vector<CollisionBody> bodies,
                        std::vector<std::uint32_t> dofs, const JointValues& values, const std::set<LinkPair>& allowed) {
   assert(bodies.size() == robot.links.size());
-  const auto planned = [&](std::uint32_t dof) { return std::find(dofs.begin(), dofs.end(), dof) - dofs.begin(); };
   if (dofs.size() > static_cast<std::size_t>(kMostArmJoints)) {
     m_status = noScene("it has too many joints");
     return;
   }
-  // For each link: the planned joint that moves it, and its pose in that joint's frame.
   std::vector<std::uint32_t> mover(robot.links.size(), kNone);
   std::vector<Pose> pose(robot.links.size(), base);
-  std::vector<std::uint32_t> at(dofs.size(),
-                                kNone);  // of each planned one in m_joints
+  m_status = addJoints(robot, dofs, values, mover, pose);
+  if (!m_status) return;
+  for (std::uint32_t l = 0; l < bodies.size(); ++l) {
+    std::vector<CollisionPiece> pieces;
+    for (const CollisionPiece& piece : bodies[l].pieces()) pieces.push_back(piece.moved(pose[l]));
+    if (!pieces.empty()) m_parts.push_back({l, mover[l], CollisionBody(std::move(pieces)), {}});
+  }
+  std::stable_sort(m_parts.begin(), m_parts.end(), [](const Part& a, const Part& b) { return a.joint < b.joint; });
+  findGroups();
+  findReaches();
+  findPairs(allowed);
+}
+
+Status RobotScene::addJoints(const RobotModel& robot, const std::vector<std::uint32_t>& dofs, const JointValues& values,
+                             std::vector<std::uint32_t>& mover, std::vector<Pose>& pose) {
+  std::vector<bool> isThere(dofs.size(), false);
   m_joints.resize(dofs.size());
   for (const std::uint32_t j : robot.order) {
     const Joint& joint = robot.joints[j];
-    const bool isMoved = joint.kind != JointKind::Fixed && joint.dof != kNone &&
-                         planned(joint.dof) < static_cast<std::ptrdiff_t>(dofs.size());
+    const auto index = static_cast<std::size_t>(std::find(dofs.begin(), dofs.end(), joint.dof) - dofs.begin());
+    const bool isMoved = joint.kind != JointKind::Fixed && joint.dof != kNone && index < dofs.size();
     const Pose origin = pose[joint.parent] * joint.origin;
     mover[joint.child] = mover[joint.parent];
     if (!isMoved) {
-      pose[joint.child] = origin;
-      if (joint.kind == JointKind::Fixed) continue;
-      const double position = jointPosition(joint, values);
-      if (joint.kind == JointKind::Prismatic)
-        pose[joint.child].translate(position * joint.axis);
-      else
-        pose[joint.child].rotate(Eigen::AngleAxisd(position, joint.axis));
+      pose[joint.child] =
+          joint.kind == JointKind::Fixed ? origin : origin * motionOf(joint, jointPosition(joint, values));
       continue;
     }
-    const auto index = static_cast<std::size_t>(planned(joint.dof));
-    if (at[index] != kNone || std::abs(joint.factor) != 1.0) {
-      m_status = noScene("a planned joint moves others with it");
-      return;
-    }
-    at[index] = static_cast<std::uint32_t>(index);
+    if (isThere[index] || std::abs(joint.factor) != 1.0) return noScene("a planned joint moves others with it");
+    isThere[index] = true;
     MovedJoint& moved = m_joints[index];
     moved.parent = mover[joint.parent];
     moved.joint.isPrismatic = joint.kind == JointKind::Prismatic;
@@ -66,36 +79,15 @@ RobotScene::RobotScene(const RobotModel& robot, const Pose& base, std::vector<Co
     moved.joint.velocity = joint.limits.velocity;
     const Vec3 axis = joint.factor * joint.axis;
     const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
-    moved.joint.before = origin;
-    if (joint.offset != 0.0) {
-      if (moved.joint.isPrismatic)
-        moved.joint.before.translate(joint.offset * joint.axis);
-      else
-        moved.joint.before.rotate(Eigen::AngleAxisd(joint.offset, joint.axis));
-    }
+    moved.joint.before = joint.offset != 0.0 ? origin * motionOf(joint, joint.offset) : origin;
     moved.joint.before.rotate(turn);
     mover[joint.child] = static_cast<std::uint32_t>(index);
     pose[joint.child] = Pose(turn.transpose());
   }
-  if (std::find(at.begin(), at.end(), kNone) != at.end()) {
-    m_status = noScene("a planned joint is not in it");
-    return;
-  }
-  for (const MovedJoint& joint : m_joints) {
-    if (joint.parent != kNone && joint.parent >= static_cast<std::uint32_t>(&joint - m_joints.data())) {
-      m_status = noScene("the planned joints are not in order");
-      return;
-    }
-  }
-  for (std::uint32_t l = 0; l < bodies.size(); ++l) {
-    std::vector<CollisionPiece> pieces;
-    for (const CollisionPiece& piece : bodies[l].pieces()) pieces.push_back(piece.moved(pose[l]));
-    if (!pieces.empty()) m_parts.push_back({l, mover[l], CollisionBody(std::move(pieces)), {}});
-  }
-  std::stable_sort(m_parts.begin(), m_parts.end(), [](const Part& a, const Part& b) { return a.joint < b.joint; });
-  findGroups();
-  findReaches();
-  findPairs(allowed);
+  if (std::find(isThere.begin(), isThere.end(), false) != isThere.end()) return noScene("a planned joint is not in it");
+  for (std::size_t i = 0; i < m_joints.size(); ++i)
+    if (m_joints[i].parent != kNone && m_joints[i].parent >= i) return noScene("the planned joints are not in order");
+  return Done{};
 }
 
 void RobotScene::findGroups() {

@@ -119,6 +119,10 @@ class RobotScene {
     Pose world = Pose::Identity();
     const Pose& of(std::uint32_t joint) const { return joint == kNone ? world : joints[joint]; }
   };
+  // Adds the planned joints. mover, pose: of each link the planned joint that moves it, and its pose in that joint's
+  // frame; on entry kNone and the pose of the base.
+  Status addJoints(const RobotModel& robot, const std::vector<std::uint32_t>& dofs, const JointValues& values,
+                   std::vector<std::uint32_t>& mover, std::vector<Pose>& pose);
   void findPairs(const std::set<LinkPair>& allowed);
   void findGroups();
   void findReaches();

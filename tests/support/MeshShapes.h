@@ -70,6 +70,13 @@ inline TriangleSoup cube(double size = 1.0, const Vec3& corner = Vec3::Zero()) {
   return s;
 }
 
+// From this corner, along the axes.
+inline TriangleSoup box(const Vec3& corner, const Vec3& size) {
+  TriangleSoup s = cube();
+  for (Vec3& p : s.points) p = corner + p.cwiseProduct(size);
+  return s;
+}
+
 // The origin and the ends of the three unit vectors; volume 1/6.
 inline TriangleSoup tetrahedron() {
   return {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};

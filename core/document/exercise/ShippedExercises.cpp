@@ -13,6 +13,7 @@ namespace {
 constexpr std::string_view kShippedKey = "handwheel-";
 
 // The texts of resources/samples/exercises, which is what tools/exercises wrote; a test compares them.
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): long texts among short ones
 constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("Exercise", "turning tool"),
     QT_TRANSLATE_NOOP("Exercise", "Ball"),
@@ -151,6 +152,7 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("Exercise", "Torque below 150 N·mm"),
     QT_TRANSLATE_NOOP("Exercise", "Cool drilling"),
 };
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 void translate(std::string& text) {
   const auto* const found = std::find(std::begin(kTexts), std::end(kTexts), text);

@@ -46,9 +46,9 @@ std::vector<ProfileSegment> besideAxis(const Drawing& drawing) {
 }  // namespace
 
 Result<TargetProfile> targetIn(const Drawing& drawing, Progress progress) {
-  std::vector<ProfileSegment> beside = besideAxis(drawing);
+  const std::vector<ProfileSegment> beside = besideAxis(drawing);
   if (beside.empty()) return Error{TargetError::NoProfile, {}, {}, {}};
-  Result<std::vector<ProfileSegment>> outline = joinedOutline(std::move(beside), kDrawingGap, progress.part(0.0, 0.5));
+  Result<std::vector<ProfileSegment>> outline = joinedOutline(beside, kDrawingGap, progress.part(0.0, 0.5));
   if (!outline) return outline.error();
   return TargetProfile::make(std::move(outline.value()), progress.part(0.5, 1.0));
 }

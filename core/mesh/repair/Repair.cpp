@@ -280,7 +280,7 @@ class Repairer {
     const bool wasCutShort = std::exchange(m_report.isIntersectionRemovalIncomplete, true);
     const double united = m_options.uniteSolids ? 0.5 : 0.0;  // of the progress
     if (m_options.uniteSolids)
-      m_report.innerFaces += uniteSolids(m_mesh, m_options.fill.numbers, now.part(0.0, united)).innerFaces;
+      m_report.innerFaces += uniteSolids(m_mesh, m_options.fill.numbers, now.part(0.0, united));
     const auto pairs = findSelfIntersections(m_mesh, now.part(united, united + 0.3));
     if (!pairs) return;
     const ClusterRemoval cut =

@@ -51,7 +51,7 @@ class Roadmap {
   void clear();
 
   const std::size_t m_most;
-  mutable std::mutex m_mutex;
+  mutable std::mutex m_mutex;  // polled, not timed: ThreadSanitizer does not understand timed mutexes
   MotionCheckSettings m_check;
   std::uint64_t m_random = 0;  // the state of its random numbers
   std::vector<Milestone> m_milestones;

@@ -136,17 +136,9 @@ Status addLeg(const CellScene& scene, const CellPlans& plans, const Waypoint& fr
   return Done{};
 }
 
-}  // namespace
-
-const Operation& processOperation() {
-  constexpr double kRightAngle = 0.5 * std::numbers::pi;
-  constexpr double kMostLead = 85.0 * kRadiansPerDegree;
-  static const Operation kOperation = {
-      .id = "process",
-      .title = QT_TRANSLATE_NOOP("Tool", "Plan process path"),
-      .meaning = "Plans a path of the tool along an edge, a section or a drawn curve of a part",
-      .parameters = {
-          textParameter("part", "BODY", "The part, given by name or number"),
+// Which curve of which part the tool follows.
+std::vector<Parameter> curveParameters() {
+  return {textParameter("part", "BODY", "The part, given by name or number"),
           {.property = {.id = "near",
                         .group = {},
                         .label = {},
@@ -179,43 +171,63 @@ const Operation& processOperation() {
                         .least = 0.0,
                         .largest = kFarthestBody},
            .meaning = "Length of the curve from the place on; 0: all of it",
-           .word = "MM"},
-          flagParameter("reverse", QT_TRANSLATE_NOOP("Property", "Opposite direction"),
-                        "Follow the curve in the opposite direction"),
-          numberParameter("lead", QT_TRANSLATE_NOOP("Property", "Lead"), "DEGREES",
-                          "Lead angle of the tool; negative: it trails", 0.0, -kMostLead, kMostLead, Quantity::Angle),
-          numberParameter("tilt", QT_TRANSLATE_NOOP("Property", "Tilt"), "DEGREES",
-                          "Tilt of the tool to the right of its path", 0.0, -kRightAngle, kRightAngle, Quantity::Angle),
-          numberParameter("spin", QT_TRANSLATE_NOOP("Property", "Turn about the tool"), "DEGREES",
-                          "Rotation of the tool about its own axis", 0.0, -std::numbers::pi, std::numbers::pi,
-                          Quantity::Angle),
-          flagParameter("free", QT_TRANSLATE_NOOP("Property", "Free to turn about the tool"),
-                        "The rotation of the tool about its own axis is chosen freely"),
-          numberParameter("standoff", QT_TRANSLATE_NOOP("Property", "Distance from the part"), "MM",
-                          "Distance of the tool from the curve", 1.0, -1e3, 1e3, Quantity::Length),
-          numberParameter("approach", QT_TRANSLATE_NOOP("Property", "Approach and retract"), "MM",
-                          "Length of approach and retract along the axis of the tool", 50.0, 0.0, 1e4,
-                          Quantity::Length),
-          numberParameter("speed", QT_TRANSLATE_NOOP("Property", "Speed (mm/s)"), "MM/S",
-                          "Speed of the tool along the curve, in mm/s", 50.0, 0.01, 1e4, Quantity::Number),
-          numberParameter("blend", QT_TRANSLATE_NOOP("Property", "Blend"), "MM",
-                          "Radius within which the tool may round off a point of the curve", 1.0, 0.0, 100.0,
-                          Quantity::Length),
-          numberParameter("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance"), "MM",
-                          "Largest distance of the path from the curve", 0.1, 1e-4, 100.0, Quantity::Length),
-          {.property = {.id = "clearance",
-                        .group = {},
-                        .label = QT_TRANSLATE_NOOP("Property", "Clearance"),
-                        .value = 0.0,
-                        .quantity = Quantity::Length,
-                        .least = 0.0,
-                        .largest = 1e4},
-           .meaning = "Clearance from all obstacles; default: that of the cell",
-           .word = "MM",
-           .hasDefault = false},
-          textParameter("from", "PLACE", "Start of a collision-free path to the curve"),
-          textParameter("to", "PLACE", "Goal of a collision-free path after the curve"),
-          textParameter("name", "NAME", "The name of the path in the cell")}};
+           .word = "MM"}};
+}
+
+// How the tool is held and moved along it.
+std::vector<Parameter> holdingParameters() {
+  constexpr double kRightAngle = 0.5 * std::numbers::pi;
+  constexpr double kMostLead = 85.0 * kRadiansPerDegree;
+  return {
+      flagParameter("reverse", QT_TRANSLATE_NOOP("Property", "Opposite direction"),
+                    "Follow the curve in the opposite direction"),
+      numberParameter("lead", QT_TRANSLATE_NOOP("Property", "Lead"), "DEGREES",
+                      "Lead angle of the tool; negative: it trails", 0.0, -kMostLead, kMostLead, Quantity::Angle),
+      numberParameter("tilt", QT_TRANSLATE_NOOP("Property", "Tilt"), "DEGREES",
+                      "Tilt of the tool to the right of its path", 0.0, -kRightAngle, kRightAngle, Quantity::Angle),
+      numberParameter("spin", QT_TRANSLATE_NOOP("Property", "Turn about the tool"), "DEGREES",
+                      "Rotation of the tool about its own axis", 0.0, -std::numbers::pi, std::numbers::pi,
+                      Quantity::Angle),
+      flagParameter("free", QT_TRANSLATE_NOOP("Property", "Free to turn about the tool"),
+                    "The rotation of the tool about its own axis is chosen freely"),
+      numberParameter("standoff", QT_TRANSLATE_NOOP("Property", "Distance from the part"), "MM",
+                      "Distance of the tool from the curve", 1.0, -1e3, 1e3, Quantity::Length),
+      numberParameter("approach", QT_TRANSLATE_NOOP("Property", "Approach and retract"), "MM",
+                      "Length of approach and retract along the axis of the tool", 50.0, 0.0, 1e4, Quantity::Length),
+      numberParameter("speed", QT_TRANSLATE_NOOP("Property", "Speed (mm/s)"), "MM/S",
+                      "Speed of the tool along the curve, in mm/s", 50.0, 0.01, 1e4, Quantity::Number),
+      numberParameter("blend", QT_TRANSLATE_NOOP("Property", "Blend"), "MM",
+                      "Radius within which the tool may round off a point of the curve", 1.0, 0.0, 100.0,
+                      Quantity::Length),
+      numberParameter("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance"), "MM",
+                      "Largest distance of the path from the curve", 0.1, 1e-4, 100.0, Quantity::Length),
+      {.property = {.id = "clearance",
+                    .group = {},
+                    .label = QT_TRANSLATE_NOOP("Property", "Clearance"),
+                    .value = 0.0,
+                    .quantity = Quantity::Length,
+                    .least = 0.0,
+                    .largest = 1e4},
+       .meaning = "Clearance from all obstacles; default: that of the cell",
+       .word = "MM",
+       .hasDefault = false}};
+}
+
+}  // namespace
+
+const Operation& processOperation() {
+  static const Operation kOperation = [] {
+    Operation process = {.id = "process",
+                         .title = QT_TRANSLATE_NOOP("Tool", "Plan process path"),
+                         .meaning = "Plans a path of the tool along an edge, a section or a drawn curve of a part",
+                         .parameters = curveParameters()};
+    auto& all = process.parameters;
+    for (Parameter& each : holdingParameters()) all.push_back(std::move(each));
+    all.push_back(textParameter("from", "PLACE", "Start of a collision-free path to the curve"));
+    all.push_back(textParameter("to", "PLACE", "Goal of a collision-free path after the curve"));
+    all.push_back(textParameter("name", "NAME", "The name of the path in the cell"));
+    return process;
+  }();
   return kOperation;
 }
 

@@ -105,9 +105,8 @@ class Reader {
           m_isOver = true;
         else if (word.value != 3.0 && word.value != 5.0)
           return at(VolumeErrors::ProgramWord, {word.text});
-      } else if (std::string_view("XYZRQPFSN").find(word.letter) == std::string_view::npos) {
-        return at(VolumeErrors::ProgramWord, {word.text});
-      } else if (!values.emplace(word.letter, word.value).second) {
+      } else if (std::string_view("XYZRQPFSN").find(word.letter) == std::string_view::npos ||
+                 !values.emplace(word.letter, word.value).second) {
         return at(VolumeErrors::ProgramWord, {word.text});
       }
     }

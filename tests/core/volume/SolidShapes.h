@@ -32,9 +32,7 @@ inline SparseVolume withBall(SparseVolume volume, const Vec3& centre, double rad
 
 // A box in a grid whose voxel (0, 0, 0) is at the origin.
 inline SparseVolume boxOfVoxels(const Vec3& size, const Vec3& corner, double voxel) {
-  TriangleSoup box = cube(1.0);
-  for (Vec3& p : box.points) p = corner + p.cwiseProduct(size);
-  return volumeOfSurface(box, voxel, {}, Vec3(Vec3::Zero()))->volume;
+  return volumeOfSurface(box(corner, size), voxel, {}, Vec3(Vec3::Zero()))->volume;
 }
 
 }  // namespace handwheel::test

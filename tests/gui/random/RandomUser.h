@@ -43,6 +43,11 @@ class RandomUser : public QObject {
   void undoEverything(const std::function<void()>& alive);
 
  private:
+  struct Opened {
+    std::string bytes;  // of its container
+    int index = 0;      // of its history: 1 where opening reversed faces
+  };
+
   int upTo(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_random); }
   bool oneIn(int count) { return upTo(count) == 0; }
   static void note(const QString& what);
@@ -70,13 +75,8 @@ class RandomUser : public QObject {
   QTemporaryDir m_folder;
   QStringList m_files;
   QStringList m_problems;
-  // Each document as it was opened: its container, and the index of its history, which is 1 where faces were reversed.
-  struct Opened {
-    std::string bytes;
-    int index = 0;
-  };
-  std::map<const DocumentTab*, Opened> m_opened;
-  bool m_mayClose = false;    // the present action is a command that closes
+  std::map<const DocumentTab*, Opened> m_opened;  // each document as it was opened
+  bool m_mayClose = false;                        // the present action is a command that closes
   bool m_mayDiscard = false;  // a prompt was answered with "discard" and its document has not closed yet
 };
 

@@ -63,7 +63,6 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(!driver.find<QAbstractButton>("repairAllButton")->isEnabled());
   }
 
-  // What opening turns over is done, with undo; neither asks to save.
   // What lies inside both goes, in one step that undoes; bodies that do not intersect are not offered it.
   void bodiesThatIntersectAreUnited() {
     TriangleSoup soup = cube();
@@ -87,6 +86,7 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(unite->isEnabled());
   }
 
+  // What opening turns over is done, with undo; neither asks to save.
   void turnedOnOpening() {
     TriangleSoup soup = icosphere(2);
     for (const std::size_t f : {3, 40, 200}) std::swap(soup.triangles[f][1], soup.triangles[f][2]);

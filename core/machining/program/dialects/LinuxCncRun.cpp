@@ -157,11 +157,10 @@ void LinuxCncRun::runToolAndSpindle(const ProgramBlock& block) {
       case 30:
       case 60:
       case 98:
-      case 99:
-        break;  // at the end of the block
+      case 99:  // at the end of the block
       case 48:
-      case 49:
-        break;  // overrides of the operator
+      case 49:  // overrides of the operator
+        break;
       case 70:
       case 73:
         if (m_frames.empty()) m_frames.emplace_back().returnTo = m_outline.size();

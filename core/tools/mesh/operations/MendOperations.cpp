@@ -10,16 +10,25 @@
 
 namespace handwheel {
 
+namespace {
+
+Operation thickenOperation() {
+  std::vector<Parameter> parameters = fillParameters();
+  parameters.insert(parameters.begin(), thicknessParameter());
+  return {.id = "back",
+          .title = QT_TRANSLATE_NOOP("Tool", "Thicken sheets"),
+          .meaning =
+              "Thicken each sheet with such an outer boundary to a thin body, which grows to the side opposite "
+              "to the normals",
+          .operands = "LOOPS",
+          .parameters = std::move(parameters)};
+}
+
+}  // namespace
+
 std::vector<Operation> mendOperations() {
-  std::vector<Parameter> thickening = fillParameters();
-  thickening.insert(thickening.begin(), thicknessParameter());
   return {
-      {.id = "back",
-       .title = QT_TRANSLATE_NOOP("Tool", "Thicken sheets"),
-       .meaning = "Thicken each sheet with such an outer boundary to a thin body, which grows to the side opposite to "
-                  "the normals",
-       .operands = "LOOPS",
-       .parameters = std::move(thickening)},
+      thickenOperation(),
       {.id = "cut-and-close",
        .title = QT_TRANSLATE_NOOP("Tool", "Cut and close"),
        .meaning = "Close it across the part, and cut where the patch intersects",

@@ -111,8 +111,9 @@ class DxfReaderTest : public QObject {
     QVERIFY(read.hasValue());
     QCOMPARE(read->curves.size(), std::size_t{1});
     QCOMPARE(read->others.at("TEXT"), std::size_t{2});
-    QCOMPARE(read->others.at("ARC"), std::size_t{1});                                                // in another plane
-    const auto stray = readDxf(fileOf("0 VERTEX 70 16 10 1 20 2 42 1 0 LINE 10 0 20 1 11 5 21 1"));  // of no polyline
+    QCOMPARE(read->others.at("ARC"), std::size_t{1});  // in another plane
+    // A vertex of no polyline.
+    const auto stray = readDxf(fileOf("0 VERTEX 70 16 10 1 20 2 42 1 0 LINE 10 0 20 1 11 5 21 1"));
     QVERIFY(stray.hasValue());
     QCOMPARE(stray->curves.size(), std::size_t{1});
   }

@@ -79,6 +79,13 @@ struct HandBench {
   bool waitForContact() {
     return QTest::qWaitFor([this] { return now().felt.isContact && now().felt.force.norm() > 0.0; }, kPatienceMs);
   }
+  // On the ball, this way out of its middle: the tip comes into contact, and then holds the first button.
+  bool pressOnBall(const Vec3& out) {
+    leadTo(0.97 * kRadius * out);
+    if (!waitForContact()) return false;
+    leadTo(0.97 * kRadius * out, 1);
+    return QTest::qWaitFor([this] { return now().device.buttons == 1u; }, kPatienceMs);
+  }
   // What a test that failed has last felt.
   void report() {
     const ServoSample& s = now();

@@ -48,11 +48,8 @@ class HapticToolsTest : public QObject {
     b.driver.find<QAction>("selectTool")->trigger();
     QVERIFY(b.driver.settle());
     const Vec3 out = b.towardsViewer();
-    b.leadTo(0.97 * kRadius * out);
-    QVERIFY(b.waitForContact());
     QVERIFY(!b.driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
-    b.leadTo(0.97 * kRadius * out, 1);
-    QTRY_COMPARE_WITH_TIMEOUT(b.now().device.buttons, 1u, kPatienceMs);
+    QVERIFY(b.pressOnBall(out));
     b.leadTo(0.97 * kRadius * out, 0);
     QTRY_VERIFY(b.driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
     QVERIFY(!b.driver.find<QAction>("undo")->isEnabled());
@@ -70,10 +67,7 @@ class HapticToolsTest : public QObject {
     b.driver.find<QAction>("selectTool")->trigger();
     QVERIFY(b.driver.settle());
     const Vec3 out = b.towardsViewer();
-    b.leadTo(0.97 * kRadius * out);
-    QVERIFY(b.waitForContact());
-    b.leadTo(0.97 * kRadius * out, 1);
-    QTRY_COMPARE_WITH_TIMEOUT(b.now().device.buttons, 1u, kPatienceMs);
+    QVERIFY(b.pressOnBall(out));
     b.leadTo(0.97 * kRadius * out, 0);
     QTRY_VERIFY(b.driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
     QSignalSpy led(knobs, &AxisBars::handLed);
@@ -206,10 +200,7 @@ class HapticToolsTest : public QObject {
     b.driver.find<QAction>("sculptTool")->trigger();
     QVERIFY(b.driver.settle());
     const Vec3 out = b.towardsViewer();
-    b.leadTo(0.97 * kRadius * out);
-    QVERIFY(b.waitForContact());
-    b.leadTo(0.97 * kRadius * out, 1);
-    QTRY_COMPARE_WITH_TIMEOUT(b.now().device.buttons, 1u, kPatienceMs);
+    QVERIFY(b.pressOnBall(out));
     b.leadTo(1.2 * kRadius * out, 1);
     QTRY_VERIFY_WITH_TIMEOUT(b.now().tip.position.norm() > 1.1 * kRadius, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(b.now().felt.force.dot(out) < -0.01, kPatienceMs);  // back to where it took hold

@@ -17,12 +17,6 @@ using namespace handwheel;
 
 namespace {
 
-TriangleSoup box(const Vec3& corner, const Vec3& size) {
-  TriangleSoup s = test::cube();
-  for (Vec3& p : s.points) p = corner + p.cwiseProduct(size);
-  return s;
-}
-
 // In the plane z, looking up.
 TriangleSoup rectangle(double x0, double y0, double x1, double y1, double z) {
   return {{{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}}, {{0, 1, 2}, {0, 2, 3}}};
@@ -39,7 +33,7 @@ TriangleSoup sheared(TriangleSoup s) {
   return s;
 }
 
-const TriangleSoup kPlate = box({0, 0, 0}, {4, 4, 1});
+const TriangleSoup kPlate = test::box({0, 0, 0}, {4, 4, 1});
 
 }  // namespace
 
@@ -79,11 +73,12 @@ void CoincidentPiecesTest::solidsThatTouch_data() {
   const auto row = [](const char* name, const TriangleSoup& soup, double volume, double wall) {
     QTest::newRow(name) << soup << volume << wall;
   };
-  row("a box on a plate", both(kPlate, box({1.25, 1.5, 1}, {1, 1, 1})), 17, 1);
-  row("beyond its edge", both(kPlate, box({3.25, 1.5, 1}, {1, 1, 1})), 17, 0.75);
-  row("at its edge", both(kPlate, box({3, 1.5, 1}, {1, 1, 1})), 17, 1);
+  row("a box on a plate", both(kPlate, test::box({1.25, 1.5, 1}, {1, 1, 1})), 17, 1);
+  row("beyond its edge", both(kPlate, test::box({3.25, 1.5, 1}, {1, 1, 1})), 17, 0.75);
+  row("at its edge", both(kPlate, test::box({3, 1.5, 1}, {1, 1, 1})), 17, 1);
   row("side by side", both(test::cube(), test::cube(1.0, {1, 0.25, 0.5})), 2, 0.375);
-  row("two boxes", both(both(kPlate, box({1.25, 1.5, 1}, {1, 1, 1})), box({2.5, 2.75, 1}, {0.5, 1, 3})), 18.5, 1.5);
+  row("two boxes", both(both(kPlate, test::box({1.25, 1.5, 1}, {1, 1, 1})), test::box({2.5, 2.75, 1}, {0.5, 1, 3})),
+      18.5, 1.5);
 }
 
 // They become one solid: no wall is left between them.

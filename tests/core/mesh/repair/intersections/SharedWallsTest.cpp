@@ -28,9 +28,7 @@ Box block(const Vec3& corner, const Vec3& size) {
 TriangleSoup surfaceOf(const Boxes& boxes) {
   TriangleSoup soup;
   for (const Box& b : boxes) {
-    TriangleSoup s = test::cube();
-    for (Vec3& p : s.points) p = b.min() + p.cwiseProduct(b.sizes());
-    test::append(soup, s);
+    test::append(soup, test::box(b.min(), b.sizes()));
   }
   return soup;
 }
