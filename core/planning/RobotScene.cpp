@@ -31,7 +31,8 @@ Pose motionOf(const Joint& joint, double position) {
 }  // namespace
 
 RobotScene::RobotScene(const RobotModel& robot, const Pose& base, std::vector<CollisionBody> bodies,
-                       std::vector<std::uint32_t> dofs, const JointValues& values, const std::set<LinkPair>& allowed) {
+                       const std::vector<std::uint32_t>& dofs, const JointValues& values,
+                       const std::set<LinkPair>& allowed) {
   assert(bodies.size() == robot.links.size());
   if (dofs.size() > static_cast<std::size_t>(kMostArmJoints)) {
     m_status = noScene("it has too many joints");

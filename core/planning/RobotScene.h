@@ -18,7 +18,7 @@ class RobotScene {
   // base: of the root in the world. bodies: of each link, may be empty. dofs: of the robot, that are planned; all
   // values: of the robot, of which those of the others count. allowed: pairs of links.
   RobotScene(const RobotModel& robot, const Pose& base, std::vector<CollisionBody> bodies,
-             std::vector<std::uint32_t> dofs, const JointValues& values, const std::set<LinkPair>& allowed);
+             const std::vector<std::uint32_t>& dofs, const JointValues& values, const std::set<LinkPair>& allowed);
   // Error ElementMalformed {robot, reason}: a planned joint is geared or moves with others, or there are too many.
   Status isSound() const { return m_status; }
 

@@ -32,7 +32,7 @@ std::vector<Value> valuesIn(const SampleLayout& layout, std::string_view bytes, 
   for (std::size_t i = 0; i < count; ++i) {
     const auto number = loadNumber<Number>(bytes.data() + i * step, layout.order);
     if constexpr (std::is_same_v<Value, std::int16_t>)
-      values[i] = static_cast<Value>(number);
+      values[i] = static_cast<Value>(number);  // NOLINT(bugprone-signed-char-misuse): a sample, not a character
     else
       values[i] = static_cast<Value>(layout.slope * static_cast<double>(number) + layout.intercept);
   }
