@@ -17,7 +17,10 @@ constexpr double kTaperPlace = 1e-9;  // mm, rounding of positions that users ty
 constexpr double kFaceSlope = 6.0;    // of r over z, between two samples: steeper is a face
 // A neighbour is not of the taper where its slope differs by half of that, and by half a degree: hands waver.
 constexpr double kOtherShare = 0.5, kOtherSlope = 0.00873;
-constexpr double kStraight = 2e-3;  // mm, root mean square: a side that is within it has no ends to look for
+// A side that is within this of a line has ends only where the other lines leave almost nothing of the distances: not
+// for feed marks, but for the cylinder of a few samples beside a shallow taper.
+constexpr double kStraight = 2e-3, kExact = 1e-7;  // mm, root mean square; kExact is rounding
+constexpr double kClearlyBetter = 0.01;
 
 // Samples [first, last) of a line.
 struct Piece {
@@ -96,8 +99,12 @@ double riseOf(const Piece& piece, double spacing) {
 Piece taperOf(Points points, double spacing) {
   const LineSums sums(points);
   const Piece whole = sums.fit(0, points.size());
-  if (whole.squares <= kStraight * kStraight * static_cast<double>(whole.size())) return whole;
+  const auto isWithin = [&](double distance) {
+    return whole.squares <= distance * distance * static_cast<double>(whole.size());
+  };
+  if (isWithin(kExact)) return whole;
   const Pieces pieces = bestLines(sums, points.size());
+  if (isWithin(kStraight) && squaresOf(pieces) > kClearlyBetter * whole.squares) return whole;
   const auto steepest = std::max_element(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
     return riseOf(a, spacing) < riseOf(b, spacing);
   });
