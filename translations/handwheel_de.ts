@@ -4790,6 +4790,17 @@
             <numerusform>… und %Ln weitere, siehe Protokoll.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Outer boundaries of open sheets that the repair changed and that look like holes now: %1. Another repair fills them.</source>
+        <translation>Außenränder offener Flächen, die die Reparatur verändert hat und die jetzt wie Löcher aussehen: %1. Eine weitere Reparatur füllt sie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) left.</source>
+        <translation>
+            <numerusform>%Ln Loch ist übrig.</numerusform>
+            <numerusform>%Ln Löcher sind übrig.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
@@ -11967,6 +11978,10 @@
     <message>
         <source>Their file is kept and listed in the Log; it can be discarded at the next start.</source>
         <translation>Ihre Datei bleibt erhalten und ist im Protokoll aufgeführt; sie kann beim nächsten Start verworfen werden.</translation>
+    </message>
+    <message>
+        <source>When it was opened, its file had contents that were damaged or that Handwheel does not keep. They are still in that file.</source>
+        <translation>Beim Öffnen enthielt die Datei Inhalte, die beschädigt waren oder die Handwheel nicht behält. Sie stehen noch in dieser Datei.</translation>
     </message>
 </context>
 <context>

@@ -4781,6 +4781,16 @@
             <numerusform>…还有 %Ln 个，见日志。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Outer boundaries of open sheets that the repair changed and that look like holes now: %1. Another repair fills them.</source>
+        <translation>修复改动过、现在看起来像孔洞的开放片外边界：%1 个。再次修复会填补它们。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) left.</source>
+        <translation>
+            <numerusform>还剩 %Ln 个孔洞。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
@@ -11895,6 +11905,10 @@
     <message>
         <source>Their file is kept and listed in the Log; it can be discarded at the next start.</source>
         <translation>这些更改的文件会保留，并在日志中列出；下次启动时可将其丢弃。</translation>
+    </message>
+    <message>
+        <source>When it was opened, its file had contents that were damaged or that Handwheel does not keep. They are still in that file.</source>
+        <translation>打开时，该文件含有已损坏或 Handwheel 不保留的内容。这些内容仍在原文件中。</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,8 @@
 #include "mesh/boundary/LoopNumbers.h"
 #include "text/RepairText.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
 namespace {
@@ -122,6 +124,7 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
       lines.push_back(leftOpen(loop, names[i]));
     }
   }
+  const bool areAllFormer = lines.empty();  // the holes of the result
   if (sheets > 0) {
     lines.push_back(
         counted(sheets, "outer boundary of an open sheet stays", "outer boundaries of open sheets stay") +
@@ -129,10 +132,13 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
   }
   if (formerSheets > 0) {
     const bool isOne = formerSheets == 1;
-    lines.push_back(counted(formerSheets, "outer boundary of an open sheet", "outer boundaries of open sheets") +
-                    ", which the repair has changed, " + (isOne ? "looks like a hole" : "look like holes") +
-                    " now and " + (isOne ? "stays" : "stay") + " open. Another repair would fill " +
-                    (isOne ? "it." : "them."));
+    const auto holesNow = static_cast<std::size_t>(
+        std::count_if(after.loops.begin(), after.loops.end(), [](const LoopReport& loop) { return !loop.rim; }));
+    lines.push_back(
+        counted(formerSheets, "outer boundary of an open sheet", "outer boundaries of open sheets") +
+        ", which the repair has changed, " + (isOne ? "looks like a hole" : "look like holes") + " now" +
+        (areAllFormer && holesNow != formerSheets ? ", " + std::to_string(holesNow) + " in the result," : "") +
+        " and " + (isOne ? "stays" : "stay") + " open. Another repair would fill " + (isOne ? "it." : "them."));
   }
   if (lines.empty() && after.boundaryEdges > 0) {
     lines.push_back(counted(after.boundaryEdges, "edge has", "edges have") + " only one triangle.");

@@ -214,6 +214,10 @@ void FileLoader::reportLosses(const Document& document) {
   if (isIncomplete(file)) lines << errorAdvice(file.damage.front());
   if (!file.lost.empty()) lines << notKept(file);
   for (const Note& note : file.notes) lines << noteText(note);
+  if (lines.isEmpty())
+    lines << tr(
+        "When it was opened, its file had contents that were damaged or that Handwheel does not keep. They are "
+        "still in that file.");
   const bool isTriangulated =
       std::find(file.lost.begin(), file.lost.end(), LostAttribute::ExactSurfaces) != file.lost.end();
   const bool damaged = !file.damage.empty();

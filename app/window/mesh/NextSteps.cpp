@@ -58,7 +58,7 @@ QString reasons(const Inspection& inspection) {
   int more = 0;
   for (int id : inspection.holes()) {
     const FillFailure failure = inspection.failure(id);
-    if (failure == FillFailure::None) continue;
+    if (failure == FillFailure::None || failure == FillFailure::WasRim) continue;
     if (lines.size() == kReasonsNamed) {
       ++more;
     } else {
@@ -67,6 +67,17 @@ QString reasons(const Inspection& inspection) {
   }
   if (more > 0) lines << NextStepsWords::tr("…and %Ln more, see the list.", nullptr, more);
   return lines.join(QLatin1Char(' '));
+}
+
+QString formerSheets(const Inspection& inspection) {
+  const auto& holes = inspection.holes();
+  const auto former = static_cast<int>(
+      std::count_if(holes.begin(), holes.end(), [&](int id) { return inspection.failure(id) == FillFailure::WasRim; }));
+  if (former == 0) return {};
+  return NextStepsWords::tr(
+             "Outer boundaries of open sheets that the repair changed and that look like holes now: %1. "
+             "Another repair fills them.")
+      .arg(QLocale().toString(former));
 }
 
 // "Self-intersections stay: no cut would separate the triangles cleanly.", where a fix of all of them was tried.
@@ -202,10 +213,11 @@ NextStep leftStep(const MeshTab& document, const NextStepActions& actions) {
   const auto holes = static_cast<int>(failed > 0 ? failed : inspection.count(DefectKind::Hole));
   NextStep left{QStringLiteral("warning"),
                 themeColours(currentTheme()).warning,
-                holes > 0 ? NextStepsWords::tr("%Ln hole(s) could not be filled.", nullptr, holes)
-                          : NextStepsWords::tr("Some defects remain."),
+                failed > 0  ? NextStepsWords::tr("%Ln hole(s) could not be filled.", nullptr, holes)
+                : holes > 0 ? NextStepsWords::tr("%Ln hole(s) left.", nullptr, holes)
+                            : NextStepsWords::tr("Some defects remain."),
                 joined({shownPatchWarnings(inspection).join(QLatin1Char(' ')), comparison(inspection),
-                        reasons(inspection), failedFixes(inspection), openSheets(inspection),
+                        reasons(inspection), formerSheets(inspection), failedFixes(inspection), openSheets(inspection),
                         otherFindings(inspection, Compared::Yes), savedAs(document)}),
                 {}};
   if (holes > 0) left.actions.push_back(actions.oneByOne);

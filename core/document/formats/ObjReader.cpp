@@ -54,6 +54,11 @@ bool isFace(std::string_view keyword) {
   return keyword == "f" || keyword == "fo";
 }  // fo: as written before 1990
 
+// Behind "s": what follows belongs to no smoothing group.
+bool isNoGroup(std::string_view word) {
+  return word == "off" || word == "0";
+}
+
 class ObjParser {
  public:
   ObjParser(std::string_view bytes, const ReadOptions& options, Progress progress)
@@ -73,10 +78,11 @@ class ObjParser {
     const std::string_view keyword = m_scanner.word();
     if (keyword == "v") return readVertex();
     if (isFace(keyword)) return readFace(place);
-    if (const Statement* statement = findLostStatement(keyword))
-      m_assembly.lose(statement->lost, keyword);
-    else
+    if (const Statement* statement = findLostStatement(keyword)) {
+      if (!(keyword == "s" && isNoGroup(m_scanner.word()))) m_assembly.lose(statement->lost, keyword);
+    } else {
       m_assembly.mend(unexpectedWord("a statement of the format", keyword, place));
+    }
     return true;
   }
 

@@ -188,6 +188,7 @@ class AutosaveTest : public QObject {
     WindowDriver driver;
     recoverIn(driver);
     QVERIFY2(driver.text("messageText").contains("damaged.stl"), qPrintable(driver.text("messageText")));
+    QVERIFY2(driver.text("messageText").contains("contents that were damaged"), qPrintable(driver.text("messageText")));
     driver.choose("saveFile");
     QTRY_VERIFY(driver.window().findChild<QFileDialog*>("saveDialog"));
     QVERIFY(driver.enterFileName("saveDialog", folder.filePath("rest.stl")));

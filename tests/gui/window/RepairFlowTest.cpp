@@ -309,6 +309,35 @@ class RepairFlowTest : public QObject {
     QVERIFY(!driver.find<QAbstractButton>("nextStep/removeDebris")->property("primary").toBool());
   }
 
+  // A tube of 48 sides, each turned by 7.5° from the next, with one open end: its lid bends by a right angle.
+  void aPatchThatBendsIsToBeChecked() {
+    constexpr int kSides = 48, kRings = 12;
+    const auto at = [](int i, int k) {
+      const double angle = 2.0 * M_PI * i / kSides;
+      return Corner{static_cast<float>(10.0 * std::cos(angle)), static_cast<float>(10.0 * std::sin(angle)), 2.0F * k};
+    };
+    std::vector<Corners> triangles;
+    for (int i = 0; i < kSides; ++i) {
+      triangles.push_back({Corner{0, 0, 0}, at(i + 1, 0), at(i, 0)});
+      for (int k = 0; k < kRings; ++k) {
+        triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+        triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+      }
+    }
+    const QString path = m_folder.filePath("tube.stl");
+    writeStl(path, triangles);
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    QVERIFY(driver.settle());
+    driver.click("repairAllButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
+    const QString warning = "Check the patch of Hole 1: the patch bends by 90°, its surroundings by at most 8°.";
+    QVERIFY2(driver.text("nextStepDetail").contains(warning), qPrintable(driver.text("nextStepDetail")));
+    driver.click("quickActions/undo");
+    QVERIFY(driver.settle());
+    QVERIFY2(!driver.text("nextStepDetail").contains("Check"), qPrintable(driver.text("nextStepDetail")));
+  }
+
   void aDismissedCardStaysAway() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHoles("card.stl")));

@@ -47,7 +47,7 @@ void Inspection::nameLoops() {
   m_keys.clear();
   for (const BoundaryLoop& each : m_document.defects().loops) {
     m_keys.push_back(handwheel::keyOf(m_document.mesh(), each));
-    if (m_numbers.emplace(m_keys.back(), m_named.peek(each.rim)).second) m_named.take(each.rim);
+    if (m_numbers.try_emplace({each.rim, m_keys.back()}, m_named.peek(each.rim)).second) m_named.take(each.rim);
   }
 }
 
@@ -184,7 +184,7 @@ bool Inspection::isClean() const {
 }
 
 int Inspection::loopNumber(int id) const {
-  return m_numbers.at(keyOf(id));
+  return m_numbers.at({loop(id).rim, keyOf(id)});
 }
 
 QString Inspection::loopName(int id) const {

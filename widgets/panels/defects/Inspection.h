@@ -80,7 +80,7 @@ class Inspection : public QObject {
   bool isClean() const;
 
   // The number of a loop, assigned when it first appears, from 1; holes and outer edges are counted separately. It does
-  // not change while other holes are filled.
+  // not change while other holes are filled; an outer edge that becomes a hole gets a number among these.
   int loopNumber(int id) const;
   // The name of a loop: "Hole 3"
   QString loopName(int id) const;
@@ -126,8 +126,8 @@ class Inspection : public QObject {
   std::vector<std::size_t> m_debris;
   std::set<PointKey> m_keptPieces;  // corners; by position, so that undo and redo find them again
   std::optional<FacePairs> m_selfIntersections;
-  std::vector<Vertex> m_keys;       // by loop id
-  std::map<Vertex, int> m_numbers;  // by key, from 1; never reused
+  std::vector<Vertex> m_keys;                        // by loop id
+  std::map<std::pair<bool, Vertex>, int> m_numbers;  // by being an outer edge, and key; from 1, never reused
   LoopNumbers m_named;
   std::map<Vertex, FillFailure> m_failures;
   std::map<DefectKind, std::size_t> m_before;

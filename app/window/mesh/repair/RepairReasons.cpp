@@ -19,7 +19,7 @@ constexpr const char* kNotTried =
 std::map<Vertex, FillFailure> failuresOf(const RepairReport& report) {
   std::map<Vertex, FillFailure> failures;
   for (const OpenLoop& loop : report.openLoops)
-    if (loop.outcome == LoopOutcome::Failed) failures[loop.key] = loop.reason;
+    if (loop.outcome == LoopOutcome::Failed || loop.reason == FillFailure::WasRim) failures[loop.key] = loop.reason;
   return failures;
 }
 

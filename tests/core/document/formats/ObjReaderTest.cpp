@@ -50,6 +50,8 @@ class ObjReaderTest : public QObject {
     row("backslash within a line", kVertices + "mtllib a\\ b.mtl\nf 1 2 3\n", kTriangle + " - Materials");
     row("groups and materials", "mtllib a.mtl\no x\ng y\ns 1\nusemtl z\n" + kVertices + "f 1 2 3\n",
         kTriangle + " - Materials Groups");
+    row("smoothing groups", "s off\n" + kVertices + "s 1\nf 1 2 3\n", kTriangle + " - Groups");
+    row("smoothing off", "s off\n" + kVertices + "s 0\nf 1 2 3\n", kTriangle);
     row("lines and points", kVertices + "l 1 2\np 3\nf 1 2 3\n", kTriangle + " - Lines Points");
     row("curves", kVertices + "vp 0 1\ncstype bspline\ncurv 0 1 1 2 3\nend\nf 1 2 3\n", kTriangle + " - Curves");
     row("colour", "v 0 0 0 1 0.5 0\nv 1 0 0 nan nan nan\nv 0 1 0 1 1 1 1\nf 1 2 3\n", kTriangle + " - Colour");
