@@ -7329,10 +7329,6 @@
         <translation>Eckenradius des Werkzeugs</translation>
     </message>
     <message>
-        <source>Drag felt by the hand (N·s/mm)</source>
-        <translation>Widerstand, den die Hand spürt (N·s/mm)</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>Drehen</translation>
     </message>
@@ -7559,6 +7555,10 @@
     <message>
         <source>Pressure changes</source>
         <translation>Druck ändert</translation>
+    </message>
+    <message>
+        <source>Drag of a chip 1 mm wide (N·s/mm)</source>
+        <translation>Widerstand eines 1 mm breiten Spans (N·s/mm)</translation>
     </message>
 </context>
 <context>

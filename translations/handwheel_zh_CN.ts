@@ -7318,10 +7318,6 @@
         <translation>刀具的刀尖圆弧半径</translation>
     </message>
     <message>
-        <source>Drag felt by the hand (N·s/mm)</source>
-        <translation>手感受到的阻力 (N·s/mm)</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>车削</translation>
     </message>
@@ -7548,6 +7544,10 @@
     <message>
         <source>Pressure changes</source>
         <translation>压力影响</translation>
+    </message>
+    <message>
+        <source>Drag of a chip 1 mm wide (N·s/mm)</source>
+        <translation>1 mm 宽切屑的阻力 (N·s/mm)</translation>
     </message>
 </context>
 <context>

@@ -16,7 +16,7 @@ namespace handwheel {
 // control point takes more or less than the nose does: the error of this method, of the order of the distance.
 //
 // The depth is that of the nose as it is recorded. The servo loop lets it in by force over resistance in each tick,
-// which is d = F_r / κ (eq. 5-10) with κ = resistance over the period.
+// which is d = F_r / κ (eq. 5-10) with κ = resistance times width of the chip over the period.
 class PoleCut {
  public:
   static constexpr double kLeastResolution = 0.01, kLargestResolution = 100.0;  // mm

@@ -10,23 +10,45 @@
 namespace handwheel {
 
 namespace {
-constexpr int kHalvings = 12;  // of the way to the material: a 4000th of it is left
-}
+constexpr int kHalvings = 12;        // of the way to the material: a 4000th of it is left
+constexpr double kChipAhead = 0.1;   // of the nose radius: how far before the tool the chip is measured
+constexpr double kLeastChip = 0.05;  // mm: a tool that scrapes is not free, either
+}  // namespace
 
-double ProfilePatch::penetration(const ProfilePoint& centre, double radius) const {
-  double deepest = -radius;
-  if (isOnFarSide(centre, radius)) return deepest;
+template <class Visit>
+void ProfilePatch::forEachBelow(const ProfilePoint& centre, double radius, const Visit& visit) const {
   const double first = std::ceil((centre.y() - radius - width - z) / spacing);
   const double last = std::floor((centre.y() + radius - z) / spacing);
   const auto begin = static_cast<std::int64_t>(std::max(first, 0.0));
   const auto end = static_cast<std::int64_t>(std::min(last, static_cast<double>(count) - 1.0));
   for (std::int64_t i = begin; i <= end; ++i) {
     const double from = z + spacing * static_cast<double>(i);
-    const double offset = std::clamp(centre.y(), from, from + width) - centre.y();
-    const double low = centre.x() - std::sqrt(std::max(radius * radius - offset * offset, 0.0));
-    deepest = std::max(deepest, radii[static_cast<std::size_t>(i)] - low);
+    visit(radii[static_cast<std::size_t>(i)], std::clamp(centre.y(), from, from + width) - centre.y());
   }
+}
+
+double ProfilePatch::penetration(const ProfilePoint& centre, double radius) const {
+  double deepest = -radius;
+  if (isOnFarSide(centre, radius)) return deepest;
+  forEachBelow(centre, radius, [&](double top, double offset) {
+    const double low = centre.x() - std::sqrt(std::max(radius * radius - offset * offset, 0.0));
+    deepest = std::max(deepest, top - low);
+  });
   return deepest;
+}
+
+double ProfilePatch::chipWidth(const ProfilePoint& centre, double radius, const ProfilePoint& ahead) const {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  forEachBelow(centre, radius, [&](double top, double offset) {
+    const double half = std::sqrt(std::max(radius * radius - offset * offset, 0.0));
+    if (!(top > centre.x() - half)) return;
+    for (const double x : {-half, std::min(top - centre.x(), half)}) {
+      const double across = ahead.x() * offset - ahead.y() * x;
+      least = std::min(least, across);
+      most = std::max(most, across);
+    }
+  });
+  return std::max(0.0, most - least);
 }
 
 ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadius, TurningSide side,
@@ -91,7 +113,10 @@ bool TurningContact::follow(const ProfilePatch& patch, const TurningTool& tool, 
     }
     m_tool += clear * (hand - m_tool);
   }
-  m_tool += -std::expm1(-dt * tool.stiffness / tool.resistance) * (hand - m_tool);
+  const ProfilePoint ahead = (hand - m_tool).normalized();
+  const double reach = std::max(kChipAhead * tool.noseRadius, patch.spacing);
+  const double chip = std::max(kLeastChip, patch.chipWidth(m_tool + reach * ahead, tool.noseRadius, ahead));
+  m_tool += -std::expm1(-dt * tool.stiffness / (tool.resistance * chip)) * (hand - m_tool);
   return true;
 }
 

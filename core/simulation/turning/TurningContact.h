@@ -26,9 +26,18 @@ struct ProfilePatch {
   // profile would have it. Beside the patch and on the far side there is none. O(samples below the disc).
   double penetration(const ProfilePoint& centre, double radius) const;
 
+  // The width of the chip that a disc takes where it goes, mm: of the material within the disc, across its way.
+  // O(samples below the disc). ahead: unit vector.
+  double chipWidth(const ProfilePoint& centre, double radius, const ProfilePoint& ahead) const;
+
   // Whether a disc is wholly on the far side: in the bore with a tool for the outside, or around the part with one for
   // the bore.
   bool isOnFarSide(const ProfilePoint& centre, double radius) const { return centre.x() + radius <= farSide; }
+
+ private:
+  // visit(mm, of the surface; mm, along z from the centre), for each sample below the disc.
+  template <class Visit>
+  void forEachBelow(const ProfilePoint& centre, double radius, const Visit& visit) const;
 };
 
 // A distance from the axis as a patch of this side counts it, and back.
@@ -52,16 +61,17 @@ ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadi
 struct TurningTool {
   double noseRadius = 1.0;  // mm
   double stiffness = 0.5;   // N/mm, of the spring between hand and tool
-  double resistance = 0.1;  // N·s/mm: force by the speed at which it goes through material
+  double resistance =
+      0.1;  // N·s/mm², of a chip: force by the speed at which it goes through material, and by its width
   TurningSide side = TurningSide::Outside;
 
   bool operator==(const TurningTool&) const = default;
 };
 
-// The god-object of a lathe tool, which follows the hand. It moves freely beside the material, slowly through it while
-// it cuts, and no deeper into it otherwise. Material that comes back around a resting hand, as by undo, does not push
-// it out: it is felt from there on inward, and whole once the hand has left it; so is material that the hand comes into
-// from the far side. All in the half plane of the patch.
+// The god-object of a lathe tool, which follows the hand. It moves freely beside the material, through it while it cuts
+// the more slowly the wider the chip is, and no deeper into it otherwise. Material that comes back around a resting
+// hand, as by undo, does not push it out: it is felt from there on inward, and whole once the hand has left it; so is
+// material that the hand comes into from the far side. All in the half plane of the patch.
 class TurningContact {
  public:
   void place(const ProfilePoint& hand);

@@ -215,7 +215,7 @@ ToolPreview TurnTool::preview() const {
 std::vector<Property> TurnTool::settings() const {
   return {numberSetting("nose_radius", QT_TRANSLATE_NOOP("Property", "Nose radius of the tool"), m_tool.noseRadius,
                         Quantity::Length, kNoseRadii),
-          numberSetting("resistance", QT_TRANSLATE_NOOP("Property", "Drag felt by the hand (N·s/mm)"),
+          numberSetting("resistance", QT_TRANSLATE_NOOP("Property", "Drag of a chip 1 mm wide (N·s/mm)"),
                         m_tool.resistance, Quantity::Number, kResistances),
           choiceSetting("side", QT_TRANSLATE_NOOP("Property", "Turn"), static_cast<int>(m_tool.side),
                         {QT_TRANSLATE_NOOP("Property", "The outside"), QT_TRANSLATE_NOOP("Property", "A bore")}),
