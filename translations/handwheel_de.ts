@@ -16746,12 +16746,16 @@
         <translation>Die Schnittkraft dieses Schnitts betrug bis zu %1 N; die Drehmaschine der Übung erlaubt %2 N.</translation>
     </message>
     <message>
-        <source>It is in the report, and lowers marks for force and power. Undo it, and use a smaller depth or feed.</source>
-        <translation>Er steht im Bericht und verringert die Punkte für Kraft und Leistung. Machen Sie ihn rückgängig, und verwenden Sie eine kleinere Schnitttiefe oder einen kleineren Vorschub.</translation>
-    </message>
-    <message>
         <source>Enter another size in its panel, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
         <translation>Geben Sie in seinem Bereich ein anderes Maß ein, auch als „2in“ oder „50/2“. „Speichern unter“ schreibt auch STEP.</translation>
+    </message>
+    <message>
+        <source>It is in the report, and lowers the marks. Undo it, and use a smaller depth or feed.</source>
+        <translation>Das steht im Bericht und mindert die Punkte. Machen Sie es rückgängig und nehmen Sie weniger Tiefe oder Vorschub.</translation>
+    </message>
+    <message>
+        <source>It is in the report. Undo it, and use a smaller depth or feed.</source>
+        <translation>Das steht im Bericht. Machen Sie es rückgängig und nehmen Sie weniger Tiefe oder Vorschub.</translation>
     </message>
 </context>
 </TS>

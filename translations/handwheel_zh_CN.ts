@@ -16635,12 +16635,16 @@
         <translation>此次走刀的切削力最大达 %1 N；练习所用车床允许 %2 N。</translation>
     </message>
     <message>
-        <source>It is in the report, and lowers marks for force and power. Undo it, and use a smaller depth or feed.</source>
-        <translation>已记入报告，并会降低力和功率的得分。请撤销，并使用较小的切深或进给。</translation>
-    </message>
-    <message>
         <source>Enter another size in its panel, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
         <translation>可在其面板中输入其他尺寸，也可写作“2in”或“50/2”。“另存为”也能写 STEP。</translation>
+    </message>
+    <message>
+        <source>It is in the report, and lowers the marks. Undo it, and use a smaller depth or feed.</source>
+        <translation>它会写入报告并降低得分。请撤消，并减小切深或进给。</translation>
+    </message>
+    <message>
+        <source>It is in the report. Undo it, and use a smaller depth or feed.</source>
+        <translation>它会写入报告。请撤消，并减小切深或进给。</translation>
     </message>
 </context>
 </TS>

@@ -59,9 +59,14 @@ LatheView::~LatheView() {
 std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document, double forceLimit) {
   const SimulationServices services{m_window.servoClock, m_window.services.simulation()};
   const FidelityValues& values = m_window.fidelity.values();
+  std::shared_ptr<std::optional<ManualLatheTool::Left>>& left = m_left[&document];
+  if (!left) {
+    left = std::make_shared<std::optional<ManualLatheTool::Left>>();
+    connect(&document, &QObject::destroyed, this, [this](QObject* gone) { m_left.erase(gone); });
+  }
   const ManualLatheTool::Start start{values.of(turnSpacingSetting()),
                                      static_cast<ForceLaw>(static_cast<int>(values.of(forceModelSetting()))),
-                                     values.of(turnStepSetting()), forceLimit};
+                                     values.of(turnStepSetting()), forceLimit, left};
   return std::make_unique<ManualLatheTool>(document, services, shippedLatheTools(), start);
 }
 

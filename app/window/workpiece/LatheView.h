@@ -3,11 +3,13 @@
 #pragma once
 
 #include "machining/lathe/LatheMaterial.h"
+#include "tools/workpiece/ManualLatheTool.h"
 #include "window/kinds/KindUi.h"
 #include "window/workpiece/TurningSound.h"
 
 #include <QPointer>
 #include <QTimer>
+#include <map>
 
 class QDockWidget;
 
@@ -15,9 +17,6 @@ namespace handwheel {
 
 class LathePanel;
 class PathLayer;
-class ManualLatheTool;
-class WorkpieceDocument;
-struct LatheChannel;
 
 // The manual lathe in the window. It has its tool, its panel in a dock that is there as long as the tool runs, what the
 // device feels of it, and its sound, which is that of the Turn tool, too. A space mouse moves its slides. Window
@@ -63,7 +62,8 @@ class LatheView : public QObject {
   QTimer m_sounding;  // while something turns
   TurningSound m_turning;
   std::shared_ptr<PathLayer> m_zeroLayer;
-  std::pair<double, double> m_zero;      // mm: z of the zero that is drawn, and its size; 0: none is
+  std::pair<double, double> m_zero;  // mm: z of the zero that is drawn, and its size; 0: none is
+  std::map<const QObject*, std::shared_ptr<std::optional<ManualLatheTool::Left>>> m_left;  // of each document
   int m_returns = 0;                     // of the tool, as they were told last
   std::pair<bool, bool> m_was;           // live, and with a pass under way
   bool m_isPushed = false;               // a space mouse moves the slides

@@ -251,9 +251,12 @@ void WorkpieceUi::warnOfLoads(DocumentTab* loaded, const TurningTask& task, doub
     lines << tr("The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.")
                  .arg(locale.toString(power, 'f', 2), locale.toString(task.powerLimit, 'f', 2));
   if (lines.isEmpty()) return;
-  Message heavy{
-      Message::Weight::Warning, tr("Too heavy a cut"), lines.join(QLatin1Char(' ')),
-      tr("It is in the report, and lowers marks for force and power. Undo it, and use a smaller depth or feed.")};
+  const AssignedExercise& exercise = loaded->document.file().assigned;
+  const bool lowersMarks = (force > task.forceLimit && isMarked(exercise, "force")) ||
+                           (power > task.powerLimit && isMarked(exercise, "power"));
+  Message heavy{Message::Weight::Warning, tr("Too heavy a cut"), lines.join(QLatin1Char(' ')),
+                lowersMarks ? tr("It is in the report, and lowers the marks. Undo it, and use a smaller depth or feed.")
+                            : tr("It is in the report. Undo it, and use a smaller depth or feed.")};
   heavy.about = &loaded->document;
   heavy.isOver = [loaded, of = m_loadedPart] {
     return static_cast<const WorkpieceDocument&>(loaded->document).workpiece().part != of;

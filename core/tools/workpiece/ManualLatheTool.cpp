@@ -25,6 +25,16 @@ std::optional<Vec3> inPlaneOfTool(const Ray& ray) {
   return Vec3(place->x() < 0.0 ? -r : r, 0.0, place->z());
 }
 
+// With all levers off.
+LatheState atRest(LatheState state) {
+  state.demands = {};
+  state.rapids = {};
+  state.feed = state.lead = state.speed = 0.0;
+  state.isNutClosed = false;
+  state.direction = 0;
+  return state;
+}
+
 std::shared_ptr<const LatheMaterial> materialCalled(const std::string& name, ForceLaw law, const LatheTools& tools) {
   const WorkMaterials& materials = WorkMaterials::standard();
   return std::make_shared<const LatheMaterial>(latheMaterial(materials.called(name), law, tools));
@@ -39,12 +49,26 @@ ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationSe
       m_tools(std::move(tools)),
       m_law(start.law),
       m_forceLimit(start.forceLimit),
+      m_left(start.left),
       m_materialName(document.workpiece().material),
       m_material(materialCalled(m_materialName, m_law, m_tools)),
       m_part(document.workpiece().part),
+      m_machine(whereLeft()),
       m_gesture(services, m_channel->inputs, 1e3 / start.step, [this] { return simulation(); }) {
   showLathe(setup());
   m_places.note(m_part, moment()->machine);
+}
+
+ManualLatheTool::~ManualLatheTool() {
+  if (m_left) *m_left = Left{*m_displayed, atRest(moment()->machine)};
+}
+
+// Unless it is another lathe by now, or there is material in the way.
+std::optional<LatheState> ManualLatheTool::whereLeft() const {
+  if (!m_left || !*m_left || !((*m_left)->setup == setup())) return std::nullopt;
+  const LatheState& state = (*m_left)->state;
+  const bool isClear = LatheRun(setup(), m_tools, m_present.of(m_document.workpiece()).profile, state).isClear();
+  return isClear ? std::optional(state) : std::nullopt;
 }
 
 std::unique_ptr<Simulation> ManualLatheTool::simulation() const {

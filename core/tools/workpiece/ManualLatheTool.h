@@ -25,16 +25,25 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
  public:
   static constexpr double kIdle = 0.8;  // s
 
+  // A lathe that was left, for when it is used again.
+  struct Left {
+    LatheSetup setup;
+    LatheState state;
+  };
+
   // What it begins with, by the settings turn.spacing, turn.force_model and turn.step.
   struct Start {
     double spacing = 0.0;  // mm between the samples of a part that was not cut yet
     ForceLaw law = ForceLaw::Kienzle;
     double step = turnStepSetting().standard;  // ms, of the simulation
     double forceLimit = 0.0;                   // N, that the work may take; 0: any
+    // Where the slides of this document were left, and are left again at the end; null: at the beginning.
+    std::shared_ptr<std::optional<Left>> left{};
   };
 
   ManualLatheTool(WorkpieceDocument& document, const SimulationServices& services, LatheTools tools,
                   const Start& start);
+  ~ManualLatheTool() override;
 
   const std::shared_ptr<LatheChannel>& channel() const { return m_channel; }
   double base() const { return m_document.workpiece().stock.position; }  // mm, z of the part's lower end
@@ -115,6 +124,7 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   void recordCrashes(const LatheMoment& moment);
   void showLathe(const LatheSetup& setup);
   void follow(const LatheSetup& setup);
+  std::optional<LatheState> whereLeft() const;
   std::optional<LatheState> drawnBack(const LatheSetup& setup, LatheState state) const;
 
   WorkpieceDocument& m_document;
@@ -122,7 +132,8 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   LatheTools m_tools;
   ForceLaw m_law;
   double m_forceLimit;
-  std::string m_materialName;  // as the document says it, of m_material
+  std::shared_ptr<std::optional<Left>> m_left;  // null: nobody keeps it
+  std::string m_materialName;                   // as the document says it, of m_material
   std::shared_ptr<const LatheMaterial> m_material;
   std::shared_ptr<LatheChannel> m_channel = std::make_shared<LatheChannel>();
   std::shared_ptr<const TurnedPart> m_part;  // of the document; null: nothing was cut yet

@@ -4,6 +4,7 @@
 
 #include "base/JsonText.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
@@ -14,6 +15,15 @@ std::shared_ptr<const TurningTask> assignedTask(const AssignedExercise& assigned
   if (task == assigned.description->end() || stringAt(*assigned.description, "subject") != "turning") return nullptr;
   std::vector<Error> damage;  // who reads the exercise itself says so
   return std::make_shared<const TurningTask>(turningTaskFrom(*task, damage));
+}
+
+bool isMarked(const AssignedExercise& assigned, std::string_view figure) {
+  if (!assigned || !assigned.description->is_object()) return false;
+  const auto criteria = assigned.description->find("criteria");
+  if (criteria == assigned.description->end() || !criteria->is_array()) return false;
+  return std::any_of(criteria->begin(), criteria->end(), [&](const nlohmann::json& criterion) {
+    return criterion.is_object() && stringAt(criterion, "figure") == figure;
+  });
 }
 
 }  // namespace handwheel

@@ -7,6 +7,7 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceErrors.h"
 #include "document/workpiece/WorkpieceKind.h"
+#include "document/workpiece/exercise/AssignedTask.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -85,6 +86,15 @@ class StartedWorkTest : public QObject {
     QVERIFY(exercise && (*exercise)->isForStudents && handwheel::hasNoAnswers((*exercise)->exercise));
     QVERIFY(!(*exercise)->exercise.find("force"));  // hidden
     QCOMPARE((*exercise)->key, exerciseFrom(kindOfStartedWork(), shoulderDescription())->key);
+  }
+
+  // A warning about marks may name those that the student knows.
+  void knowsWhatIsMarked() {
+    const AssignedExercise assigned = startedWork().file.assigned;
+    QVERIFY(isMarked(assigned, "diameter"));
+    QVERIFY(!isMarked(assigned, "force"));  // hidden
+    QVERIFY(!isMarked(assigned, "power"));
+    QVERIFY(!isMarked({}, "diameter"));
   }
 
   // Time and hints do not come back with an undo, and are worth saving.

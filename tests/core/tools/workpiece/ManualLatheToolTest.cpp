@@ -41,13 +41,20 @@ struct HandLathe {
   Service simulation{"simulation"};
   ToolRunner runner;
   ManualLatheTool* tool = nullptr;
+  std::shared_ptr<std::optional<ManualLatheTool::Left>> left = std::make_shared<std::optional<ManualLatheTool::Left>>();
 
   explicit HandLathe(SnapshotPointer opened, std::chrono::microseconds pause = std::chrono::microseconds(50))
       : made(kind.make({&kind, {}, std::move(opened)})),
         document(static_cast<WorkpieceDocument&>(*made)),
         clock(pause) {
-    auto started = std::make_unique<ManualLatheTool>(document, SimulationServices{clock, simulation},
-                                                     shippedLatheTools(), ManualLatheTool::Start{0.05});
+    start();
+  }
+  void start() {
+    ManualLatheTool::Start begin;
+    begin.spacing = 0.05;
+    begin.left = left;
+    auto started =
+        std::make_unique<ManualLatheTool>(document, SimulationServices{clock, simulation}, shippedLatheTools(), begin);
     tool = started.get();
     runner.start(std::move(started), document);
   }
@@ -117,6 +124,25 @@ class ManualLatheToolTest : public QObject {
     QVERIFY(std::abs(lathe.radiusAt(95.0) - 23.0) < 0.02);  // the work gives way a little
     QCOMPARE(lathe.radiusAt(40.0), 25.0);
     QVERIFY(!lathe.document.workpiece().crashes);
+  }
+
+  // Another document was worked on meanwhile: the slides are where they were left, and nothing turns.
+  void theSlidesStayWhereTheyWere() {
+    HandLathe lathe;
+    QVERIFY(lathe.spin() && lathe.cutTo(23.0));
+    const LatheState before = lathe.machine();
+    lathe.runner.stop();
+    QCOMPARE(lathe.document.history()->count(), 1);
+    lathe.start();
+    QCOMPARE(lathe.machine().slides, before.slides);
+    QCOMPARE(lathe.machine().wheels, before.wheels);
+    QCOMPARE(lathe.machine().tool, before.tool);
+    QVERIFY(lathe.machine().speed == 0.0 && lathe.machine().direction == 0 && lathe.machine().feed == 0.0);
+    // What was cut comes back around the tool: it begins beside the bar.
+    lathe.runner.stop();
+    lathe.document.history()->undo();
+    lathe.start();
+    QVERIFY(lathe.slide(kCrossAxis) > before.slides[kCrossAxis]);
   }
 
   // So that the view has no triangles of the uncut bar to build again.

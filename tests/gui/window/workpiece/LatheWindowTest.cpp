@@ -17,6 +17,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QStandardPaths>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <cmath>
 #include <numbers>
@@ -218,7 +219,8 @@ class LatheWindowTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return window.machine().rapids[0] == 0; }, kPatienceMs));
   }
 
-  // Chosen while the feed runs, it begins with what was cut until then; coming back the lathe is another one.
+  // Chosen while the feed runs, it begins with what was cut until then; coming back the slides are where they were, and
+  // rest.
   void anotherToolKeepsTheCut() {
     LatheWindow window;
     QVERIFY(window.beginLathe() && window.turnEnd());
@@ -232,6 +234,25 @@ class LatheWindowTest : public QObject {
     window.driver.find<QAction>("latheTool")->trigger();
     QVERIFY(window.driver.settle());
     QVERIFY(window.lathe() && window.lathe()->moment()->profile == window.workpiece().part->profile);
+  }
+
+  // A look at another document does not move the slides.
+  void slidesStayInTheirDocument() {
+    LatheWindow window;
+    QVERIFY(window.beginLathe());
+    const double start = window.slide(LatheAxis::Carriage);
+    for (int i = 0; i < 5; ++i) QTest::keyClick(window.view, Qt::Key_Left, Qt::ShiftModifier);  // 2 mm each
+    QVERIFY(window.comesTo(LatheAxis::Carriage, start - 10.0));
+    const LatheState before = window.machine();
+    auto* tabs = window.driver.find<QTabBar>("documentTabBar");
+    window.driver.choose("newWorkpiece");
+    QVERIFY(window.driver.settle());
+    QCOMPARE(tabs->count(), 2);
+    tabs->setCurrentIndex(0);
+    QVERIFY(window.driver.settle());
+    if (!window.lathe()) window.driver.find<QAction>("latheTool")->trigger();
+    QVERIFY(window.driver.settle() && window.lathe());
+    QCOMPARE(window.machine().slides, before.slides);
   }
 
   // One Ctrl+Z takes back the pass that is being cut: the slides rest, the spindle turns on.
