@@ -11393,6 +11393,24 @@
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message numerus="yes">
+        <source>Add %Ln size(s) of the target</source>
+        <translation>
+            <numerusform>%Ln Maß des Ziels hinzufügen</numerusform>
+            <numerusform>%Ln Maße des Ziels hinzufügen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>All %Ln size(s) of the target</source>
+        <translation>
+            <numerusform>%Ln Maß des Ziels</numerusform>
+            <numerusform>Alle %Ln Maße des Ziels</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A size of the target</source>
+        <translation>Ein Maß des Ziels</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ExerciseLesson</name>

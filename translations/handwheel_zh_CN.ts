@@ -11325,6 +11325,22 @@
         <source>%1 (%2)</source>
         <translation>%1（%2）</translation>
     </message>
+    <message numerus="yes">
+        <source>Add %Ln size(s) of the target</source>
+        <translation>
+            <numerusform>添加目标的 %Ln 个尺寸</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>All %Ln size(s) of the target</source>
+        <translation>
+            <numerusform>目标的全部 %Ln 个尺寸</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A size of the target</source>
+        <translation>目标的一个尺寸</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ExerciseLesson</name>

@@ -119,6 +119,21 @@ class ExerciseTest : public QObject {
     QCOMPARE(bench.run({"exercise", kShaft, "--student", "--round-target", "1", "-o", "x.handwheel"}).code, 1);
   }
 
+  // Each size once: repeated, nothing is added.
+  void theSizesOfATargetAreMarked() {
+    const Bench bench;
+    const auto criteria = [&bench](const char* file) {
+      return nlohmann::json::parse(bench.content(file).toStdString())["criteria"];
+    };
+    QCOMPARE(bench.run({"exercise", kShaft, "-o", "as-it-is.exercise.json"}).code, 0);
+    const Ran run = bench.run({"exercise", kShaft, "--mark-sizes", "-o", "sizes.exercise.json"});
+    QVERIFY2(run.code == 0, run.err);
+    QVERIFY(criteria("sizes.exercise.json").size() > criteria("as-it-is.exercise.json").size());
+    QCOMPARE(bench.run({"exercise", "sizes.exercise.json", "--mark-sizes", "-o", "again.exercise.json"}).code, 0);
+    QCOMPARE(criteria("again.exercise.json"), criteria("sizes.exercise.json"));
+    QCOMPARE(bench.run({"exercise", kShaft, "--student", "--mark-sizes", "-o", "x.handwheel"}).code, 1);
+  }
+
   void theStudentsFileHasNoAnswers() {
     const Bench bench;
     QCOMPARE(bench.run({"exercise", kShaft, "--student", "-o", "task.handwheel"}).code, 0);

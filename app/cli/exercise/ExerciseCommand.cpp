@@ -10,6 +10,7 @@
 #include "cli/exercise/MarkCommand.h"
 #include "document/FileBytes.h"
 #include "document/exercise/ExerciseErrors.h"
+#include "document/exercise/ExerciseRows.h"
 #include "document/exercise/RoundTarget.h"
 #include "document/exercise/StartedWork.h"
 #include "document/exercise/Submission.h"
@@ -59,7 +60,7 @@ std::shared_ptr<const ExerciseSnapshot> exerciseIn(const OpenedFile& opened) {
   return std::dynamic_pointer_cast<const ExerciseSnapshot>(opened.content);
 }
 
-// Another target, where one is asked for: from a file first, then in round sizes.
+// Another target, where one is asked for: from a file first, then in round sizes; and what of it is marked.
 Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const ExerciseSnapshot> exercise,
                                                            const OperationValues& values, Progress progress) {
   auto changed = std::make_shared<ExerciseSnapshot>(*exercise);
@@ -76,6 +77,7 @@ Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const
     if (!rounded) return rounded.error();
     changed->task = std::move(rounded->task);
   }
+  if (values.flag("mark-sizes")) *changed = withCriteria(*changed, unmarkedSizes(*changed));
   return std::shared_ptr<const ExerciseSnapshot>(std::move(changed));
 }
 
@@ -138,7 +140,7 @@ std::string problemOf(const Arguments& arguments, const OperationValues& values)
   if (!arguments.has("output")) return "The option -o OUT is missing.";
   int purposes = 0;
   for (const char* const purpose : kPurposes) purposes += values.isSet(purpose) ? 1 : 0;
-  for (const char* const change : {"import-target", "round-target"})
+  for (const char* const change : {"import-target", "round-target", "mark-sizes"})
     if (purposes > 0 && values.isSet(change)) return "--" + std::string(change) + " is for the exercise itself.";
   if (values.isSet("facing") && !values.isSet("import-target")) return "--facing needs --import-target.";
   if (values.isSet("sharp-corners") && !values.isSet("round-target")) return "--sharp-corners needs --round-target.";
@@ -214,6 +216,8 @@ const Operation& exerciseOperation() {
            .hasDefault = false},
           withoutDefault(*roundTargetOperation().find("round-target")),
           *roundTargetOperation().find("sharp-corners"),
+          flag("mark-sizes",
+               "Mark the sizes of the target that the marking scheme does not have, within ISO 2768-m, a point each"),
       }};
   return kOperation;
 }

@@ -21,6 +21,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -51,6 +52,24 @@ std::vector<Property> withoutLists(std::vector<Property> all) {
   return all;
 }
 
+// "⌀30, Diameter: From Z −38, To Z −1": heights as on the drawing.
+QString describedSize(const ExerciseSnapshot& exercise, const MarkingCriterion& size) {
+  const std::vector<FigureType> types = figureTypes(*exercise.subject);
+  const FigureType* type = figureType(types, size.figure);
+  QString text = QString::fromStdString(size.name);
+  if (!type) return text;
+  const double zero = exercise.subject->drawingZero(*exercise.task).value_or(0.0);
+  QStringList places;
+  for (std::size_t i = 0; i < type->arguments.size() && i < size.arguments.size(); ++i) {
+    if (!type->arguments[i].ends_with('Z')) continue;
+    const double z = std::round(1e3 * (size.arguments[i] - zero)) / 1e3 + 0.0;
+    places << QCoreApplication::translate("Property", type->arguments[i].c_str()) + QLatin1Char(' ') +
+                  QLocale().toString(z);
+  }
+  return QStringLiteral("%1, %2: %3")
+      .arg(text, QCoreApplication::translate("Figure", type->label.c_str()), places.join(QStringLiteral(", ")));
+}
+
 }  // namespace
 
 ExerciseEditor::ExerciseEditor(QWidget* parent)
@@ -69,6 +88,7 @@ ExerciseEditor::ExerciseEditor(QWidget* parent)
     connect(menu, &QMenu::aboutToShow, this, [this, menu] {
       menu->clear();
       if (!m_document) return;
+      addSizes(*menu);
       const std::vector<FigureType> types = figureTypes(*m_document->exercise().subject);
       for (std::size_t i = 0; i < types.size(); ++i) {
         QAction* action = menu->addAction(QCoreApplication::translate("Figure", types[i].label.c_str()));
@@ -240,6 +260,28 @@ void ExerciseEditor::fillRows(Rows& rows, const QStringList& names, const std::v
   rows.up->setEnabled(row > 0);
   rows.down->setEnabled(row >= 0 && row + 1 < names.size());
   rows.properties->setProperties(row < 0 ? std::vector<Property>() : beginningWith(properties, prefix(row)));
+}
+
+// What the target has and the marking scheme not yet: all at once, and each.
+void ExerciseEditor::addSizes(QMenu& menu) {
+  const ExerciseSnapshot& exercise = m_document->exercise();
+  const std::vector<MarkingCriterion> sizes = unmarkedSizes(exercise);
+  if (sizes.empty()) return;
+  const auto add = [this](std::vector<MarkingCriterion> added) {
+    change(tr("Add %Ln size(s) of the target", nullptr, static_cast<int>(added.size())),
+           withCriteria(m_document->exercise(), std::move(added)));
+    m_criteria.list->setCurrentRow(m_criteria.list->count() - 1);
+  };
+  QAction* all = menu.addAction(tr("All %Ln size(s) of the target", nullptr, static_cast<int>(sizes.size())));
+  all->setObjectName(QStringLiteral("criteria/addAllSizes"));
+  connect(all, &QAction::triggered, this, [add, sizes] { add(sizes); });
+  QMenu* each = menu.addMenu(tr("A size of the target"));
+  each->setObjectName(QStringLiteral("criteria/sizes"));
+  for (const MarkingCriterion& size : sizes) {
+    QAction* action = each->addAction(describedSize(exercise, size));
+    connect(action, &QAction::triggered, this, [add, size] { add({size}); });
+  }
+  menu.addSeparator();
 }
 
 void ExerciseEditor::addCriterion(std::size_t figure) {

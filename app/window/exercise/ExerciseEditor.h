@@ -8,6 +8,7 @@
 #include <QTabWidget>
 
 class QListWidget;
+class QMenu;
 class QToolButton;
 
 namespace handwheel {
@@ -46,6 +47,7 @@ class ExerciseEditor : public QTabWidget {
   using Move = ExerciseSnapshot (*)(ExerciseSnapshot, std::size_t row, bool isUp);
   void connectMoves(Rows& rows, const QString& text, Move moved);
   void addCriterion(std::size_t figure);
+  void addSizes(QMenu& menu);
   void makeStepEditor();
   void toggleMark(const std::string& id);
   void changeHints(const std::function<void(std::vector<std::string>&)>& changing);

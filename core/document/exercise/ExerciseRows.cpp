@@ -3,6 +3,7 @@
 #include "document/exercise/ExerciseRows.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -14,18 +15,55 @@ void moveRow(std::vector<Row>& rows, std::size_t row, bool isUp) {
   if (row < rows.size() && other < rows.size()) std::swap(rows[row], rows[other]);
 }
 
+// Of the nominal value, or within the limits: a target may lie in the middle of a tolerance zone.
+bool isMarkedBy(const MarkingCriterion& size, const MarkingCriterion& c) {
+  constexpr double kSame = 1e-3;
+  if (c.figure != size.figure || c.arguments.size() != size.arguments.size()) return false;
+  const bool isNominal = c.nominal && std::abs(*c.nominal - *size.nominal) <= kSame;
+  return isNominal || (c.lower && c.upper && *c.lower <= *size.nominal && *size.nominal <= *c.upper);
+}
+
+// Of the places of two criteria of one figure.
+double distance(const MarkingCriterion& a, const MarkingCriterion& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.arguments.size(); ++i) sum += std::abs(a.arguments[i] - b.arguments[i]);
+  return sum;
+}
+
 }  // namespace
 
 ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const FigureType& figure) {
   MarkingCriterion c;
-  for (int number = 1; c.id.empty() || exercise.exercise.find(c.id); ++number) c.id = "c" + std::to_string(number);
   c.name = figure.label;
   c.figure = figure.id;
   c.arguments.assign(figure.arguments.size(), 0.0);
   c.points = 1.0;
   c.upper = exercise.subject->usualLimit(figure.id, *exercise.task);
-  if (exercise.exercise.criteria.size() < Exercise::kMostCriteria) exercise.exercise.criteria.push_back(std::move(c));
+  return withCriteria(std::move(exercise), {std::move(c)});
+}
+
+ExerciseSnapshot withCriteria(ExerciseSnapshot exercise, std::vector<MarkingCriterion> criteria) {
+  int number = 1;
+  for (MarkingCriterion& c : criteria) {
+    if (exercise.exercise.criteria.size() >= Exercise::kMostCriteria) break;
+    while (exercise.exercise.find("c" + std::to_string(number))) ++number;
+    c.id = "c" + std::to_string(number);
+    exercise.exercise.criteria.push_back(std::move(c));
+  }
   return exercise;
+}
+
+std::vector<MarkingCriterion> unmarkedSizes(const ExerciseSnapshot& exercise) {
+  std::vector<MarkingCriterion> sizes = exercise.subject->targetSizes(*exercise.task);
+  for (const MarkingCriterion& marked : exercise.exercise.criteria) {
+    auto nearest = sizes.end();
+    for (auto size = sizes.begin(); size != sizes.end(); ++size) {
+      if (!isMarkedBy(*size, marked)) continue;
+      if (nearest == sizes.end() || distance(*size, marked) < distance(*nearest, marked)) nearest = size;
+    }
+    if (nearest != sizes.end()) sizes.erase(nearest);
+  }
+  return sizes;
 }
 
 ExerciseSnapshot withNewStep(ExerciseSnapshot exercise) {

@@ -9,6 +9,11 @@ namespace handwheel {
 // The exercise with one more criterion or step at the end. The new one has an id that is free. A new criterion has the
 // usual limit of its figure, if there is one.
 ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const FigureType& figure);
+// The same of criteria whose ids are empty; as many as there may be.
+ExerciseSnapshot withCriteria(ExerciseSnapshot exercise, std::vector<MarkingCriterion> criteria);
+// The sizes of the target less one for each criterion that it is the nominal value of, or within the limits of:
+// that which is measured nearest to it.
+std::vector<MarkingCriterion> unmarkedSizes(const ExerciseSnapshot& exercise);
 ExerciseSnapshot withNewStep(ExerciseSnapshot exercise);
 // Without one; steps do not name the criterion any more.
 ExerciseSnapshot withoutCriterion(ExerciseSnapshot exercise, const std::string& id);

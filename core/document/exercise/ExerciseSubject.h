@@ -71,6 +71,12 @@ class ExerciseSubject {
     return std::nullopt;
   }
 
+  // The sizes of the target as criteria, for teachers who need not enter each. Their ids are empty.
+  virtual std::vector<MarkingCriterion> targetSizes(const ExerciseTask& task) const {
+    (void)task;
+    return {};
+  }
+
   // The limit above which a figure is wrong as long as the teacher sets no other; none: it has none.
   virtual std::optional<double> usualLimit(const std::string& figure, const ExerciseTask& task) const = 0;
 

@@ -293,6 +293,32 @@ class ExerciseWindowTest : public QObject {
     QCOMPARE(field("lower"), QStringLiteral("24.916"));  // IT10 of 18 to 30 mm: 84 µm
   }
 
+  // All sizes of the target that are not marked yet by one entry of the menu, in one undo step.
+  void theSizesOfTheTarget() {
+    WindowDriver driver;
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    driver.find<QTabWidget>("exerciseEditor")->setCurrentIndex(1);
+    QMenu* menu = driver.find<QToolButton>("criteria/add")->menu();
+    auto* list = driver.find<QListWidget>("criteria");
+    const int before = list->count();
+    emit menu->aboutToShow();
+    auto* all = menu->findChild<QAction*>("criteria/addAllSizes");
+    auto* each = menu->findChild<QMenu*>("criteria/sizes");
+    QVERIFY(all && each && !each->actions().isEmpty());
+    const auto sizes = static_cast<int>(each->actions().size());
+    all->trigger();
+    QTRY_COMPARE(list->count(), before + sizes);
+    emit menu->aboutToShow();
+    QVERIFY(!menu->findChild<QAction*>("criteria/addAllSizes"));
+    driver.click("quickActions/undo");
+    QTRY_COMPARE(list->count(), before);
+    emit menu->aboutToShow();
+    menu->findChild<QMenu*>("criteria/sizes")->actions().first()->trigger();
+    QTRY_COMPARE(list->count(), before + 1);
+    QCOMPARE(list->currentRow(), before);
+  }
+
   // The marks of a step are checked in a list, and its hints are rows of another; each change is one undo step.
   void theMarksOfAStep() {
     WindowDriver driver;

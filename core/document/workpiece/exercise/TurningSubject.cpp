@@ -14,6 +14,7 @@
 #include "document/workpiece/exercise/DescribedPasses.h"
 #include "document/workpiece/exercise/DrawingTolerance.h"
 #include "document/workpiece/exercise/ExerciseDrawing.h"
+#include "document/workpiece/exercise/TargetSizes.h"
 #include "document/workpiece/exercise/TurningDetails.h"
 #include "document/workpiece/exercise/TurningFigures.h"
 #include "document/workpiece/target/DrawingExport.h"
@@ -95,6 +96,10 @@ Status TurningSubject::applyTolerance(MarkingCriterion& criterion) const {
 
 std::optional<double> TurningSubject::drawingZero(const ExerciseTask& task) const {
   return turningOf(task).zero();
+}
+
+std::vector<MarkingCriterion> TurningSubject::targetSizes(const ExerciseTask& task) const {
+  return sizesOfTarget(turningOf(task));
 }
 
 std::optional<double> TurningSubject::usualLimit(const std::string& figure, const ExerciseTask& task) const {

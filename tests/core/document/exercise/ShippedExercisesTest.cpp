@@ -6,11 +6,13 @@
 #include "base/NumberText.h"
 #include "document/FileBytes.h"
 #include "document/exercise/ExerciseProperties.h"
+#include "document/exercise/ExerciseRows.h"
 #include "document/exercise/ShippedExercises.h"
 #include "document/volume/exercise/DrillingSubject.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/exercise/ExerciseDrawing.h"
 #include "document/workpiece/exercise/TurningFigures.h"
+#include "document/workpiece/exercise/TurningTask.h"
 
 #include <QDir>
 #include <QRegularExpression>
@@ -104,6 +106,32 @@ class ShippedExercisesTest : public QObject {
       const Names expected = fault["loses"].get<Names>();
       QVERIFY2(lostMarks(marked) == expected, (fault["name"].get<std::string>() + "\n" + reasons(marked)).c_str());
     }
+  }
+
+  // The sizes of a target are those of its model solution.
+  void theirTargetsHaveSizes_data() { each_data(); }
+  void theirTargetsHaveSizes() {
+    QFETCH(QString, path);
+    Json description = descriptionIn(path);
+    description.erase("for_students");
+    const ExerciseKind kind(allSubjects());
+    ExerciseSnapshot exercise = *exerciseFrom(kind, description);
+    exercise.exercise.criteria.clear();
+    exercise.exercise.steps.clear();
+    const std::vector<MarkingCriterion> sizes = unmarkedSizes(exercise);
+    if (exercise.subject->id() != "turning" || !static_cast<const TurningTask&>(*exercise.task).target) {
+      QVERIFY(sizes.empty());
+      return;
+    }
+    QVERIFY(!sizes.empty());
+    const ExerciseSnapshot marked = withCriteria(exercise, sizes);
+    for (const MarkingCriterion& c : marked.exercise.criteria) {
+      QVERIFY(c.lower && c.upper && c.nominal && !c.id.empty());
+      QCOMPARE(exercise.subject->placeProblem(c, *exercise.task), std::string());
+    }
+    const Marking solved = markWork(marked, *exercise.solution, Attempt{"Model", {}, {}, 600.0, {}, {}});
+    QVERIFY2(lostMarks(solved).empty(), reasons(solved).c_str());
+    QVERIFY(unmarkedSizes(marked).empty());
   }
 
   // Each text of the files is one that is translated, and there is none beside them.

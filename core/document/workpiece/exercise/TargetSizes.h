@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/workpiece/exercise/TurningTask.h"
+#include "exercise/Exercise.h"
+
+namespace handwheel {
+
+// The sizes of a target as criteria of a marking scheme, along its outline: diameters, tapers, arcs, and the lengths
+// from the finished face to the others. Without what stays in the chuck, and what the bar has already. The limits are
+// those of general tolerances (ISO 2768-1, class m); each gives a point. The ids are empty.
+std::vector<MarkingCriterion> sizesOfTarget(const TurningTask& task);
+
+}  // namespace handwheel
