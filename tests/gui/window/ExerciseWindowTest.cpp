@@ -273,92 +273,6 @@ class ExerciseWindowTest : public QObject {
     QVERIFY2(std::abs(marked - expected) < 0.02, qPrintable(QStringLiteral("%1 for %2 mm").arg(marked).arg(worst)));
   }
 
-  // "h10" becomes the limits that it stands for.
-  void aToleranceInTheEditor() {
-    WindowDriver driver;
-    driver.choose("newExercise");
-    QVERIFY(driver.settle());
-    driver.find<QTabWidget>("exerciseEditor")->setCurrentIndex(1);
-    QMenu* menu = driver.find<QToolButton>("criteria/add")->menu();
-    emit menu->aboutToShow();
-    menu->actions().first()->trigger();  // a diameter
-    driver.edit("criterion.c1.nominal", "25");
-    driver.edit("criterion.c1.tolerance", "h10");
-    const auto field = [&](const char* property) {
-      return driver.find<QWidget>((QByteArray("property/criterion.c1.") + property).constData())
-          ->findChild<QLineEdit*>()
-          ->text();
-    };
-    QTRY_COMPARE(field("upper"), QStringLiteral("25"));
-    QCOMPARE(field("lower"), QStringLiteral("24.916"));  // IT10 of 18 to 30 mm: 84 µm
-  }
-
-  // All sizes of the target that are not marked yet by one entry of the menu, in one undo step.
-  void theSizesOfTheTarget() {
-    WindowDriver driver;
-    driver.choose("exercise/shaft");
-    QVERIFY(driver.settle());
-    driver.find<QTabWidget>("exerciseEditor")->setCurrentIndex(1);
-    QMenu* menu = driver.find<QToolButton>("criteria/add")->menu();
-    auto* list = driver.find<QListWidget>("criteria");
-    const int before = list->count();
-    emit menu->aboutToShow();
-    auto* all = menu->findChild<QAction*>("criteria/addAllSizes");
-    auto* each = menu->findChild<QMenu*>("criteria/sizes");
-    QVERIFY(all && each && !each->actions().isEmpty());
-    const auto sizes = static_cast<int>(each->actions().size());
-    all->trigger();
-    QTRY_COMPARE(list->count(), before + sizes);
-    emit menu->aboutToShow();
-    QVERIFY(!menu->findChild<QAction*>("criteria/addAllSizes"));
-    driver.click("quickActions/undo");
-    QTRY_COMPARE(list->count(), before);
-    emit menu->aboutToShow();
-    menu->findChild<QMenu*>("criteria/sizes")->actions().first()->trigger();
-    QTRY_COMPARE(list->count(), before + 1);
-    QCOMPARE(list->currentRow(), before);
-  }
-
-  // The marks of a step are checked in a list, and its hints are rows of another; each change is one undo step.
-  void theMarksOfAStep() {
-    WindowDriver driver;
-    driver.choose("exercise/shaft");
-    QVERIFY(driver.settle());
-    driver.find<QTabWidget>("exerciseEditor")->setCurrentIndex(2);
-    driver.find<QListWidget>("steps")->setCurrentRow(0);
-    const auto step = [&driver] {
-      Document& shown = driver.window().findChild<DocumentTabs*>()->current()->document;
-      return static_cast<ExerciseDocument&>(shown).exercise().exercise.steps[0];
-    };
-    const auto before = step();
-    auto* marks = driver.find<QListWidget>("steps/marks");
-    QVERIFY(marks->count() > 2);
-    const auto isMet = [](const ExerciseStep& of, const QListWidgetItem* item) {
-      const std::string id = item->data(Qt::UserRole).toString().toStdString();
-      return std::find(of.criteria.begin(), of.criteria.end(), id) != of.criteria.end();
-    };
-    for (int i = 0; i < marks->count(); ++i)
-      QCOMPARE(marks->item(i)->checkState() == Qt::Checked, isMet(before, marks->item(i)));
-    QCOMPARE(marks->item(1)->checkState(), Qt::Unchecked);
-    marks->item(1)->setCheckState(Qt::Checked);
-    QVERIFY(isMet(step(), marks->item(1)) && step().criteria.size() == before.criteria.size() + 1);
-    marks->item(1)->setCheckState(Qt::Unchecked);
-    QVERIFY(step().criteria == before.criteria);
-    driver.click("quickActions/undo");
-    QTRY_COMPARE(step().criteria.size(), before.criteria.size() + 1);
-    QCOMPARE(marks->item(1)->checkState(), Qt::Checked);
-
-    auto* hints = driver.find<QListWidget>("steps/hints");
-    QCOMPARE(hints->count(), static_cast<int>(before.hints.size()));
-    driver.click("steps/addHint");
-    QCOMPARE(step().hints.size(), before.hints.size() + 1);
-    hints->item(hints->count() - 1)->setText("Oil | or air; not both");
-    QCOMPARE(step().hints.back(), std::string("Oil | or air; not both"));
-    hints->setCurrentRow(hints->count() - 1);
-    driver.click("steps/removeHint");
-    QVERIFY(step().hints == before.hints);
-  }
-
   // The dialog says how much that changes; one undo step.
   void theTargetInRoundSizes() {
     WindowDriver driver;
@@ -494,31 +408,6 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(!driver.find<QAction>("importTarget")->isEnabled() && !driver.find<QAction>("removeTarget")->isEnabled());
     auto* diameter = driver.find<QWidget>("property/diameter")->findChild<QLineEdit*>();
     QVERIFY(!diameter || !diameter->isEnabled() || diameter->isReadOnly());
-  }
-
-  // A teacher adds a mark and a step, changes them, and takes it back.
-  void theTeachersEditor() {
-    WindowDriver driver;
-    driver.choose("newExercise");
-    QVERIFY(driver.settle());
-    driver.edit("title", "Bolt");
-    driver.edit("diameter", "30");
-    auto* editor = driver.find<QTabWidget>("exerciseEditor");
-    editor->setCurrentIndex(2);
-    driver.click("steps/add");
-    auto* steps = driver.find<QListWidget>("steps");
-    QTRY_COMPARE(steps->count(), 1);
-    driver.edit("step.1.title", "Face");
-    QTRY_VERIFY(steps->item(0)->text().contains("Face"));
-    driver.click("quickActions/undo");
-    driver.click("quickActions/undo");
-    QTRY_COMPARE(steps->count(), 0);
-    // What students see is another document, without an editor.
-    driver.choose("studentCopy");
-    QVERIFY(driver.settle());
-    QCOMPARE(driver.tabs(), 2);
-    QVERIFY(driver.find<QWidget>("exercisePage")->isVisible());
-    QVERIFY(!editor->isVisible());
   }
 };
 
