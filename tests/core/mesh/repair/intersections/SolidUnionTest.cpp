@@ -43,7 +43,7 @@ double cellsIn(const std::vector<Box>& boxes) {
   return count;
 }
 
-const TriangleSoup kCube = test::box({0, 0, 0}, {10, 10, 10});
+const TriangleSoup kTenCube = test::box({0, 0, 0}, {10, 10, 10});
 
 }  // namespace
 
@@ -53,7 +53,7 @@ class SolidUnionTest : public QObject {
 
  private slots:
   void twoCubes() {
-    const HalfEdgeMesh united = unionOf({kCube, test::box({5, 5, 5}, {10, 10, 10})});
+    const HalfEdgeMesh united = unionOf({kTenCube, test::box({5, 5, 5}, {10, 10, 10})});
     QVERIFY(test::countEdges(united).sound());
     QCOMPARE(test::pieces(united).size(), std::size_t{1});
     QVERIFY(std::abs(test::volume(united.compact().soup) - 1875.0) < 1e-9);
@@ -121,7 +121,7 @@ class SolidUnionTest : public QObject {
       const Eigen::Quaterniond turn =
           Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized();
       for (const NumberType numbers : {NumberType::Float32, NumberType::Float64}) {
-        TriangleSoup soup = together({kCube, test::box({5, 4, 3}, {10, 10, 10})});
+        TriangleSoup soup = together({kTenCube, test::box({5, 4, 3}, {10, 10, 10})});
         for (Vec3& p : soup.points) p = rounded(Vec3(turn * p), numbers);
         HalfEdgeMesh mesh = buildMesh(soup).mesh;
         QVERIFY(uniteSolids(mesh, numbers) > 0);
@@ -134,7 +134,7 @@ class SolidUnionTest : public QObject {
 
   // A cavity is no wall inside the union; nor is it lost where another solid reaches into it.
   void cavitiesStay() {
-    const TriangleSoup hollow = together({kCube, insideOut(test::box({2, 2, 2}, {6, 6, 6}))});
+    const TriangleSoup hollow = together({kTenCube, insideOut(test::box({2, 2, 2}, {6, 6, 6}))});
     const HalfEdgeMesh beside = unionOf({hollow, test::box({9, 1, 1}, {5, 5, 5})});
     QVERIFY(std::abs(test::volume(beside.compact().soup) - (1000.0 - 216.0 + 100.0)) < 1e-9);
     const HalfEdgeMesh into = unionOf({hollow, test::box({7, 3, 3}, {5, 1, 1})});
@@ -142,7 +142,7 @@ class SolidUnionTest : public QObject {
   }
 
   void againChangesNothing() {
-    HalfEdgeMesh united = unionOf({kCube, test::box({5, 5, 5}, {10, 10, 10})});
+    HalfEdgeMesh united = unionOf({kTenCube, test::box({5, 5, 5}, {10, 10, 10})});
     QCOMPARE(uniteSolids(united, NumberType::Float64), std::size_t{0});
   }
 
@@ -150,12 +150,12 @@ class SolidUnionTest : public QObject {
     QTest::addColumn<TriangleSoup>("soup");
     const TriangleSoup other = test::box({5, 5, 5}, {10, 10, 10});
     QTest::newRow("empty") << TriangleSoup();
-    QTest::newRow("apart") << together({kCube, test::box({20, 0, 0}, {1, 1, 1})});
-    QTest::newRow("one inside the other") << together({kCube, test::box({2, 2, 2}, {1, 1, 1})});
-    QTest::newRow("one inside out") << together({kCube, insideOut(other)});
+    QTest::newRow("apart") << together({kTenCube, test::box({20, 0, 0}, {1, 1, 1})});
+    QTest::newRow("one inside the other") << together({kTenCube, test::box({2, 2, 2}, {1, 1, 1})});
+    QTest::newRow("one inside out") << together({kTenCube, insideOut(other)});
     TriangleSoup open = other;
     open.triangles.resize(6);
-    QTest::newRow("one is open") << together({kCube, open});
+    QTest::newRow("one is open") << together({kTenCube, open});
   }
   void leftAsItIs() {
     QFETCH(TriangleSoup, soup);
@@ -167,7 +167,7 @@ class SolidUnionTest : public QObject {
   }
 
   void cancelled() {
-    HalfEdgeMesh mesh = buildMesh(together({kCube, test::box({5, 5, 5}, {10, 10, 10})})).mesh;
+    HalfEdgeMesh mesh = buildMesh(together({kTenCube, test::box({5, 5, 5}, {10, 10, 10})})).mesh;
     JobState state;
     state.cancelled = true;
     QCOMPARE(uniteSolids(mesh, NumberType::Float64, Progress(state)), std::size_t{0});
