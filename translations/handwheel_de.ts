@@ -4790,15 +4790,22 @@
             <numerusform>… und %Ln weitere, siehe Protokoll.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Outer boundaries of open sheets that the repair changed and that look like holes now: %1. Another repair fills them.</source>
-        <translation>Außenränder offener Flächen, die die Reparatur verändert hat und die jetzt wie Löcher aussehen: %1. Eine weitere Reparatur füllt sie.</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln hole(s) left.</source>
         <translation>
             <numerusform>%Ln Loch ist übrig.</numerusform>
             <numerusform>%Ln Löcher sind übrig.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Outer boundaries of open sheets that the repair changed and that look like holes now: %1. Another repair tries to fill them.</source>
+        <translation>Außenränder offener Flächen, die die Reparatur verändert hat und die jetzt wie Löcher aussehen: %1. Eine weitere Reparatur versucht sie zu füllen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln body(ies) inside another: “Unite bodies” removes what lies inside.</source>
+        <translation>
+            <numerusform>%Ln Körper liegt in einem anderen: „Körper vereinigen“ entfernt, was innen liegt.</numerusform>
+            <numerusform>%Ln Körper liegen in anderen: „Körper vereinigen“ entfernt, was innen liegt.</numerusform>
         </translation>
     </message>
 </context>
@@ -9362,8 +9369,8 @@
         <translation>Körper vereinigen</translation>
     </message>
     <message>
-        <source>only closed bodies that intersect can be united: close holes and reverse bodies that are inside out before</source>
-        <translation>nur geschlossene Körper, die sich durchdringen, lassen sich vereinigen: Löcher vorher schließen und umgestülpte Körper umkehren</translation>
+        <source>only closed bodies can be united: close holes and open sheets, and reverse bodies that are inside out before</source>
+        <translation>nur geschlossene Körper können vereinigt werden: schließen Sie vorher Löcher und offene Flächen, und wenden Sie umgestülpte Körper</translation>
     </message>
 </context>
 <context>
@@ -10776,8 +10783,8 @@
         <translation>Körper &amp;vereinigen</translation>
     </message>
     <message>
-        <source>Make one body of those that intersect, and remove what lies inside of it</source>
-        <translation>Macht aus Körpern, die sich durchdringen, einen und entfernt, was in ihm liegt</translation>
+        <source>Make one body of those that intersect or lie inside each other, and remove what lies inside of it</source>
+        <translation>Macht einen Körper aus denen, die sich schneiden oder ineinander liegen, und entfernt, was darin liegt</translation>
     </message>
 </context>
 <context>

@@ -4781,14 +4781,20 @@
             <numerusform>…还有 %Ln 个，见日志。</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Outer boundaries of open sheets that the repair changed and that look like holes now: %1. Another repair fills them.</source>
-        <translation>修复改动过、现在看起来像孔洞的开放片外边界：%1 个。再次修复会填补它们。</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln hole(s) left.</source>
         <translation>
             <numerusform>还剩 %Ln 个孔洞。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Outer boundaries of open sheets that the repair changed and that look like holes now: %1. Another repair tries to fill them.</source>
+        <translation>修复改动过、现在看起来像孔洞的开放片外边界：%1 个。再次修复会尝试填补它们。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln body(ies) inside another: “Unite bodies” removes what lies inside.</source>
+        <translation>
+            <numerusform>%Ln 个体位于另一个体内：“合并实体”会移除内部部分。</numerusform>
         </translation>
     </message>
 </context>
@@ -9312,8 +9318,8 @@
         <translation>合并实体</translation>
     </message>
     <message>
-        <source>only closed bodies that intersect can be united: close holes and reverse bodies that are inside out before</source>
-        <translation>只有封闭且相交的实体才能合并：请先封闭孔洞并反转内外翻转的实体</translation>
+        <source>only closed bodies can be united: close holes and open sheets, and reverse bodies that are inside out before</source>
+        <translation>只能合并封闭的体：请先封闭孔洞和开放片，并翻转内外颠倒的体</translation>
     </message>
 </context>
 <context>
@@ -10710,8 +10716,8 @@
         <translation>合并实体(&amp;U)</translation>
     </message>
     <message>
-        <source>Make one body of those that intersect, and remove what lies inside of it</source>
-        <translation>将相交的实体合并为一个，并删除其内部的部分</translation>
+        <source>Make one body of those that intersect or lie inside each other, and remove what lies inside of it</source>
+        <translation>将相交或彼此嵌套的体合为一个体，并移除其内部部分</translation>
     </message>
 </context>
 <context>

@@ -138,7 +138,7 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
         counted(formerSheets, "outer boundary of an open sheet", "outer boundaries of open sheets") +
         ", which the repair has changed, " + (isOne ? "looks like a hole" : "look like holes") + " now" +
         (areAllFormer && holesNow != formerSheets ? ", " + std::to_string(holesNow) + " in the result," : "") +
-        " and " + (isOne ? "stays" : "stay") + " open. Another repair would fill " + (isOne ? "it." : "them."));
+        " and " + (isOne ? "stays" : "stay") + " open. Another repair would try to fill " + (isOne ? "it." : "them."));
   }
   if (lines.empty() && after.boundaryEdges > 0) {
     lines.push_back(counted(after.boundaryEdges, "edge has", "edges have") + " only one triangle.");
@@ -164,7 +164,7 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
                     " of triangles intersect or overlap." + adviceOnCrossings(repair, options));
   }
   if (options.uniteSolids && repair.innerFaces == 0 && !repair.isIntersectionRemovalIncomplete)
-    lines.push_back("No bodies were united: only closed ones that intersect can be, with none of them inside out.");
+    lines.push_back("No bodies were united: only closed ones can be, with none of them inside out.");
   if (after.debris > before.debris) {
     lines.push_back("New: " + counted(after.debris - before.debris, "piece", "pieces") + " of debris, " +
                     std::to_string(after.debris) + " in all. Another repair with --remove-debris removes them.");

@@ -38,8 +38,12 @@ PathChecks::~PathChecks() {
 }
 
 void PathChecks::setDocument(DocumentTab* document) {
-  if (m_isAllAsked && m_run) m_waiting.push_front(m_run->basis.path.name);
-  if (m_isAllAsked) m_interrupted[m_document] = m_waiting;
+  if (m_run && m_run->isAsked) {
+    m_asked = m_run->basis.path.name;
+  } else if (m_isAllAsked && m_run) {
+    m_waiting.push_front(m_run->basis.path.name);
+  }
+  if (m_isAllAsked || m_asked) m_interrupted[m_document] = {std::exchange(m_asked, {}), m_waiting, m_isAllAsked};
   m_run.reset();
   m_waiting.clear();
   m_isAllAsked = false;
@@ -49,8 +53,9 @@ void PathChecks::setDocument(DocumentTab* document) {
   m_document = document;
   if (!document) return;
   if (auto rest = m_interrupted.extract(document)) {
-    m_waiting = std::move(rest.mapped());  // goOn() as soon as the cell is prepared
-    m_isAllAsked = true;
+    m_asked = std::move(rest.mapped().asked);  // goOn() as soon as the cell is prepared
+    m_waiting = std::move(rest.mapped().waiting);
+    m_isAllAsked = rest.mapped().isAll;
   }
   recall();
 }
@@ -229,6 +234,9 @@ std::shared_ptr<const CellScene> PathChecks::sceneFor(const RobotPath& path, con
 void PathChecks::goOn() {
   if (!m_document || !m_collisions.isReady()) return;
   const auto now = content();
+  if (const auto asked = std::exchange(m_asked, {})) {
+    if (const RobotPath* const path = now->plans->path(*asked)) verify(*path, Wish::Again);
+  }
   while (!m_run && !m_waiting.empty()) {
     const RobotPath* const path = now->plans->path(m_waiting.front());
     m_waiting.pop_front();

@@ -75,6 +75,12 @@ class PathChecks : public QObject {
     bool isOfAll = false;
     std::uint64_t number = 0;
   };
+  // What was left to be verified when another document came into view: it goes on when this one is shown again.
+  struct Interrupted {
+    std::optional<std::string> asked;  // by its name
+    std::deque<std::string> waiting;
+    bool isAll = false;
+  };
   // What a run found, or why nothing.
   struct Outcome {
     Result<CheckedPath> checked;
@@ -97,11 +103,11 @@ class PathChecks : public QObject {
   std::map<const DocumentTab*, std::map<std::string, PathResult>> m_results;  // by the name of the path
   std::set<const DocumentTab*> m_recalled;  // of which nothing stored is left to be recalled
   std::optional<Run> m_run;
-  std::uint64_t m_runs = 0;           // that were begun
-  std::deque<std::string> m_waiting;  // names of paths that are to be verified, too
-  bool m_isAllAsked = false;          // verifyAll() was called, and they are not done
-  // What verifyAll() had left of a document when another came into view: it goes on when that is shown again.
-  std::map<const DocumentTab*, std::deque<std::string>> m_interrupted;
+  std::uint64_t m_runs = 0;            // that were begun
+  std::deque<std::string> m_waiting;   // names of paths that are to be verified, too
+  bool m_isAllAsked = false;           // verifyAll() was called, and they are not done
+  std::optional<std::string> m_asked;  // the path that a person asked for before another document came into view
+  std::map<const DocumentTab*, Interrupted> m_interrupted;
   std::shared_ptr<const PathDigests> m_digests;  // the last that were made of the document
 };
 

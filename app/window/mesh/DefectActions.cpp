@@ -95,7 +95,7 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   prepare(m_resolveIntersections, "resolveIntersections", "self-intersection",
           tr("Cut all triangles that intersect apart, and join the rest"));
   prepare(m_uniteBodies, "uniteBodies", "unite-bodies",
-          tr("Make one body of those that intersect, and remove what lies inside of it"));
+          tr("Make one body of those that intersect or lie inside each other, and remove what lies inside of it"));
   connect(&m_fix, &QAction::triggered, this, [this] {
     if (m_kind) fixRow({*m_kind, m_row});
   });
@@ -166,7 +166,9 @@ void DefectActions::follow() {
   if (m_thickenSheet.isEnabled()) emit thicknessChanged();
   m_reverseBodies.setEnabled(free && m_document->inspection.count(DefectKind::InsideOut) > 0);
   m_resolveIntersections.setEnabled(free && m_document->inspection.count(DefectKind::SelfIntersection) > 0);
-  m_uniteBodies.setEnabled(m_resolveIntersections.isEnabled() && m_document->document.defects().components.size() > 1);
+  m_uniteBodies.setEnabled(
+      free && (m_document->document.defects().nestedBodies > 0 ||
+               (m_resolveIntersections.isEnabled() && m_document->document.defects().components.size() > 1)));
   const int loop = selectedLoop();
   const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).rim &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&

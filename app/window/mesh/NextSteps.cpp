@@ -76,7 +76,7 @@ QString formerSheets(const Inspection& inspection) {
   if (former == 0) return {};
   return NextStepsWords::tr(
              "Outer boundaries of open sheets that the repair changed and that look like holes now: %1. "
-             "Another repair fills them.")
+             "Another repair tries to fill them.")
       .arg(QLocale().toString(former));
 }
 
@@ -116,6 +116,14 @@ QString headline(const Inspection& inspection) {
   if (const MeshState state = inspection.state(); state.closed && state.selfIntersectingPairs.value_or(0) > 0)
     return NextStepsWords::tr("Closed, but self-intersecting.");
   return inspection.sheetCount() > 0 ? openTitle(inspection) : NextStepsWords::tr("No holes, but other defects.");
+}
+
+// Solids in solids print as they look from outside, but count twice, and slicers differ.
+QString nestedBodies(const MeshTab& document) {
+  const auto nested = static_cast<int>(document.document.defects().nestedBodies);
+  return nested == 0 ? QString()
+                     : NextStepsWords::tr("%Ln body(ies) inside another: “Unite bodies” removes what lies inside.",
+                                          nullptr, nested);
 }
 
 QString openSheets(const Inspection& inspection) {
@@ -196,10 +204,11 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
     if (turned > 0) details << NextStepsWords::tr("%Ln triangle(s) reversed on opening.", nullptr, turned);
   } else {
     details << otherFindings(inspection, Compared::No) << savedAs(document);
-    if (!document.written && state.isKnownSound() && inspection.debris().empty())
+    if (!document.written && state.isKnownSound() && inspection.debris().empty() &&
+        document.document.defects().nestedBodies == 0)
       details << NextStepsWords::tr("There is nothing to repair.");
   }
-  details << failedFixes(inspection);
+  details << nestedBodies(document) << failedFixes(inspection);
   step.detail = joined(details);
   addFurther(step, document, actions);
   return step;
@@ -218,8 +227,9 @@ NextStep leftStep(const MeshTab& document, const NextStepActions& actions) {
                             : NextStepsWords::tr("Some defects remain."),
                 joined({shownPatchWarnings(inspection).join(QLatin1Char(' ')), comparison(inspection),
                         reasons(inspection), formerSheets(inspection), failedFixes(inspection), openSheets(inspection),
-                        otherFindings(inspection, Compared::Yes), savedAs(document)}),
+                        nestedBodies(document), otherFindings(inspection, Compared::Yes), savedAs(document)}),
                 {}};
+  if (holes > 0 && failed == 0) left.actions.push_back(actions.repairAll);
   if (holes > 0) left.actions.push_back(actions.oneByOne);
   if (isWorthSaving(document)) left.actions.push_back(actions.saveAs);
   addFurther(left, document, actions);

@@ -65,6 +65,7 @@ DefectsDelta DefectsDelta::between(const Defects& before, const Defects& after) 
   delta.m_duplicateFaces = stretch(before.duplicateFaces, after.duplicateFaces, std::equal_to<>());
   delta.m_nearVertices = stretch(before.nearVertices, after.nearVertices, std::equal_to<>());
   delta.m_components = stretch(before.components, after.components, sameComponent);
+  delta.m_nestedBodies = after.nestedBodies;
   delta.m_box = after.box;
   return delta;
 }
@@ -81,6 +82,7 @@ void DefectsDelta::swap(Defects& defects) {
   swapStretch(defects.duplicateFaces, m_duplicateFaces);
   swapStretch(defects.nearVertices, m_nearVertices);
   swapStretch(defects.components, m_components);
+  std::swap(defects.nestedBodies, m_nestedBodies);
   std::swap(defects.box, m_box);
 }
 

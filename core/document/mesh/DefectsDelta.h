@@ -41,6 +41,7 @@ class DefectsDelta {
   Stretch<Face> m_duplicateFaces;
   Stretch<std::pair<Vertex, Vertex>> m_nearVertices;
   Stretch<Component> m_components;
+  std::size_t m_nestedBodies = 0;
   Box m_box;
 };
 

@@ -106,6 +106,7 @@ std::vector<Face> findInconsistentFaces(const HalfEdgeMesh& mesh, Progress progr
 }
 
 Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld, Progress progress) {
+  constexpr std::size_t kMostVisits = 2'000'000;  // of faces, for bodies in bodies: a tenth of a second
   Defects defects;
   std::optional<PositionTriangles> byPosition;
   const std::function<void(Progress)> steps[] = {
@@ -118,6 +119,9 @@ Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld, Progress progress
       [&](Progress p) { defects.components = components(mesh, *byPosition, p); },
       [&](Progress p) {
         if (defects.components.size() > 1) countIslands(mesh, defects.loops, p);
+      },
+      [&](Progress p) {
+        if (defects.components.size() > 1) defects.nestedBodies = findNestedBodies(mesh, kMostVisits, p).size();
       },
   };
   const double share = 1.0 / static_cast<double>(std::size(steps));

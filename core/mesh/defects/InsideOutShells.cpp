@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
 
 namespace handwheel {
 namespace {
@@ -87,26 +88,31 @@ std::vector<Shell> shellsWithInside(const HalfEdgeMesh& mesh, Progress progress)
 
 class Nesting {
  public:
-  Nesting(const HalfEdgeMesh& mesh, const Progress& progress) : m_mesh(mesh), m_progress(progress) {}
+  Nesting(const HalfEdgeMesh& mesh, const Progress& progress, std::size_t mostVisits = kMostShellVisits)
+      : m_mesh(mesh), m_progress(progress), m_mostVisits(mostVisits) {}
 
   // False as soon as it is cancelled, or has cost too much: then no answer counts.
-  bool isSure() const { return m_visits <= kMostShellVisits && !m_progress.cancelled(); }
+  bool isSure() const { return m_visits <= m_mostVisits && !m_progress.cancelled(); }
 
   // By the sum of the solid angles of the shell's faces at one point of the other, which is 4π inside and 0 outside.
-  bool liesIn(const Shell& inner, const Shell& outer) {
-    if (!isSure() || &inner == &outer || !outer.box.contains(inner.box)) return false;
+  bool liesIn(const Shell& inner, const Shell& outer) { return turnsAround(inner, outer) != 0; }
+
+  // How often the outer shell winds around the inner one: 1 inside a body, -1 inside a cavity, 0 outside.
+  int turnsAround(const Shell& inner, const Shell& outer) {
+    if (!isSure() || &inner == &outer || !outer.box.contains(inner.box)) return 0;
     m_visits += outer.faces.size();
     const TrianglePoints first = m_mesh.points(inner.faces.front());
     const Vec3 at = (first[0] + first[1] + first[2]) / 3.0;
     double angle = 0.0;
     for (Face f : outer.faces) angle += solidAngle(m_mesh.points(f), at);
-    return std::abs(angle) > 2.0 * std::numbers::pi;
+    return static_cast<int>(std::lround(angle / (4.0 * std::numbers::pi)));
   }
 
  private:
   const HalfEdgeMesh& m_mesh;
   const Progress& m_progress;
   std::size_t m_visits = 0;
+  std::size_t m_mostVisits;
 };
 
 }  // namespace
@@ -129,6 +135,21 @@ std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Pro
       isFound[k] = true;
       body.insert(body.end(), shells[k].faces.begin(), shells[k].faces.end());
     }
+  }
+  return nesting.isSure() ? found : std::vector<std::vector<Face>>();
+}
+
+std::vector<std::vector<Face>> findNestedBodies(const HalfEdgeMesh& mesh, std::size_t mostVisits, Progress progress) {
+  std::vector<Shell> shells = shellsWithInside(mesh, progress.part(0.0, 0.5));
+  std::erase_if(shells, [](const Shell& shell) { return shell.isOpen || !(std::abs(shell.volume) > shell.doubt); });
+  if (shells.size() < 2 || shells.size() > kMostShellPairs / shells.size()) return {};
+  Nesting nesting(mesh, progress, mostVisits);
+  std::vector<std::vector<Face>> found;
+  for (const Shell& shell : shells) {
+    int outside = 0;
+    for (const Shell& other : shells) outside += nesting.turnsAround(shell, other);
+    const int inside = outside + (shell.volume > 0.0 ? 1 : -1);
+    if ((outside > 0) == (inside > 0)) found.push_back(shell.faces);
   }
   return nesting.isSure() ? found : std::vector<std::vector<Face>>();
 }

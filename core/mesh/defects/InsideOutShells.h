@@ -21,6 +21,12 @@ inline constexpr std::size_t kMostShellVisits = 30'000'000;
 // that). None if cancelled, or where that would exceed the limits above.
 std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Progress progress = {});
 
+// Finds the shells that bound nothing of the union: closed ones with material on both sides, as a body inside another.
+// Not a cavity, whose shell looks inward; of what intersects the answer is that of one point. One list of faces a
+// shell. Limits and cost as above, with mostVisits of faces.
+std::vector<std::vector<Face>> findNestedBodies(const HalfEdgeMesh& mesh, std::size_t mostVisits = kMostShellVisits,
+                                                Progress progress = {});
+
 // Reverses the bodies that are inside out. Returns the number of reversed faces.
 std::size_t orientOutward(HalfEdgeMesh& mesh, Progress progress = {});
 

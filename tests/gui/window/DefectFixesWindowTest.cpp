@@ -84,6 +84,18 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(driver.settle());
     QVERIFY(std::abs(volumeOf() - 2.0) < 1e-5);
     QVERIFY(unite->isEnabled());
+    // Resolved instead, what both had in common is a body inside: the card says so, and it can still go.
+    driver.find<QAction>("resolveIntersections")->trigger();
+    QVERIFY(driver.settle());
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
+    QVERIFY(std::abs(volumeOf() - 2.0) < 1e-5);
+    QVERIFY2(driver.text("nextStepDetail").contains("1 body inside another"),
+             qPrintable(driver.text("nextStepDetail")));
+    QVERIFY(unite->isEnabled());
+    unite->trigger();
+    QVERIFY(driver.settle());
+    QVERIFY(std::abs(volumeOf() - (2.0 - 0.59 * 0.73 * 0.67)) < 1e-5);
+    QVERIFY(!driver.text("nextStepDetail").contains("inside another"));
   }
 
   // What opening turns over is done, with undo; neither asks to save.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/repair/intersections/SolidUnion.h"
 
+#include "mesh/defects/InsideOutShells.h"
 #include "mesh/repair/intersections/SelfIntersectionRemoval.h"
 #include "mesh/structure/PositionTriangles.h"
 
@@ -10,19 +11,33 @@
 
 namespace handwheel {
 
+namespace {
+
+// Returns how many.
+std::size_t removeNestedBodies(HalfEdgeMesh& mesh, Progress progress) {
+  const std::vector<std::vector<Face>> nested = findNestedBodies(mesh, kMostShellVisits, progress);
+  for (const std::vector<Face>& body : nested)
+    for (Face f : body) mesh.removeFace(f);
+  return nested.size();
+}
+
+}  // namespace
+
 std::size_t uniteSolids(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
   std::vector<Face> faces;
   for (const auto& [a, b] : selfIntersectingPairs(mesh, numbers, progress.part(0.0, 0.2)))
     faces.insert(faces.end(), {a, b});
-  if (faces.empty() || progress.cancelled()) return 0;
+  if (progress.cancelled()) return 0;
+  if (faces.empty()) return removeNestedBodies(mesh, progress.part(0.2, 1.0));
   HalfEdgeMesh united = mesh;
   const IntersectionRemoval done =
       removeAllSelfIntersections(united, faces, numbers, progress.part(0.2, 0.9), Uniting::AllSolids);
   if (!done.changed || done.innerFaces == 0) return 0;
-  const std::size_t before = countBadEdges(mesh, progress.part(0.9, 0.95));
-  if (countBadEdges(united, progress.part(0.95, 1.0)) > before || progress.cancelled()) return 0;
+  const std::size_t nested = removeNestedBodies(united, progress.part(0.9, 0.92));
+  const std::size_t before = countBadEdges(mesh, progress.part(0.92, 0.96));
+  if (countBadEdges(united, progress.part(0.96, 1.0)) > before || progress.cancelled()) return 0;
   mesh = std::move(united);
-  return done.innerFaces;
+  return done.innerFaces + nested;
 }
 
 }  // namespace handwheel

@@ -25,7 +25,7 @@ inline constexpr const char* kNoCleanCut =
     QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without intersecting the part");
 inline constexpr const char* kNoUnion =
     QT_TRANSLATE_NOOP("Tool",
-                      "only closed bodies that intersect can be united: close holes and reverse bodies that are "
+                      "only closed bodies can be united: close holes and open sheets, and reverse bodies that are "
                       "inside out before");
 
 // Each of these functions creates the change that repairs one kind of defect, with its step. It changes only the defect

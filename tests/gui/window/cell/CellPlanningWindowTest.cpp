@@ -178,6 +178,14 @@ class CellPlanningWindowTest : public QObject {
     leaveAndReturn();
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("2 paths proven"), kPatienceMs);
     QVERIFY(isFree(0) && isFree(1));
+    // One that is verified once more.
+    driver.click("messageClose");
+    driver.tree()->setCurrentItem(driver.paths()->child(1));
+    QVERIFY(driver.settle());
+    driver.hold();
+    driver.choose("verifyPath");
+    leaveAndReturn();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains(" was verified: "), kPatienceMs);
   }
 
   // With the mouse alone: an edge of a block is pointed to, taken, and the path along it planned.
