@@ -364,7 +364,7 @@ class ExerciseWindowTest : public QObject {
     facing->selectAll();
     QTest::keyClicks(facing, "2.5");
     QTest::keyClick(facing, Qt::Key_Tab);
-    QTRY_VERIFY(faceIs("97.5\u00a0mm"));  // nothing in the dialog tells another place
+    QTRY_VERIFY_WITH_TIMEOUT(faceIs("97.5\u00a0mm"), kPatienceMs);  // nothing in the dialog tells another place
     QVERIFY(!labelsOf(dialog).contains("behind the free end of the bar"));
     dialog->findChild<QPushButton*>("propertiesAccept")->click();
     QVERIFY(driver.settle());

@@ -411,9 +411,11 @@ class LatheWindowTest : public QObject {
       LatheWindow window;
       QVERIFY(window.beginLathe() && window.turnEnd());
       QVERIFY(!window.workpiece().part);  // nothing was committed
+      const QDateTime isCut = QDateTime::currentDateTime();
       const auto isStored = [&] {
         for (const QString& session : QDir(folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot))
-          if (!QDir(folder + "/" + session).entryList({"*.handwheel"}, QDir::Files).isEmpty()) return true;
+          for (const QFileInfo& each : QDir(folder + "/" + session).entryInfoList({"*.handwheel"}, QDir::Files))
+            if (each.lastModified() > isCut) return true;
         return false;
       };
       QVERIFY(QTest::qWaitFor(isStored, kPatienceMs));
