@@ -45,11 +45,11 @@ inline constexpr int kCubicFillEdges = 300;
 inline constexpr int kPieceEdges = 1000;
 // The optimal triangulation by a criterion of this program, O(n³), is computed for up to this many edges; pieces of
 // longer loops have half as many, which keeps 2,554 edges below 0.1 s.
+inline constexpr int kOptimalFillEdges = 300;
 // From here on a patch is reported as unlike its surroundings: radian beyond their largest bend, and share of the
 // hole's size beyond the range of their heights. Over a cap of a sphere neither is reached.
 inline constexpr double kNoticeableBend = 0.5;
 inline constexpr double kNoticeableRise = 0.35;
-inline constexpr int kOptimalFillEdges = 300;
 // CGAL's hole triangulation recurses once per edge at worst: 40,000 overflow a stack of 2 MB, 100,000 one of 8 MB.
 inline constexpr int kLibraryFillEdges = 20'000;
 // CGAL builds a vertex with n faces in O(n²): 0.2 s for 5,000, 3 s for 20,000.
