@@ -142,7 +142,7 @@ inline constexpr double kAlongAxis = 1e-9;
 // The step behind an ignored face at which the search for the opposite wall continues.
 inline constexpr double kPastFace = 1e-9;
 
-// Knots nearer than this share of their range count as one, written inexactly.
+// Knots that differ by less than this share of their range are one, written inexactly: such a curve is refused.
 inline constexpr double kKnotSpan = 1e-12;
 // A point is on the axis below this share of the largest radius.
 inline constexpr double kOnAxis = 1e-12;
