@@ -55,6 +55,7 @@ Json toJson(const MeshReport& report) {
       {"reversed_faces", report.reversedFaces},
       {"near_vertices", report.nearVertices},
       {"debris", report.debris},
+      {"nested_bodies", report.nestedBodies},
       {"self_intersecting_pairs", orNull(report.selfIntersectingPairs)},
       {"volume_mm3", orNull(report.volumeMm3)},
       {"bounding_box_mm", toJson(report.box)},

@@ -62,6 +62,9 @@ std::string readableText(const MeshReport& report) {
   if (report.insideOutBodies > 0)
     text += line("Inside out",
                  std::to_string(report.insideOutBodies) + (report.insideOutBodies == 1 ? " body" : " bodies"));
+  if (report.nestedBodies > 0)
+    text +=
+        line("Inside others", std::to_string(report.nestedBodies) + (report.nestedBodies == 1 ? " body" : " bodies"));
   text += line("Boundary loops", std::to_string(report.loops.size()));
   text += line("Non-manifold edges", std::to_string(report.nonManifoldEdges));
   text += line("Non-manifold vertices", std::to_string(report.nonManifoldVertices));

@@ -165,6 +165,10 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
   }
   if (options.uniteSolids && repair.innerFaces == 0 && !repair.isIntersectionRemovalIncomplete)
     lines.push_back("No bodies were united: only closed ones can be, with none of them inside out.");
+  if (after.nestedBodies > 0) {
+    lines.push_back(counted(after.nestedBodies, "body lies", "bodies lie") +
+                    " inside another; --unite removes what lies inside.");
+  }
   if (after.debris > before.debris) {
     lines.push_back("New: " + counted(after.debris - before.debris, "piece", "pieces") + " of debris, " +
                     std::to_string(after.debris) + " in all. Another repair with --remove-debris removes them.");

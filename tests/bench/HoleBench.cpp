@@ -154,7 +154,7 @@ void cutAndFill(const TriangleSoup& whole, const TriangleHierarchy& truth, const
   }
 }
 
-// At 25 places the median of holes of 16 edges is off by a quarter of itself, ours and theirs.
+// At 25 places the medians of holes of 16 edges are to each other as 1.24, at 100 as 0.97, and at 250 as 0.96.
 constexpr int kPlaces = 100;
 
 // Balls of some percent of the diagonal, cut out at many places.

@@ -31,6 +31,7 @@ const char* const kCubeJson = R"({
   "reversed_faces": 0,
   "near_vertices": 0,
   "debris": 0,
+  "nested_bodies": 0,
   "self_intersecting_pairs": 0,
   "volume_mm3": 1.0,
   "bounding_box_mm": [
@@ -78,6 +79,7 @@ const char* const kOpenCubeJson = R"({
   "reversed_faces": 0,
   "near_vertices": 0,
   "debris": 0,
+  "nested_bodies": 0,
   "self_intersecting_pairs": 0,
   "volume_mm3": null,
   "bounding_box_mm": [
@@ -197,6 +199,27 @@ class InspectTest : public QObject {
     QCOMPARE(json.at("vertices").get<int>(), 16);
     QVERIFY(std::abs(json.at("volume_mm3").get<double>() - 9.0) < 1e-12);
     QCOMPARE(json.at("self_intersecting_pairs").get<int>(), 0);
+    QCOMPARE(json.at("nested_bodies").get<int>(), 0);
+  }
+
+  // A solid in a solid is named, and by request goes; a cavity is none.
+  void aCubeInACube() {
+    Shape solid = cube(3.0), hollow = cube(3.0), inward = cube();
+    solid.add(cube(), {1, 1, 1});
+    for (auto& f : inward.faces) std::swap(f[0], f[1]);
+    hollow.add(inward, {1, 1, 1});
+    QCOMPARE(statistics(solid.off()).at("nested_bodies").get<int>(), 1);
+    QCOMPARE(statistics(hollow.off()).at("nested_bodies").get<int>(), 0);
+    const Bench bench;
+    bench.put("a.off", solid.off());
+    QVERIFY(bench.run({"inspect", "a.off"}).out.contains("Inside others             1 body\n"));
+    const Ran kept = bench.run({"repair", "a.off", "-o", "b.off"});
+    QVERIFY2(kept.code == 0 && kept.err.contains("1 body lies inside another; --unite removes"), kept.err);
+    const Ran united = bench.run({"repair", "a.off", "--unite", "-o", "c.off"});
+    QVERIFY2(united.code == 0 && united.err.isEmpty(), united.err);
+    const auto json = nlohmann::json::parse(bench.run({"inspect", "c.off", "--json"}).out.toStdString());
+    QVERIFY(std::abs(json.at("volume_mm3").get<double>() - 27.0) < 1e-12);
+    QCOMPARE(json.at("components").get<int>(), 1);
   }
 
   void insideOutCubeIsNotOriented() {

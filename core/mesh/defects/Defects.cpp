@@ -106,7 +106,6 @@ std::vector<Face> findInconsistentFaces(const HalfEdgeMesh& mesh, Progress progr
 }
 
 Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld, Progress progress) {
-  constexpr std::size_t kMostVisits = 2'000'000;  // of faces, for bodies in bodies: a tenth of a second
   Defects defects;
   std::optional<PositionTriangles> byPosition;
   const std::function<void(Progress)> steps[] = {
@@ -114,14 +113,15 @@ Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld, Progress progress
       [&](Progress p) { defects.loops = findBoundaryLoops(mesh, *byPosition, p); },
       [&](Progress p) { findCrowded(*byPosition, defects, p); },
       [&](Progress p) { findDegenerate(mesh, defects, p); },
-      [&](Progress p) { defects.insideOut = findInsideOutShells(mesh, p); },
+      [&](Progress p) {
+        ShellFaults faults = findShellFaults(mesh, p);
+        defects.insideOut = std::move(faults.insideOut);
+        defects.nestedBodies = faults.nestedBodies;
+      },
       [&](Progress p) { defects.nearVertices = stitchablePairs(mesh, nearWeld, p); },
       [&](Progress p) { defects.components = components(mesh, *byPosition, p); },
       [&](Progress p) {
         if (defects.components.size() > 1) countIslands(mesh, defects.loops, p);
-      },
-      [&](Progress p) {
-        if (defects.components.size() > 1) defects.nestedBodies = findNestedBodies(mesh, kMostVisits, p).size();
       },
   };
   const double share = 1.0 / static_cast<double>(std::size(steps));

@@ -39,7 +39,7 @@ struct Defects {
   std::vector<Face> duplicateFaces;                     // same three positions as an earlier face
   std::vector<std::pair<Vertex, Vertex>> nearVertices;  // as stitchablePairs()
   std::vector<Component> components;                    // largest area first
-  std::size_t nestedBodies = 0;                         // as findNestedBodies(); 0 where that would take long
+  std::size_t nestedBodies = 0;                         // as findShellFaults()
   Box box;                                              // of all live faces
 
   // selfIntersectingPairs: absent when not known.

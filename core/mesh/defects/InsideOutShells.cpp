@@ -9,7 +9,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <utility>
 
 namespace handwheel {
 namespace {
@@ -88,16 +87,14 @@ std::vector<Shell> shellsWithInside(const HalfEdgeMesh& mesh, Progress progress)
 
 class Nesting {
  public:
-  Nesting(const HalfEdgeMesh& mesh, const Progress& progress, std::size_t mostVisits = kMostShellVisits)
+  Nesting(const HalfEdgeMesh& mesh, const Progress& progress, std::size_t mostVisits)
       : m_mesh(mesh), m_progress(progress), m_mostVisits(mostVisits) {}
 
   // False as soon as it is cancelled, or has cost too much: then no answer counts.
   bool isSure() const { return m_visits <= m_mostVisits && !m_progress.cancelled(); }
 
-  // By the sum of the solid angles of the shell's faces at one point of the other, which is 4π inside and 0 outside.
-  bool liesIn(const Shell& inner, const Shell& outer) { return turnsAround(inner, outer) != 0; }
-
-  // How often the outer shell winds around the inner one: 1 inside a body, -1 inside a cavity, 0 outside.
+  // How often the outer shell winds around the inner one: 1 inside a body, -1 inside a cavity, 0 outside. By the sum of
+  // the solid angles of its faces at one point of the inner one.
   int turnsAround(const Shell& inner, const Shell& outer) {
     if (!isSure() || &inner == &outer || !outer.box.contains(inner.box)) return 0;
     m_visits += outer.faces.size();
@@ -115,23 +112,19 @@ class Nesting {
   std::size_t m_mostVisits;
 };
 
-}  // namespace
-
-std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Progress progress) {
-  const std::vector<Shell> shells = shellsWithInside(mesh, progress.part(0.0, 0.5));
+std::vector<std::vector<Face>> insideOutAmong(const std::vector<Shell>& shells, Nesting& nesting) {
   const auto suspects =
       static_cast<std::size_t>(std::count_if(shells.begin(), shells.end(), std::mem_fn(&Shell::isInsideOut)));
   if (suspects == 0 || suspects > kMostShellPairs / shells.size()) return {};
-  Nesting nesting(mesh, progress);
   std::vector<std::vector<Face>> found;
   std::vector<bool> isFound(shells.size(), false);
   for (std::size_t i = 0; i < shells.size(); ++i) {
     if (!shells[i].isInsideOut()) continue;
-    const auto holdsIt = [&](const Shell& s) { return nesting.liesIn(shells[i], s); };
+    const auto holdsIt = [&](const Shell& s) { return nesting.turnsAround(shells[i], s) != 0; };
     if (std::any_of(shells.begin(), shells.end(), holdsIt)) continue;
     std::vector<Face>& body = found.emplace_back();
     for (std::size_t k = 0; k < shells.size(); ++k) {
-      if (isFound[k] || (k != i && !nesting.liesIn(shells[k], shells[i]))) continue;
+      if (isFound[k] || (k != i && nesting.turnsAround(shells[k], shells[i]) == 0)) continue;
       isFound[k] = true;
       body.insert(body.end(), shells[k].faces.begin(), shells[k].faces.end());
     }
@@ -139,19 +132,40 @@ std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Pro
   return nesting.isSure() ? found : std::vector<std::vector<Face>>();
 }
 
-std::vector<std::vector<Face>> findNestedBodies(const HalfEdgeMesh& mesh, std::size_t mostVisits, Progress progress) {
-  std::vector<Shell> shells = shellsWithInside(mesh, progress.part(0.0, 0.5));
-  std::erase_if(shells, [](const Shell& shell) { return shell.isOpen || !(std::abs(shell.volume) > shell.doubt); });
+std::vector<std::vector<Face>> nestedAmong(const std::vector<Shell>& shells, Nesting& nesting) {
   if (shells.size() < 2 || shells.size() > kMostShellPairs / shells.size()) return {};
-  Nesting nesting(mesh, progress, mostVisits);
+  const auto isSolid = [](const Shell& shell) { return !shell.isOpen && std::abs(shell.volume) > shell.doubt; };
   std::vector<std::vector<Face>> found;
   for (const Shell& shell : shells) {
+    if (!isSolid(shell)) continue;
     int outside = 0;
-    for (const Shell& other : shells) outside += nesting.turnsAround(shell, other);
+    for (const Shell& other : shells)
+      if (isSolid(other)) outside += nesting.turnsAround(shell, other);
     const int inside = outside + (shell.volume > 0.0 ? 1 : -1);
     if ((outside > 0) == (inside > 0)) found.push_back(shell.faces);
   }
   return nesting.isSure() ? found : std::vector<std::vector<Face>>();
+}
+
+}  // namespace
+
+std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Progress progress) {
+  const std::vector<Shell> shells = shellsWithInside(mesh, progress.part(0.0, 0.5));
+  Nesting nesting(mesh, progress, kMostShellVisits);
+  return insideOutAmong(shells, nesting);
+}
+
+std::vector<std::vector<Face>> findNestedBodies(const HalfEdgeMesh& mesh, Progress progress) {
+  const std::vector<Shell> shells = shellsWithInside(mesh, progress.part(0.0, 0.5));
+  Nesting nesting(mesh, progress, kMostShellVisits);
+  return nestedAmong(shells, nesting);
+}
+
+ShellFaults findShellFaults(const HalfEdgeMesh& mesh, Progress progress) {
+  constexpr std::size_t kFewVisits = 2'000'000;  // a tenth of a second
+  const std::vector<Shell> shells = shellsWithInside(mesh, progress.part(0.0, 0.5));
+  Nesting turned(mesh, progress, kMostShellVisits), nested(mesh, progress, kFewVisits);
+  return {insideOutAmong(shells, turned), nestedAmong(shells, nested).size()};
 }
 
 std::size_t orientOutward(HalfEdgeMesh& mesh, Progress progress) {

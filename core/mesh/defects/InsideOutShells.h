@@ -23,9 +23,16 @@ std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Pro
 
 // Finds the shells that bound nothing of the union: closed ones with material on both sides, as a body inside another.
 // Not a cavity, whose shell looks inward; of what intersects the answer is that of one point. One list of faces a
-// shell. Limits and cost as above, with mostVisits of faces.
-std::vector<std::vector<Face>> findNestedBodies(const HalfEdgeMesh& mesh, std::size_t mostVisits = kMostShellVisits,
-                                                Progress progress = {});
+// shell. Limits and cost as above.
+std::vector<std::vector<Face>> findNestedBodies(const HalfEdgeMesh& mesh, Progress progress = {});
+
+// What both functions above find, for who looks at every mesh. Nested bodies are searched for a tenth of a second at
+// most, and none are found where that is not enough.
+struct ShellFaults {
+  std::vector<std::vector<Face>> insideOut;
+  std::size_t nestedBodies = 0;
+};
+ShellFaults findShellFaults(const HalfEdgeMesh& mesh, Progress progress = {});
 
 // Reverses the bodies that are inside out. Returns the number of reversed faces.
 std::size_t orientOutward(HalfEdgeMesh& mesh, Progress progress = {});

@@ -63,7 +63,9 @@ void countMore(const BuiltMesh& built, std::span<BoundaryLoop> loops, MeshReport
   report.nearVertices = stitchablePairs(built.mesh, tolerance::kNearWeld, progress.part(0.0, 0.5)).size();
   const std::vector<Component> components = findComponents(built.mesh, progress.part(0.5, 0.8));
   report.debris = countDebris(components);
-  if (components.size() > 1) countIslands(built.mesh, loops, progress.part(0.8, 1.0));
+  if (components.size() < 2) return;
+  report.nestedBodies = findNestedBodies(built.mesh, progress.part(0.8, 0.9)).size();
+  countIslands(built.mesh, loops, progress.part(0.9, 1.0));
 }
 
 }  // namespace

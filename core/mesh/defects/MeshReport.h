@@ -38,6 +38,7 @@ struct MeshReport : MeshState {
   std::size_t reversedFaces = 0;  // that face the other way than most of their neighbours
   std::size_t nearVertices = 0;   // pairs that could close an open edge (stitchablePairs())
   std::size_t debris = 0;         // pieces
+  std::size_t nestedBodies = 0;   // bodies inside others (findNestedBodies())
   std::size_t degenerateFaces = 0;
   std::size_t duplicateFaces = 0;
   std::optional<double> volumeMm3;  // only when closed

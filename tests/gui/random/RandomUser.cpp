@@ -71,14 +71,16 @@ std::string contentOf(const DocumentTab& open) {
   return bytes ? *bytes : std::string();
 }
 
-// In what two containers differ, for whoever looks for the reason.
+// In what two containers differ. Proofs of paths are knowledge of a state, not a part of it: no undo takes them back.
 QString difference(const std::string& before, const std::string& after) {
   const auto first = readContainer(before), second = readContainer(after);
   if (!first || !second) return QStringLiteral("not read");
+  constexpr const char* kProofs = "cell/proofs.json";
   QStringList all;
   for (const auto& each : nlohmann::json::diff(*first->container.manifest, *second->container.manifest))
     all << QString::fromStdString(each.dump()).left(200);
   for (const auto& [name, bytes] : first->container.blobs) {
+    if (name == kProofs) continue;
     const auto found = second->container.blobs.find(name);
     if (found == second->container.blobs.end())
       all << QStringLiteral("without %1").arg(QString::fromStdString(name));
@@ -86,7 +88,8 @@ QString difference(const std::string& before, const std::string& after) {
       all << QStringLiteral("another %1").arg(QString::fromStdString(name));
   }
   for (const auto& [name, bytes] : second->container.blobs)
-    if (!first->container.blobs.contains(name)) all << QStringLiteral("with %1").arg(QString::fromStdString(name));
+    if (name != kProofs && !first->container.blobs.contains(name))
+      all << QStringLiteral("with %1").arg(QString::fromStdString(name));
   return all.join(QStringLiteral(", "));
 }
 
@@ -392,9 +395,12 @@ void RandomUser::undoEverything(const std::function<void()>& alive) {
   for (const auto& open : m_tabs.all()) {
     m_tabs.setCurrent(open.get());
     open->document.history()->setIndex(m_opened.at(open.get()).index);
-    if (const std::string now = contentOf(*open); now != m_opened.at(open.get()).bytes)
-      m_problems << QStringLiteral("%1 is not what it was, after all was undone: %2")
-                        .arg(open->document.name(), difference(m_opened.at(open.get()).bytes, now));
+    const std::string now = contentOf(*open);
+    const QString changed =
+        now == m_opened.at(open.get()).bytes ? QString() : difference(m_opened.at(open.get()).bytes, now);
+    if (!changed.isEmpty())
+      m_problems
+          << QStringLiteral("%1 is not what it was, after all was undone: %2").arg(open->document.name(), changed);
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 // Returns how many.
 std::size_t removeNestedBodies(HalfEdgeMesh& mesh, Progress progress) {
-  const std::vector<std::vector<Face>> nested = findNestedBodies(mesh, kMostShellVisits, progress);
+  const std::vector<std::vector<Face>> nested = findNestedBodies(mesh, progress);
   for (const std::vector<Face>& body : nested)
     for (Face f : body) mesh.removeFace(f);
   return nested.size();
