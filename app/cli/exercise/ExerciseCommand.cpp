@@ -77,7 +77,11 @@ Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const
     if (!rounded) return rounded.error();
     changed->task = std::move(rounded->task);
   }
-  if (values.flag("mark-sizes")) *changed = withCriteria(*changed, unmarkedSizes(*changed));
+  if (values.flag("mark-sizes")) {
+    const std::vector<MarkingCriterion> sizes = unmarkedSizes(*changed);
+    if (sizes.empty()) complain("No mark was added: all sizes of the target are marked, or it has none.");
+    *changed = withCriteria(*changed, sizes);
+  }
   return std::shared_ptr<const ExerciseSnapshot>(std::move(changed));
 }
 

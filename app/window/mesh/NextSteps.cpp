@@ -250,7 +250,7 @@ NextStep nextStepFor(const MeshTab& document, const NextStepActions& actions) {
       holes ? defectIconName(DefectKind::Hole) : QStringLiteral("warning"),
       holes ? defectColour(DefectKind::Hole) : themeColours(currentTheme()).warning,
       headline(inspection),
-      joined({changes, holes ? openSheets(inspection) : QString(),
+      joined({changes, holes ? openSheets(inspection) : QString(), nestedBodies(document),
               otherFindings(inspection, changes.isEmpty() ? Compared::No : Compared::Yes), savedAs(document)}),
       {actions.repairAll}};
   if (holes) step.actions.push_back(actions.oneByOne);
