@@ -37,6 +37,9 @@ void GodObject::place(const Vec3& tip) {
 const Contact& GodObject::follow(const ContactSurface& surface, const Vec3& tip, const ContactOptions& options) {
   if (!tip.allFinite() || !((tip - m_proxy).squaredNorm() < 1e300)) return m_contact;
   const double skin = surface.skin();
+  // Where a sweep is cut into parts depends on what is cached, and rounds the last digit: from a free tip on, a contact
+  // is felt again to that digit whatever was before.
+  if (!m_contact.touching) m_faces.forget();
   // The proxy mostly goes as the tip does.
   if (m_faces.begin(surface, tip - m_tip)) {
     m_planes.keepBelow(skin);

@@ -28,8 +28,8 @@ struct Contact {
 // to the tip, on a path that crosses no triangle from either side. Contact planes stay active while the proxy stays
 // where it met them or directly above their triangles, and are released otherwise, so that it slides out of concave
 // corners. It has no radius; its distance from the surface is ContactSurface::skin(). The triangles and planes found
-// are reused in the next tick as long as the surface is the same. Servo thread: neither allocates nor locks; about a
-// microsecond.
+// are reused in the next tick as long as it touches the same surface. Servo thread: neither allocates nor locks; about
+// a microsecond.
 class GodObject {
  public:
   // Puts the proxy at the tip, as in free space.

@@ -47,6 +47,11 @@ bool NearbyTriangles::begin(const ContactSurface& surface, const Vec3& expected)
   return isSame;
 }
 
+void NearbyTriangles::forget() {
+  m_box.setEmpty();
+  m_usualReach = 0.0;
+}
+
 NearbyTriangles::Sweep NearbyTriangles::sweep(const Vec3& p, const Vec3& step) {
   Sweep best;
   m_reach = std::max(m_reach, kLeastReach * m_skin);

@@ -20,6 +20,9 @@ class NearbyTriangles {
   // cached is discarded. The surface must outlive the tick.
   bool begin(const ContactSurface& surface, const Vec3& expected);
 
+  // Discards what was cached, so that the next sweeps do not depend on the ticks before.
+  void forget();
+
   // Result of a sweep.
   struct Sweep {
     double fraction = 1.0;  // of the step moved: up to the skin above the hit, or to the end of the cached region

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <functional>
+#include <random>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -65,6 +66,31 @@ class GodObjectAccuracyTest : public QObject {
     };
     QVERIFY(errorOf(mesh, {60, 0, 0}, path,
                     [](const Vec3& tip) { return Vec3(tip * std::max(1.0, 38.0 / tip.norm())); }) < kBar);
+  }
+
+  // To the last digit: what the tip has felt before does not matter once it was free, as when a recording is felt
+  // again.
+  void whateverWasBefore() {
+    const TriangleSoup mesh = moved(icosphere(4), Vec3::Zero(), 38.0);
+    const ContactSurface surface(mesh.points, mesh.triangles);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    const auto direction = [&] { return Vec3(any(random), any(random), any(random)).normalized(); };
+    for (int k = 0; k < 300; ++k) {
+      const Vec3 start = 45.0 * direction(), end = 20.0 * direction();
+      GodObject fresh, used;
+      fresh.place(start);
+      Vec3 tip = 40.0 * start.normalized();
+      used.place(tip);
+      for (int i = 0; i < 30; ++i) used.follow(surface, tip -= 0.1 * direction() + 0.1 * tip.normalized(), {});
+      used.place(start);
+      used.follow(surface, start, {});
+      fresh.follow(surface, start, {});
+      for (int i = 1; i <= 5; ++i) {
+        const Vec3 at = start + 0.2 * i * (end - start);
+        QCOMPARE(Vec3(used.follow(surface, at, {}).proxy), Vec3(fresh.follow(surface, at, {}).proxy));
+      }
+    }
   }
 
   void torus() {
