@@ -71,6 +71,41 @@ BezierArc arcOf(const ProfileNet& net, std::size_t k) {
   return arc;
 }
 
+// ∫ r² dz over the arc by Gauss and Legendre's rule of eight points: Abramowitz and Stegun, table 25.4. Exact where all
+// weights are equal.
+double gauss(const BezierArc& arc) {
+  constexpr std::array<std::pair<double, double>, 4> kRule = {{{0.1834346424956498, 0.3626837833783620},
+                                                               {0.5255324099163290, 0.3137066458778873},
+                                                               {0.7966664774136267, 0.2223810344533745},
+                                                               {0.9602898564975363, 0.1012285362903763}}};
+  double sum = 0.0;
+  for (const auto& [place, weight] : kRule) {
+    for (const double side : {-1.0, 1.0}) {
+      const auto at = arc.derivatives(0.5 * (1.0 + side * place));
+      sum += 0.5 * weight * at[0].x() * at[0].x() * at[1].y();
+    }
+  }
+  return sum;
+}
+
+// Halving an arc this often makes all of its weights alike, whatever ProfileCurve::kLargestWeight allows.
+constexpr int kDeepestSweep = 50;
+
+// ∫ r² dz to an error of "error", mm³; "whole" is what gauss() finds. Halves the arc while its weights differ much,
+// because all of the curve may then lie between two points of the rule, and while the halves find something else.
+double sweep(const BezierArc& arc, double whole, double error, int depth) {
+  double least = arc.poles[0].z(), largest = least;
+  for (int i = 1; i <= arc.degree; ++i) {
+    least = std::min(least, arc.poles[i].z());
+    largest = std::max(largest, arc.poles[i].z());
+  }
+  if (least == largest || depth == 0) return whole;
+  const auto [left, right] = arc.halves();
+  const double first = gauss(left), second = gauss(right);
+  if (largest <= 2.0 * least && std::abs(first + second - whole) <= error) return first + second;
+  return sweep(left, first, error, depth - 1) + sweep(right, second, error, depth - 1);
+}
+
 }  // namespace
 
 Result<ProfileCurve> ProfileCurve::make(ProfileNet net) {
@@ -107,19 +142,16 @@ Result<ProfileCurve> ProfileCurve::polyline(std::vector<ProfilePoint> points) {
 }
 
 double ProfileCurve::volume() const {
-  // Gauss and Legendre's rule on 0…1: Abramowitz and Stegun, table 25.4.
-  constexpr std::array<std::pair<double, double>, 4> kRule = {{{0.1834346424956498, 0.3626837833783620},
-                                                               {0.5255324099163290, 0.3137066458778873},
-                                                               {0.7966664774136267, 0.2223810344533745},
-                                                               {0.9602898564975363, 0.1012285362903763}}};
   double sum = 0.0;
   for (const BezierArc& arc : m_arcs) {
-    for (const auto& [place, weight] : kRule) {
-      for (const double side : {-1.0, 1.0}) {
-        const auto at = arc.derivatives(0.5 * (1.0 + side * place));
-        sum += 0.5 * weight * at[0].x() * at[0].x() * at[1].y();
-      }
+    double radius = 0.0, low = arc.origin.y(), high = low;
+    for (int i = 0; i <= arc.degree; ++i) {
+      const ProfilePoint pole = arc.origin + arc.poles[i].head<2>() / arc.poles[i].z();
+      radius = std::max(radius, pole.x());
+      low = std::min(low, pole.y());
+      high = std::max(high, pole.y());
     }
+    sum += sweep(arc, gauss(arc), tolerance::kQuadrature * radius * radius * (high - low), kDeepestSweep);
   }
   return M_PI * sum;
 }

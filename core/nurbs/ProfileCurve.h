@@ -43,8 +43,8 @@ class ProfileCurve {
   bool isClosed() const { return m_net.poles.front() == m_net.poles.back() && m_net.poles.front().x() > 0.0; }
 
   // The volume (mm³) between the curve, the flat ends through its first and last point, and the axis; within a closed
-  // curve. By quadrature of eight points in each arc: exact for straight lines, to 1e-9 for circular arcs of up to a
-  // quarter. O(poles).
+  // curve. By adaptive quadrature: exact where an arc's weights are equal, else to tolerance::kQuadrature of the
+  // cylinder around the arc, whatever its weights. O(poles).
   double volume() const;
 
   // The smooth pieces in order, one for each pair of different neighbours among the knots.

@@ -20,6 +20,7 @@ class ProfileCurveTest : public QObject {
   void polylineRunsAlongItsPoints();
   void halfCircleIsExact();
   void keepsItsShapeFarFromTheOrigin();
+  void volumeWithAnyWeights();
   void directionAtDoublePoles();
   void directionOfAPointIsZero();
   void refusesNetsThatAreNone_data();
@@ -107,6 +108,29 @@ void ProfileCurveTest::keepsItsShapeFarFromTheOrigin() {
     // Poles are rounded to 2e-9 there, and a derivative multiplies that by degree · weights / span.
     RC_ASSERT((far.derivative(u) - near.derivative(u)).norm() < 1e-3);
   }));
+}
+
+// Weights multiplied by the powers of a number give the same curve with other parameters: between 0.001 and 1000 most
+// of it lies within a thousandth of the range.
+void ProfileCurveTest::volumeWithAnyWeights() {
+  const double w = std::sqrt(0.5);
+  QVERIFY(rc::check("a quarter of a circle, and a cone of each degree", [w] {
+    const double c = std::pow(10.0, test::between(-3.0, 3.0));
+    const ProfileNet quarter{2, {0, 0, 0, 1, 1, 1}, {{0, 0}, {5, 0}, {5, 5}}, {1, w * c, c * c}};
+    RC_ASSERT(std::abs(profileCurveCurve(quarter).volume() / (2.0 / 3.0 * M_PI * 125.0) - 1.0) < 1e-10);
+    const double h = test::between(0.001, 1000.0), cone = M_PI * h * (1.0 + 2.0 + 4.0) / 3.0;
+    const ProfileNet line{1, {0, 0, 1, 1}, {{1, 0}, {2, h}}, {1, c}};
+    RC_ASSERT(std::abs(profileCurveCurve(line).volume() / cone - 1.0) < 1e-10);
+    const ProfileNet cubic{3,
+                           {0, 0, 0, 0, 1, 1, 1, 1},
+                           {{1, 0}, {4.0 / 3.0, h / 3}, {5.0 / 3.0, 2 * h / 3}, {2, h}},
+                           {c, 1.0 / c, c, 1.0 / c}};
+    RC_ASSERT(std::abs(profileCurveCurve(cubic).volume() / cone - 1.0) < 1e-10);
+  }));
+  for (const double most : {1e6, 1e-6}) {
+    const ProfileNet line{1, {0, 0, 1, 1}, {{1, 0}, {2, 3}}, {1.0 / most, most}};
+    QVERIFY(std::abs(profileCurveCurve(line).volume() / (7.0 * M_PI) - 1.0) < 1e-10);
+  }
 }
 
 void ProfileCurveTest::directionAtDoublePoles() {
