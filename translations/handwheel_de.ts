@@ -4620,6 +4620,10 @@
         <source>%1: some sheets stay open</source>
         <translation>%1: Einige Flächen bleiben offen</translation>
     </message>
+    <message>
+        <source>%1: check what was removed</source>
+        <translation>%1: prüfen, was entfernt wurde</translation>
+    </message>
 </context>
 <context>
     <name>Navigation</name>
@@ -8117,6 +8121,10 @@
     <message>
         <source>bodies that intersect united</source>
         <translation>Körper, die sich durchdringen, vereinigt</translation>
+    </message>
+    <message>
+        <source>A part of the surface that stood out by %1 was removed, at X %2, Y %3, Z %4.</source>
+        <translation>Ein Teil der Oberfläche, der %1 herausstand, wurde entfernt, bei X %2, Y %3, Z %4.</translation>
     </message>
 </context>
 <context>
@@ -14484,10 +14492,6 @@
         <translation>Alle Stücke entfernen, die als Bruchstücke gelistet sind; die Liste sagt, welche das sind</translation>
     </message>
     <message>
-        <source>Undo all that “Repair all” has changed</source>
-        <translation>Alles rückgängig machen, was „Alles reparieren“ geändert hat</translation>
-    </message>
-    <message>
         <source>Repair by &amp;volume…</source>
         <translation>Vol&amp;umetrisch reparieren…</translation>
     </message>
@@ -14498,6 +14502,10 @@
     <message>
         <source>Fill all holes except those kept open, resolve self-intersections, and repair the other defects except debris, as one step</source>
         <translation>Alle Löcher außer den offen gelassenen füllen, Selbstdurchdringungen auflösen und die anderen Fehler außer Bruchstücken beheben, in einem Schritt</translation>
+    </message>
+    <message>
+        <source>Undo all that the last repair has changed</source>
+        <translation>Alles rückgängig machen, was die letzte Reparatur geändert hat</translation>
     </message>
 </context>
 <context>

@@ -4619,6 +4619,10 @@
         <source>%1: some sheets stay open</source>
         <translation>%1：部分片体保持开放</translation>
     </message>
+    <message>
+        <source>%1: check what was removed</source>
+        <translation>%1：请检查被移除的部分</translation>
+    </message>
 </context>
 <context>
     <name>Navigation</name>
@@ -8066,6 +8070,10 @@
     <message>
         <source>bodies that intersect united</source>
         <translation>已合并相交的实体</translation>
+    </message>
+    <message>
+        <source>A part of the surface that stood out by %1 was removed, at X %2, Y %3, Z %4.</source>
+        <translation>已移除表面上突出 %1 的部分，位于 X %2、Y %3、Z %4。</translation>
     </message>
 </context>
 <context>
@@ -14387,10 +14395,6 @@
         <translation>移除所有列为碎片的部分；列表中说明了是哪些</translation>
     </message>
     <message>
-        <source>Undo all that “Repair all” has changed</source>
-        <translation>撤销“全部修复”所做的所有更改</translation>
-    </message>
-    <message>
         <source>Repair by &amp;volume…</source>
         <translation>体素修复(&amp;V)…</translation>
     </message>
@@ -14401,6 +14405,10 @@
     <message>
         <source>Fill all holes except those kept open, resolve self-intersections, and repair the other defects except debris, as one step</source>
         <translation>一步填补所有未保持开放的孔洞，消除自相交，并修复除碎片外的其他缺陷</translation>
+    </message>
+    <message>
+        <source>Undo all that the last repair has changed</source>
+        <translation>撤销上次修复所做的全部更改</translation>
     </message>
 </context>
 <context>

@@ -74,15 +74,16 @@ std::string reasonSentence(FillFailure failure) {
   return (reason.left(1).toUpper() + reason.mid(1) + '.').toStdString();
 }
 
-std::vector<std::string> patchWarnings(const RepairReport& repair) {
+std::vector<std::string> repairWarnings(const RepairReport& repair) {
   constexpr std::size_t kMostLines = 10;
   std::vector<std::string> lines;
+  if (repair.removed) lines.push_back(removalWarning(*repair.removed, LengthUnit::Millimetre).toStdString());
   std::size_t more = 0;
   const std::vector<std::string> names = namesOf(repair.loops);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const LoopResult& loop = repair.loops[i];
     const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
-    if (!warning.isEmpty() && lines.size() == kMostLines)
+    if (!warning.isEmpty() && lines.size() >= kMostLines)
       ++more;
     else if (!warning.isEmpty())
       lines.push_back(names[i] + " (" + idOf(loop) + counted(loop.edges, "edge", "edges") +

@@ -18,8 +18,9 @@ std::string wordFor(LoopOutcome outcome);
 // "3 of 4 holes filled, 1 kept open", or that there are none.
 std::string outcomesText(const LoopCounts& loops);
 
-// A line for each patch that is unlike its surroundings, and of more than ten the number.
-std::vector<std::string> patchWarnings(const RepairReport& repair);
+// What a person should look at: what was removed, and each patch that is unlike its surroundings; of more than ten
+// lines the number.
+std::vector<std::string> repairWarnings(const RepairReport& repair);
 // Why a loop was not filled, as a sentence.
 std::string reasonSentence(FillFailure failure);
 

@@ -97,6 +97,8 @@ inline constexpr std::size_t kPassBudget = 40;
 inline constexpr double kFoldedRegionMove = 0.01;
 // The same limit for a body that is removed as a whole.
 inline constexpr double kFoldedRegionBodyMove = 1e-3;
+// What a repair removed is reported where it stood out by more than this share of the diagonal.
+inline constexpr double kRemovedPart = 0.01;
 // A non-orientable surface is made orientable by cuts no longer than this share of the diagonal. Longer ones change the
 // shape: on demand.
 inline constexpr double kOneSidedCut = 0.01;

@@ -82,6 +82,7 @@ class RepairTest : public QObject {
                                             "cut_faces",
                                             "inner_faces",
                                             "replaced_faces",
+                                            "removed_part",
                                             "lost_loops",
                                             "one_sided_cuts",
                                             "parted_vertices",

@@ -113,6 +113,12 @@ QString patchWarning(const PatchComparison& shape) {
   return {};
 }
 
+QString removalWarning(const RemovedPart& removed, LengthUnit unit) {
+  const auto at = [&](int axis) { return lengthText(removed.place[axis], unit); };
+  return RepairWords::tr("A part of the surface that stood out by %1 was removed, at X %2, Y %3, Z %4.")
+      .arg(lengthText(removed.distance, unit), at(0), at(1), at(2));
+}
+
 QString fillFailureReason(FillFailure failure) {
   switch (failure) {
     case FillFailure::None:

@@ -51,7 +51,7 @@ Delivery deliveryOf(const RepairRun& run, const RepairRequest& request, const Ar
   if (!asJson) {
     for (std::string& sentence : leftovers(run.repair, request.options, run.before, run.after))
       delivery.complaints.push_back(std::move(sentence));
-    for (std::string& sentence : patchWarnings(run.repair)) delivery.complaints.push_back(std::move(sentence));
+    for (std::string& sentence : repairWarnings(run.repair)) delivery.complaints.push_back(std::move(sentence));
   }
   delivery.text = asJson ? outcomeLine(run, request) : summary(run, request);
   return delivery;

@@ -41,6 +41,11 @@ Json toJson(const SheetThickness& thickness) {
           {"thin_vertices", thickness.thinVertices}};
 }
 
+Json toJson(const std::optional<RemovedPart>& removed) {
+  if (!removed) return nullptr;
+  return {{"distance_mm", removed->distance}, {"at", {removed->place.x(), removed->place.y(), removed->place.z()}}};
+}
+
 Json toJson(const LoopResult& loop) {
   const bool filled = loop.outcome == LoopOutcome::Filled;
   return {
@@ -116,6 +121,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"cut_faces", run.repair.cutFaces},
       {"inner_faces", run.repair.innerFaces},
       {"replaced_faces", run.repair.replacedFaces},
+      {"removed_part", toJson(run.repair.removed)},
       {"lost_loops", run.repair.lostLoops},
       {"one_sided_cuts", run.repair.nonOrientableCuts},
       {"parted_vertices", run.repair.separatedVertices},

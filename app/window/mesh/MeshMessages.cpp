@@ -45,6 +45,17 @@ Message changeMessage(const MeshDocument& document, const QString& text, const Q
           .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
 }
 
+Message partRemovedMessage(const MeshDocument& document, const QString& what, const QString& warning,
+                           std::function<void()> undo) {
+  return {.weight = Message::Weight::Warning,
+          .title = MeshMessagesWords::tr("%1: check what was removed").arg(what),
+          .detail = warning,
+          .actionText = RepairJobs::tr("Undo"),
+          .action = std::move(undo),
+          .about = &document,
+          .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
+}
+
 Message piecesDeletedMessage(const MeshDocument& document, std::size_t pieces, std::size_t faces,
                              std::function<void()> undo) {
   return {.weight = Message::Weight::Info,

@@ -21,6 +21,9 @@ Message nothingChangedMessage(const MeshDocument& document, const QString& what,
 Message partlyChangedMessage(const MeshDocument& document, const QString& what, const QString& how);
 // What a change did, until the next one. how: a list of phrases.
 Message changeMessage(const MeshDocument& document, const QString& text, const QString& how);
+// A change took something away from the outside. warning: removalWarning().
+Message partRemovedMessage(const MeshDocument& document, const QString& what, const QString& warning,
+                           std::function<void()> undo);
 // A deletion left nothing of some connected pieces.
 Message piecesDeletedMessage(const MeshDocument& document, std::size_t pieces, std::size_t faces,
                              std::function<void()> undo);

@@ -27,7 +27,7 @@ struct MeshTab : DocumentTab {
   std::shared_ptr<MeshDeviation> deviation;       // the comparison that is shown; null for none
   Vertex selected = kNone;                        // Inspection::keyOf() of the selected loop
   std::optional<std::uint64_t> repairedRevision;  // of the document, after "Repair all" ran last
-  bool hasRepairChanged = false;                  // it, then
+  std::optional<std::uint64_t> fixedRevision;     // after "Repair all" or the fix of a defect that changed it last
 
   std::size_t faceSlots = document.mesh().faceSlots();  // at the last change
   FaceSelection newest;                                 // the faces added by the last change, usually those of a patch
@@ -46,8 +46,8 @@ struct MeshTab : DocumentTab {
     newest.dropDead(document.mesh());
     if (!added.empty()) newest = added;
   }
-  // Whether "Repair all" was what happened last, and changed something.
-  bool isJustRepaired() const { return hasRepairChanged && repairedRevision == document.revision(); }
+  // Whether "Repair all" or the fix of a defect was what happened last, and changed something.
+  bool isJustRepaired() const { return fixedRevision == document.revision(); }
   // Whether the mesh equals that of the file, which was read without loss. The loops marked to be kept open may differ.
   bool isAsInFile() const { return inFile && document.file().damage.empty() && changes == changesInFile; }
 };

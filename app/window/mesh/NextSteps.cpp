@@ -170,9 +170,10 @@ void addFurther(NextStep& step, const MeshTab& document, const NextStepActions& 
 }
 
 // The card must not cover the part: of many warnings it has the first ones.
-QStringList shownPatchWarnings(const Inspection& inspection) {
+QStringList shownWarnings(const Inspection& inspection) {
   constexpr int kMostShown = 2;
   QStringList warnings = inspection.patchWarnings();
+  if (!inspection.removalWarning().isEmpty()) warnings.prepend(inspection.removalWarning());
   const auto more = static_cast<int>(warnings.size()) - kMostShown;
   if (more < 2) return warnings;
   warnings = warnings.mid(0, kMostShown);
@@ -196,7 +197,7 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
     step.colour = colours.warning;
     if (state.closed) step.title = NextStepsWords::tr("Closed, but self-intersecting.");
   }
-  QStringList details = shownPatchWarnings(inspection);
+  QStringList details = shownWarnings(inspection);
   const auto turned = static_cast<int>(document.document.reversedFaces().size());
   if (isWorthSaving(document)) {
     details << comparison(inspection) << otherFindings(inspection, Compared::Yes);
@@ -225,8 +226,8 @@ NextStep leftStep(const MeshTab& document, const NextStepActions& actions) {
                 failed > 0  ? NextStepsWords::tr("%Ln hole(s) could not be filled.", nullptr, holes)
                 : holes > 0 ? NextStepsWords::tr("%Ln hole(s) left.", nullptr, holes)
                             : NextStepsWords::tr("Some defects remain."),
-                joined({shownPatchWarnings(inspection).join(QLatin1Char(' ')), comparison(inspection),
-                        reasons(inspection), formerSheets(inspection), failedFixes(inspection), openSheets(inspection),
+                joined({shownWarnings(inspection).join(QLatin1Char(' ')), comparison(inspection), reasons(inspection),
+                        formerSheets(inspection), failedFixes(inspection), openSheets(inspection),
                         nestedBodies(document), otherFindings(inspection, Compared::Yes), savedAs(document)}),
                 {}};
   if (holes > 0 && failed == 0) left.actions.push_back(actions.repairAll);

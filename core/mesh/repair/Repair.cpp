@@ -297,7 +297,8 @@ class Repairer {
     const bool isSpent = m_efforts.hard.isSpent() || m_efforts.tangle.isSpent();
     m_reasons.conclude(m_results, m_mesh, isSpent, m_report, progress.part(0.0, 0.1));
     m_report.reversedFaces += countReversedFaces(m_input, m_mesh, progress.part(0.1, 0.4));
-    m_report.modifiedVertices = modifiedVertices(m_input, m_mesh, std::move(m_modifiedHomes), progress.part(0.4, 1.0));
+    m_report.modifiedVertices = modifiedVertices(m_input, m_mesh, std::move(m_modifiedHomes), progress.part(0.4, 0.7));
+    m_report.removed = removedPart(m_input, m_mesh, progress.part(0.7, 1.0));
   }
 
   const HalfEdgeMesh m_input;

@@ -4,8 +4,10 @@
 
 #include "mesh/holes/HoleFiller.h"
 #include "mesh/holes/PatchStatistics.h"
+#include "mesh/repair/RemovedPart.h"
 #include "mesh/repair/SheetThickening.h"
 
+#include <optional>
 #include <set>
 
 namespace handwheel {
@@ -76,6 +78,7 @@ struct RepairReport {
   std::size_t separatedVertices = 0;             // moved, or inserted in the middle of an edge, against wrong welding
   SheetOutcomes sheets;                          // that were to be thickened
   std::vector<Vertex> modifiedVertices;          // of the input: moved, merged or separated
+  std::optional<RemovedPart> removed;            // from the outside of the input (removedPart())
   bool isSeparationIncomplete = false;           // by the effort: more vertices may coincide than must
   bool isIntersectionRemovalIncomplete = false;  // by the effort: more may intersect than must
   std::size_t effort = 0;                        // steps of Effort; at most twice repairBudget() of the input's faces

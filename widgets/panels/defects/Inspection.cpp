@@ -36,6 +36,7 @@ void Inspection::documentChanged() {
   m_loopOutcomes = {};
   m_doneBesides.clear();
   m_patchWarnings.clear();
+  m_removalWarning.clear();
   m_reasons = {};
   m_hopeless.clear();
   nameLoops();
@@ -141,6 +142,11 @@ void Inspection::setHopeless(DefectKind kind) {
 
 void Inspection::setPatchWarnings(QStringList warnings) {
   m_patchWarnings = std::move(warnings);
+  emit changed();
+}
+
+void Inspection::setRemovalWarning(QString warning) {
+  m_removalWarning = std::move(warning);
   emit changed();
 }
 

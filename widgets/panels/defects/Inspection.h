@@ -71,6 +71,10 @@ class Inspection : public QObject {
   // Sentences about patches of the last repair that a person should look at. Kept until the mesh changes.
   const QStringList& patchWarnings() const { return m_patchWarnings; }
   void setPatchWarnings(QStringList warnings);
+  // The sentence about what the last repair took away from the outside; empty where nothing. Kept until the mesh
+  // changes.
+  const QString& removalWarning() const { return m_removalWarning; }
+  void setRemovalWarning(QString warning);
   // None where nothing is known to compare with, or the number is the same.
   std::optional<std::size_t> countBefore(DefectKind kind) const;
   // The state of the present mesh, with its self-intersections once they are computed.
@@ -134,6 +138,7 @@ class Inspection : public QObject {
   LoopCounts m_loopOutcomes;
   QStringList m_doneBesides;
   QStringList m_patchWarnings;
+  QString m_removalWarning;
   DefectReasons m_reasons;
   std::set<DefectKind> m_hopeless;
 };

@@ -49,7 +49,7 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
              "debris, as one step"));
   prepare(m_removeDebris, "removeDebris", "debris", {},
           tr("Remove all pieces that are listed as debris; the list says which these are"));
-  prepare(m_undoRepair, "undoRepair", "undo", {}, tr("Undo all that “Repair all” has changed"));
+  prepare(m_undoRepair, "undoRepair", "undo", {}, tr("Undo all that the last repair has changed"));
   prepare(m_oneByOne, "goOneByOne", "next", {}, tr("Look at one hole after the other"));
   prepare(m_byVolume, "repairByVolume", "kind-volume", {},
           tr("Choose the size of the voxels, and replace everything by the surface of the volume that is enclosed"));

@@ -143,7 +143,7 @@ void RepairJobs::startChange(Request request, Round round) {
     if (progress.cancelled()) return {};
     const InspectedMesh after = inspected(std::move(result), nearWeld, progress.part(0.5, 1.0));
     if (progress.cancelled()) return {};
-    if (request.wanted.isFix) effects.cutOff = cutOffCorners(oldDebris, after);
+    if (request.wanted.isFix) effects.cutOff = cutOffCorners(mesh, oldDebris, after);
     return [this, request, round, text, effects, after] {
       if (!m_tabs.contains(request.document)) return changeEnded();
       if (!isStale(request.document, request.revision)) {
@@ -175,15 +175,22 @@ void RepairJobs::changed(const Request& request, const QString& text, const Insp
   if (document->document.commit(text, after, wanted.step)) {
     if (crossings && known && known->size() < kMaxTrianglePairs)
       inspection.setSelfIntersections(document->document.revision(), intersectionsAfter(*crossings, *known));
-    if (wanted.isFix) inspection.setBefore(before, effects.loops);
-    noteReasons(inspection, wanted, request.of, document->document.revision() == request.revision);
-    logChange(*document, wanted, text, command);
-    if (effects.piecesGone > 0) {  // one triangle was meant, perhaps, and all that hangs together with it was selected
-      const auto undo = [this, document] {
-        if (m_tabs.contains(document)) document->document.history()->undo();
-      };
-      emit message(piecesDeletedMessage(document->document, effects.piecesGone, effects.facesGone, undo));
+    if (wanted.isFix) {
+      document->fixedRevision = document->document.revision();
+      inspection.setBefore(before, effects.loops);
     }
+    noteReasons(inspection, wanted, request.of, document->document.revision() == request.revision);
+    const auto undo = [this, document] {
+      if (m_tabs.contains(document)) document->document.history()->undo();
+    };
+    logChange(*document, wanted, text, command);
+    if (effects.removed) {
+      const QString warning = removalWarning(*effects.removed, document->document.displayUnit());
+      m_log.add(warning, {}, LogEntry::Weight::Warning);
+      emit message(partRemovedMessage(document->document, text, warning, undo));
+    }
+    if (effects.piecesGone > 0)  // one triangle was meant, perhaps, and all that hangs together with it was selected
+      emit message(piecesDeletedMessage(document->document, effects.piecesGone, effects.facesGone, undo));
     if (!crossings || !wanted.crossed) return;
     if (crossings->fresh > 0) reportCrossings(*document, *crossings);
     wanted.crossed(crossings->fresh);
@@ -261,18 +268,20 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
   if (isChanged && done.pairs) inspection.setSelfIntersections(document->document.revision(), *done.pairs);
   document->repairedRevision = document->document.revision();
-  document->hasRepairChanged = isChanged;
+  if (isChanged) document->fixedRevision = document->document.revision();
   inspection.setFailures(failuresOf(done.report));
   // A repair that changes nothing has no summary: what is known from before is of another change.
   if (isChanged)
     inspection.setBefore(before, countOutcomes(done.report),
-                         repairSummary(done.report, document->document.displayUnit()));
+                         doneBesides(done.report, before, inspection.counts(), document->document.displayUnit()));
   else
     inspection.setBefore({});
   inspection.setReasons(reasonsOf(done.left, done.report, done.options));
   if (!done.report.isIntersectionRemovalIncomplete) inspection.setHopeless(DefectKind::SelfIntersection);
   logRepair(m_log, *document, done.report, names, command);
   if (isChanged) inspection.setPatchWarnings(patchWarningsOf(done.report, names));
+  if (isChanged && done.report.removed)
+    inspection.setRemovalWarning(removalWarning(*done.report.removed, document->document.displayUnit()));
   if (!isChanged)
     emit changedNothing(document, tr("Repair all"),
                         tr("Nothing more could be repaired without damage. The list of defects gives the reasons that "

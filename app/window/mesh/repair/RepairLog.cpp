@@ -48,6 +48,17 @@ QStringList patchWarningsOf(const RepairReport& report, const std::map<int, QStr
   return warnings;
 }
 
+QStringList doneBesides(RepairReport report, const std::map<DefectKind, std::size_t>& before,
+                        const std::map<DefectKind, std::size_t>& after, LengthUnit unit) {
+  const auto leaveOut = [&](DefectKind kind, std::size_t& removed) {
+    const auto were = before.find(kind), are = after.find(kind);
+    if (were != before.end() && are != after.end() && were->second == are->second + removed) removed = 0;
+  };
+  leaveOut(DefectKind::Degenerate, report.removedDegenerate);
+  leaveOut(DefectKind::Duplicate, report.removedDuplicates);
+  return repairSummary(report, unit);
+}
+
 void logRepair(LogModel& log, const MeshTab& document, const RepairReport& report, const std::map<int, QString>& names,
                const QString& command) {
   const QStringList summary = defectSummary(document.inspection);
@@ -55,6 +66,8 @@ void logRepair(LogModel& log, const MeshTab& document, const RepairReport& repor
   log.add(summary.isEmpty() ? RepairJobs::tr("Repaired %1: nothing was changed").arg(part)
                             : RepairJobs::tr("Repaired %1: %2").arg(part, summary.join(QStringLiteral(", "))),
           command);
+  if (report.removed)
+    log.add(removalWarning(*report.removed, document.document.displayUnit()), {}, LogEntry::Weight::Warning);
   for (const QString& warning : patchWarningsOf(report, names)) log.add(warning, {}, LogEntry::Weight::Warning);
   for (const LoopResult& loop : report.loops) {
     const QString name = loop.id >= 0 ? names.at(loop.id) : RepairJobs::tr("A hole opened by the repair");

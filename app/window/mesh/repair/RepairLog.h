@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Units.h"
 #include "mesh/repair/Repair.h"
+#include "panels/defects/Inspection.h"
 
 #include <QString>
 #include <map>
@@ -26,6 +28,10 @@ ChangeSummary changeSummaryOf(const MeshTab& document, const MeshChange& done, c
 
 // A sentence for each patch of a repair that is unlike its surroundings. names: of the loops that there were, by id.
 QStringList patchWarningsOf(const RepairReport& report, const std::map<int, QString>& names);
+
+// What a repair did that the counts of defects before and after it do not tell, a phrase each.
+QStringList doneBesides(RepairReport report, const std::map<DefectKind, std::size_t>& before,
+                        const std::map<DefectKind, std::size_t>& after, LengthUnit unit);
 
 // Adds what a repair has done, and a warning for each loop that needs one. names: of the loops that there were, by id.
 void logRepair(LogModel& log, const MeshTab& document, const RepairReport& report, const std::map<int, QString>& names,

@@ -23,11 +23,19 @@ std::size_t countGone(const HalfEdgeMesh& before, const HalfEdgeMesh& after, Pro
 
 }  // namespace
 
-std::set<PointKey> cutOffCorners(const FaceSelection& oldDebris, const InspectedMesh& after) {
+std::set<PointKey> cutOffCorners(const HalfEdgeMesh& before, const FaceSelection& oldDebris,
+                                 const InspectedMesh& after) {
   const auto wasDebris = [&](Face f) { return oldDebris.contains(f); };
+  const auto isOld = [&](Vertex v) { return v < before.vertexSlots() && before.position(v) == after.mesh.position(v); };
+  const auto hasOld = [&](Face f) {
+    const Triangle t = after.mesh.triangle(f);
+    return std::any_of(t.begin(), t.end(), isOld);
+  };
   std::set<PointKey> corners;
   for (const Component& piece : after.defects->components) {
-    if (!piece.debris || std::any_of(piece.faces.begin(), piece.faces.end(), wasDebris)) continue;
+    if (!piece.debris || std::any_of(piece.faces.begin(), piece.faces.end(), wasDebris) ||
+        std::none_of(piece.faces.begin(), piece.faces.end(), hasOld))
+      continue;
     for (const Face f : piece.faces)
       for (const Vec3& p : after.mesh.points(f)) corners.insert(positionKey(p));
   }
@@ -40,7 +48,10 @@ ChangeEffects effectsOf(const MeshChange& change, const HalfEdgeMesh& before, co
   // The list of defects need not wait until the whole surface has been searched again.
   if (change.crossed || (change.isFix && areCrossingsKnown))
     effects.crossings = intersectionsChange(before, after, progress.part(0.0, 0.5));
-  if (change.isFix) effects.loops = countClosed(before, after, progress.part(0.5, 0.8));
+  if (change.isFix) {
+    effects.loops = countClosed(before, after, progress.part(0.5, 0.65));
+    effects.removed = removedPart(before, after, progress.part(0.65, 0.8));
+  }
   if (change.isDeletion) effects.piecesGone = countGone(before, after, progress.part(0.8, 1.0));
   effects.facesGone = before.liveFaceCount() - std::min(before.liveFaceCount(), after.liveFaceCount());
   return effects;

@@ -26,9 +26,12 @@ void ChangeEffectsTest::onlyNewDebrisWasCutOff() {
   test::append(soup, test::moved(flake, {1, 0, 0}));
   const InspectedMesh after = inspected(buildMesh(soup).mesh);
   const TrianglePoints cut = after.mesh.points(old + 1);
-  QCOMPARE(cutOffCorners(FaceSelection{old}, after),
+  QCOMPARE(cutOffCorners(after.mesh, FaceSelection{old}, after),
            (std::set<PointKey>{positionKey(cut[0]), positionKey(cut[1]), positionKey(cut[2])}));
-  QVERIFY(cutOffCorners(FaceSelection{old, old + 1}, after).empty());
+  QVERIFY(cutOffCorners(after.mesh, FaceSelection{old, old + 1}, after).empty());
+  // Of a surface that was made anew, as from voxels, nothing was cut off.
+  const InspectedMesh other = inspected(buildMesh(test::moved(soup, {0, 0, 1})).mesh);
+  QVERIFY(cutOffCorners(other.mesh, FaceSelection{}, after).empty());
 }
 
 HANDWHEEL_TEST(ChangeEffectsTest)
