@@ -18,7 +18,7 @@ struct RemovedPart {
 // What a change took away from the outside: of the vertices of "before" that "after" does not have, the one farthest
 // outside of its surface. Vertices inside, as those of walls that a union removes, and debris of "before" do not count;
 // the sign is that of SurfaceDistance. None below tolerance::kRemovedPart, where "after" has no surface, or if
-// cancelled. O(n), and where vertices are gone O(n log n).
+// cancelled. O(n), and O(n log n) where a vertex is gone with all around it.
 std::optional<RemovedPart> removedPart(const HalfEdgeMesh& before, const HalfEdgeMesh& after, Progress progress = {});
 
 }  // namespace handwheel
