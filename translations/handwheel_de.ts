@@ -7571,6 +7571,10 @@
         <source>Drag of a chip 1 mm wide (N·s/mm)</source>
         <translation>Widerstand eines 1 mm breiten Spans (N·s/mm)</translation>
     </message>
+    <message>
+        <source>Surface area (mm²)</source>
+        <translation>Oberfläche (mm²)</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>

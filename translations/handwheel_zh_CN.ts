@@ -7559,6 +7559,10 @@
         <source>Drag of a chip 1 mm wide (N·s/mm)</source>
         <translation>1 mm 宽切屑的阻力 (N·s/mm)</translation>
     </message>
+    <message>
+        <source>Surface area (mm²)</source>
+        <translation>表面积 (mm²)</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>

@@ -21,7 +21,8 @@ bool sameLoop(const BoundaryLoop& a, const BoundaryLoop& b) {
 }
 
 bool sameComponent(const Component& a, const Component& b) {
-  return a.faceCount == b.faceCount && a.area == b.area && a.debris == b.debris && a.faces == b.faces;
+  return a.faceCount == b.faceCount && a.area == b.area && a.volume == b.volume && a.debris == b.debris &&
+         a.faces == b.faces;
 }
 
 template <class T>

@@ -70,7 +70,12 @@ std::vector<Property> MeshDocument::properties() const {
     all.push_back(std::move(property));
   };
   std::size_t faces = 0;
-  for (const Component& part : m_defects->components) faces += part.faceCount;
+  double area = 0.0, volume = 0.0;
+  for (const Component& part : m_defects->components) {
+    faces += part.faceCount;
+    area += part.area;
+    volume += part.volume;
+  }
   add("triangles", QT_TRANSLATE_NOOP("Property", "Triangles"), static_cast<double>(faces), Quantity::Number);
   add("parts", QT_TRANSLATE_NOOP("Property", "Parts"), static_cast<double>(m_defects->components.size()),
       Quantity::Number);
@@ -78,6 +83,9 @@ std::vector<Property> MeshDocument::properties() const {
   add("size_x", QT_TRANSLATE_NOOP("Property", "Size in X"), size.x(), Quantity::Length);
   add("size_y", QT_TRANSLATE_NOOP("Property", "Size in Y"), size.y(), Quantity::Length);
   add("size_z", QT_TRANSLATE_NOOP("Property", "Size in Z"), size.z(), Quantity::Length);
+  add("area", QT_TRANSLATE_NOOP("Property", "Surface area (mm²)"), area, Quantity::Number);
+  if (const MeshState state = m_defects->state({}); state.closed && state.oriented)
+    add("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), volume, Quantity::Number);
   for (Property& common : Document::properties()) all.push_back(std::move(common));
   return all;
 }

@@ -54,13 +54,16 @@ std::vector<Component> components(const HalfEdgeMesh& mesh, const PositionTriang
   const FaceComponents parts(mesh, byPosition, progress.part(0.0, 0.5));
   if (progress.cancelled()) return {};
   std::vector<Component> found(parts.count());
+  std::vector<Vec3> origins(parts.count());
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!pollProgress(f, mesh.faceSlots(), progress.part(0.5, 1.0))) return {};
     if (!mesh.isLive(f)) continue;
     const TrianglePoints p = mesh.points(f);
     Component& c = found[parts.of(f)];
-    ++c.faceCount;
-    c.area += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+    if (c.faceCount++ == 0) origins[parts.of(f)] = p[0];  // nearby, for the digits of a part far from the origin
+    const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+    c.area += 0.5 * normal.norm();
+    c.volume += (p[0] - origins[parts.of(f)]).dot(normal) / 6.0;
   }
   if (found.empty()) return found;
   const Component largest = *std::max_element(found.begin(), found.end(),

@@ -20,6 +20,7 @@ namespace handwheel {
 struct Component {
   std::size_t faceCount = 0;
   double area = 0.0;        // mm²
+  double volume = 0.0;      // mm³, negative where inside out; means nothing while the component is open
   bool debris = false;      // far smaller than the largest: a stray flake of the scan
   std::vector<Face> faces;  // of debris only
 };

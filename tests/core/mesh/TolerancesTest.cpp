@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "OneSidedShapes.h"
 #include "TestClass.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/boundary/BoundaryVertices.h"
@@ -12,10 +13,12 @@
 #include "mesh/holes/HoleContext.h"
 #include "mesh/holes/HoleFiller.h"
 #include "mesh/repair/Cleaning.h"
+#include "mesh/repair/Repair.h"
 #include "mesh/repair/SheetThickening.h"
 #include "mesh/repair/intersections/Autorefinement.h"
 #include "mesh/search/SmoothNormal.h"
 #include "mesh/structure/FaceNormal.h"
+#include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
 
 #include <QTest>
@@ -117,6 +120,7 @@ class TolerancesTest : public QObject {
   void pieceEdges();
   void cutBits();
   void sheetThickness();
+  void oneSidedCut();
 };
 
 void TolerancesTest::oneWaySheet() {
@@ -254,6 +258,26 @@ void TolerancesTest::sheetThickness() {
                                return Vec3(3.0 * i, 4.0 * j, 0);
                              })).mesh;
   QVERIFY(std::abs(defaultSheetThickness(sheet) - tolerance::kSheetThickness * 40.0) < 1e-12);
+}
+
+// A sphere with one side only has to be cut along three edges. A tetrahedron far away makes the diagonal.
+void TolerancesTest::oneSidedCut() {
+  const auto cuts = [](double share) {
+    TriangleSoup s = test::sphereWithCrossCap(2);
+    const std::size_t n = s.points.size();
+    double length = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) length += (s.points[n - 3 + i] - s.points[n - 3 + (i + 1) % 3]).norm();
+    const auto with = [&](double x) {
+      TriangleSoup both = s;
+      test::append(both, test::moved(test::tetrahedron(), Vec3(x, 0, 0)));
+      return buildMesh(both).mesh;
+    };
+    const double diagonal = length / (share * tolerance::kOneSidedCut);
+    HalfEdgeMesh mesh = with(whereIs(diagonal, 2.0 * diagonal, [&](double x) { return diagonalOf(with(x)); }));
+    return repair(mesh, {}).nonOrientableCuts;
+  };
+  QCOMPARE(cuts(kJustBelow), std::size_t{1});
+  QCOMPARE(cuts(kJustAbove), std::size_t{0});
 }
 
 HANDWHEEL_TEST(TolerancesTest)

@@ -11,6 +11,7 @@
 #include "panels/defects/RepairSummary.h"
 #include "tools/mesh/repair/DefectFixes.h"
 #include "tools/mesh/repair/HoleFixes.h"
+#include "tools/mesh/voxels/VolumeRepairChange.h"
 #include "window/WindowServices.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
@@ -18,6 +19,7 @@
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTab.h"
 
+#include <QRegularExpression>
 #include <QSemaphore>
 #include <QThreadPool>
 #include <QtTest>
@@ -196,6 +198,55 @@ class RepairJobsTest : public QObject {
     QVERIFY(summary.contains("1 of 1"));
     const QString logged = log.index(0, 1).data().toString();
     QVERIFY2(logged.contains("0.125 mm") && logged.contains(summary), qPrintable(logged));
+  }
+
+  // A flap that stood out of a cube by 0.75 mm is gone: banner and log say so, and the banner undoes it.
+  void whatWasRemovedIsReported() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    DocumentTabs tabs;
+    LogModel log;
+    FidelityChoice fidelity;
+    HiddenUi ui;
+    RepairJobs jobs(tabs, runner, log, fidelity);
+    QList<Message> messages;
+    connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { messages << message; });
+    TriangleSoup soup = test::cube();
+    test::append(soup,
+                 {{{0.375, 0.5, 1}, {0.625, 0.5, 1}, {0.625, 0.5, 1.75}, {0.375, 0.5, 1.75}}, {{0, 1, 2}, {0, 2, 3}}});
+    tabs.add(ui.open(test::meshDocument(soup)));
+    auto* document = static_cast<MeshTab*>(tabs.current());
+    jobs.change(document, volumeRepairChange({.voxel = 0.0625}, document->document.fileNumbers()));
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QVERIFY(document->isJustRepaired());
+    const auto warnings = [&] {
+      QList<Message> those;
+      for (const Message& each : messages)
+        if (each.weight == Message::Weight::Warning) those << each;
+      return those;
+    };
+    QCOMPARE(warnings().size(), 1);
+    const Message banner = warnings().front();
+    QVERIFY2(banner.title.contains("check what was removed"), qPrintable(banner.title));
+    // The surface made anew lies within half a voxel of the cube.
+    const QRegularExpressionMatch stood =
+        QRegularExpression("stood out by 0\\.7\\d* mm.* Z 1\\.75 mm").match(banner.detail);
+    QVERIFY2(stood.hasMatch(), qPrintable(banner.detail));
+    int lines = 0;
+    for (int row = 0; row < log.rowCount({}); ++row) lines += log.index(row, 1).data().toString() == banner.detail;
+    QCOMPARE(lines, 1);
+    QVERIFY(!banner.isOver());
+    banner.action();
+    QVERIFY(banner.isOver());
+    QVERIFY(!document->isJustRepaired());
+    QCOMPARE(document->document.mesh().liveFaceCount(), soup.triangles.size());
+
+    // The cube alone loses nothing.
+    messages.clear();
+    tabs.add(ui.open(test::meshDocument(test::cube())));
+    jobs.change(static_cast<MeshTab*>(tabs.current()), volumeRepairChange({.voxel = 0.0625}, NumberType::Float64));
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QVERIFY(warnings().isEmpty());
   }
 
   // What stays has its reason in its row.

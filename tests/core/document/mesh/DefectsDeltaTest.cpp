@@ -22,7 +22,8 @@ bool same(const Defects& a, const Defects& b) {
            x.box.max() == y.box.max();
   };
   const auto samePart = [](const Component& x, const Component& y) {
-    return x.faceCount == y.faceCount && x.area == y.area && x.debris == y.debris && x.faces == y.faces;
+    return x.faceCount == y.faceCount && x.area == y.area && x.volume == y.volume && x.debris == y.debris &&
+           x.faces == y.faces;
   };
   return std::equal(a.loops.begin(), a.loops.end(), b.loops.begin(), b.loops.end(), sameLoop) &&
          std::equal(a.components.begin(), a.components.end(), b.components.begin(), b.components.end(), samePart) &&

@@ -343,6 +343,28 @@ class MeshDocumentTest : public QObject {
     QCOMPARE(copy.name(), QString("other.handwheel"));
   }
 
+  // A cube with a hollow; a volume belongs to a closed surface only. Both follow edits and undo.
+  void areaAndVolume() {
+    const auto value = [](const MeshDocument& document, const std::string& id) -> std::optional<double> {
+      for (const Property& each : document.properties())
+        if (each.id == id) return std::get<double>(each.value);
+      return {};
+    };
+    TriangleSoup soup = test::cube(2.0, {1000, 0, 0});
+    test::append(soup, test::turnedOver(test::cube(1.0, {1000.5, 0.5, 0.5})));
+    const auto document = documentOf(soup);
+    QCOMPARE(value(*document, "area"), std::optional(30.0));
+    QCOMPARE(value(*document, "volume"), std::optional(7.0));
+    document->commit("Remove face", inspected(without(document->mesh(), 0)));
+    QCOMPARE(value(*document, "area"), std::optional(28.0));
+    QVERIFY(!value(*document, "volume"));
+    document->history()->undo();
+    QCOMPARE(value(*document, "area"), std::optional(30.0));
+    QCOMPARE(value(*document, "volume"), std::optional(7.0));
+    QVERIFY(!value(*documentOf(sheet(2)), "volume"));
+    QVERIFY(!value(*documentOf({}), "volume"));
+  }
+
   // The history tells that it is clean when it dies; a half-destroyed document must not pass that on.
   void dyingModifiedSaysNothing() {
     auto document = documentOf(sheet(2));

@@ -33,6 +33,7 @@ class DefectsTest : public QObject {
   void badFaces();
   void nearVertices();
   void components();
+  void volumeFarAway();
   void boxOfWhatIsThere();
   void selfIntersections();
 };
@@ -151,7 +152,18 @@ void DefectsTest::components() {
   QCOMPARE(d.components[2].faces, std::vector<Face>({0, 1, 2, 3}));  // those of debris alone are listed
   QVERIFY(d.components[0].faces.empty() && d.components[1].faces.empty());
   QVERIFY(std::abs(d.components[1].area - 1.5) < 1e-12);
+  QVERIFY(std::abs(d.components[1].volume - 0.125) < 1e-12);
+  QVERIFY(std::abs(d.components[0].volume - test::volume(test::icosphere(4))) < 1e-9);
   QVERIFY(!d.components[0].debris && !d.components[1].debris && d.components[2].debris);
+}
+
+// Exact where all corners are, however far from the origin; negative inside out.
+void DefectsTest::volumeFarAway() {
+  for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(1e9, -1e9, 1e9), Vec3(-1e12, 0, 1e12)}) {
+    const TriangleSoup cube = test::cube(2.0, corner);
+    QCOMPARE(findComponents(buildMesh(cube).mesh).at(0).volume, 8.0);
+    QCOMPARE(findComponents(buildMesh(test::turnedOver(cube)).mesh).at(0).volume, -8.0);
+  }
 }
 
 void DefectsTest::boxOfWhatIsThere() {
