@@ -213,7 +213,7 @@ const Scan kScans[] = {{"scans/meshlab-samples/bunny10k.ply", Vec3::UnitY()},
 void scans(benchmark::State& state) {
   const Scan& scan = kScans[state.range(0)];
   const ReadScan read = scanOf(scan.file);
-  if (!read.isThere) return bars.skipped(state, scan.file, "HANDWHEEL_DATA is not set, or this scan is not in it");
+  if (!read.isThere) return bars.missing(state, scan.file, "HANDWHEEL_DATA is not set, or this scan is not in it");
   if (!read.mesh) return bars.failed(state, scan.file, "is refused");
   const TriangleSoup* const mesh = &*read.mesh;
   constexpr double kShallow = 0.3;  // mm of 76

@@ -62,7 +62,7 @@ void trainers(benchmark::State& state) {
   const std::vector<ForceSample> cuts = measuredCuts();
   for (auto _ : state) {
     if (cuts.empty()) {
-      bars.skipped(state, "five trainers on measured cuts",
+      bars.missing(state, "five trainers on measured cuts",
                    "HANDWHEEL_DATA is not set or has no lathe/turning-roughness-forces");
       break;
     }
@@ -86,7 +86,7 @@ void accuracy(benchmark::State& state) {
   const std::vector<ForceSample> cuts = measuredCuts();
   for (auto _ : state) {
     if (cuts.empty()) {
-      bars.skipped(state, "accuracy on measured cuts",
+      bars.missing(state, "accuracy on measured cuts",
                    "HANDWHEEL_DATA is not set or has no lathe/turning-roughness-forces");
       break;
     }

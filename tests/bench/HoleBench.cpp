@@ -112,9 +112,9 @@ constexpr Whole kWholes[] = {{"bumpy sphere", nullptr, true},
 TriangleSoup soupOf(const Whole& whole, benchmark::State& state, const std::string& what) {
   if (!whole.file) return test::bumpySphere(6);
   const char* folder = std::getenv("HANDWHEEL_DATA");
-  if (!folder) return bars.skipped(state, what, "HANDWHEEL_DATA is not set"), TriangleSoup();
+  if (!folder) return bars.missing(state, what, "HANDWHEEL_DATA is not set"), TriangleSoup();
   const std::string path = std::string(folder) + "/" + whole.file;
-  if (!std::filesystem::exists(path)) return bars.skipped(state, what, path + " is missing"), TriangleSoup();
+  if (!std::filesystem::exists(path)) return bars.missing(state, what, path + " is missing"), TriangleSoup();
   const Result<MeshFile> read = readMeshFile(path, {});
   if (!read) return bars.failed(state, what, path + " is refused"), TriangleSoup();
   return buildMesh(read->soup).mesh.compact().soup;

@@ -25,7 +25,7 @@ const bench::SphereRobot* robot() {
 
 bool isSkipped(benchmark::State& state, const std::string& what) {
   if (robot()) return false;
-  bars.skipped(state, what, "HANDWHEEL_DATA is not set or has no planning/motionbenchmaker-ur5");
+  bars.missing(state, what, "HANDWHEEL_DATA is not set or has no planning/motionbenchmaker-ur5");
   return true;
 }
 

@@ -226,7 +226,7 @@ bool isMesh(const std::filesystem::path& path) {
 // The scans, and the models of the package occt-misc where it is installed.
 void scans(benchmark::State& state) {
   const char* data = std::getenv("HANDWHEEL_DATA");
-  if (!data) return bars.skipped(state, "scans", "HANDWHEEL_DATA is not set");
+  if (!data) return bars.missing(state, "scans", "HANDWHEEL_DATA is not set");
   std::set<std::filesystem::path> files;
   for (const std::filesystem::path& folder :
        {std::filesystem::path(data) / "scans", std::filesystem::path("/usr/share/opencascade/data/stl")}) {
@@ -234,7 +234,7 @@ void scans(benchmark::State& state) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
       if (entry.is_regular_file() && isMesh(entry.path())) files.insert(entry.path());
   }
-  if (files.empty()) return bars.skipped(state, "scans", std::string("none is in ") + data);
+  if (files.empty()) return bars.missing(state, "scans", std::string("none is in ") + data);
   for (auto _ : state) {
     Count count;
     for (const std::filesystem::path& file : files) {

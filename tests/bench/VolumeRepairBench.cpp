@@ -115,7 +115,7 @@ void defectiveScans(benchmark::State& state) {
   const char* const folder = std::getenv("HANDWHEEL_DATA");
   const char* const one = std::getenv("HANDWHEEL_SCAN");
   for (auto _ : state) {
-    if (!folder) return bars.skipped(state, what, "HANDWHEEL_DATA is not set");
+    if (!folder) return bars.missing(state, what, "HANDWHEEL_DATA is not set");
     std::set<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(folder) / "scans"))
       if (entry.is_regular_file() && isScan(entry.path()) &&

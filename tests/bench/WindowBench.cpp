@@ -37,20 +37,20 @@ QString fileIn(const QTemporaryDir& folder) {
 void repairs(Person& person) {
   auto& driver = person.driver();
   person.does("choose a hole", [&] { driver.clickDefect(DefectKind::Hole, 3); });
-  person.does("fill it", [&] { driver.find<QAction>("fillHole")->trigger(); });
-  person.does("undo", [&] { driver.find<QAction>("undo")->trigger(); });
-  person.does("redo", [&] { driver.find<QAction>("redo")->trigger(); });
+  person.does("fill it", [&] { person.trigger("fillHole"); });
+  person.does("undo", [&] { person.trigger("undo"); });
+  person.does("redo", [&] { person.trigger("redo"); });
   person.does("keep a hole open", [&] {
     driver.clickDefect(DefectKind::Hole, 5);
-    driver.find<QAction>("keepOpen")->trigger();
+    person.trigger("keepOpen");
   });
-  person.does("repair all", [&] { driver.find<QAction>("repairAll")->trigger(); });
-  person.does("undo of it", [&] { driver.find<QAction>("undo")->trigger(); });
+  person.does("repair all", [&] { person.trigger("repairAll"); });
+  person.does("undo of it", [&] { person.trigger("undo"); });
 }
 
 void selects(Person& person) {
   auto& driver = person.driver();
-  person.does("take up the select tool", [&] { driver.find<QAction>("selectTool")->trigger(); });
+  person.does("take up the select tool", [&] { person.trigger("selectTool"); });
   person.waits("connected faces", [&] {
     person.choose("toolDock", "mode", 3);
     QTest::mouseClick(&person.view(), Qt::LeftButton, {}, person.at(0.2, 0.55));
@@ -71,7 +71,7 @@ void selects(Person& person) {
     return person.drag(Qt::LeftButton, person.at(0.2, 0.5), person.at(0.5, 0.6));
   });
   person.does("delete the selection", [&] { driver.find<QAbstractButton>("toolAction/delete")->click(); });
-  person.does("take up the measuring tool", [&] { driver.find<QAction>("measureTool")->trigger(); });
+  person.does("take up the measuring tool", [&] { person.trigger("measureTool"); });
   person.waits("measure", [&] {
     QTest::mouseClick(&person.view(), Qt::LeftButton, {}, person.at(0.2, 0.55));
     QTest::mouseClick(&person.view(), Qt::LeftButton, {}, person.at(0.7, 0.55));
@@ -80,7 +80,6 @@ void selects(Person& person) {
 }
 
 void looks(Person& person) {
-  auto& driver = person.driver();
   person.waits("orbit", [&] { return person.drag(Qt::MiddleButton, person.at(0.5, 0.5), person.at(0.7, 0.4)); });
   person.waits("hover", [&] {
     for (int i = 0; i < 50; ++i) QTest::mouseMove(&person.view(), person.at(0.1 + 0.016 * i, 0.5));
@@ -88,24 +87,24 @@ void looks(Person& person) {
   });
   for (const char* action : {"shadedWithEdges", "shaded", "viewTop", "fitView", "clipModel", "fidelityDockToggle",
                              "statusDockToggle", "logDockToggle", "searchCommands"}) {
-    person.does(action, [&, action] { driver.find<QAction>(action)->trigger(); });
+    person.does(action, [&, action] { person.trigger(action); });
   }
 }
 
 // Qt styles every widget of the window anew, at once.
 void changesTheme(Person& person) {
   for (const char* what : {"dark theme", "light theme", "dark theme again"}) {
-    person.does(what, [&] { person.driver().find<QAction>("darkTheme")->trigger(); });
+    person.does(what, [&] { person.trigger("darkTheme"); });
   }
 }
 
 // Colours by distance, a brush on the surface, and a plane through it.
 void shapes(Person& person) {
   auto& driver = person.driver();
-  person.does("deviation colours", [&] { driver.find<QAction>("deviation")->trigger(); });
+  person.does("deviation colours", [&] { person.trigger("deviation"); });
   person.does("another range of them", [&] { emit driver.find<DeviationPanel>("deviationPanel")->rangeChosen(1.0); });
-  person.does("without them", [&] { driver.find<QAction>("deviation")->trigger(); });
-  person.does("take up the sculpt tool", [&] { driver.find<QAction>("sculptTool")->trigger(); });
+  person.does("without them", [&] { person.trigger("deviation"); });
+  person.does("take up the sculpt tool", [&] { person.trigger("sculptTool"); });
   person.does("all of the mesh", [&] { driver.find<QAbstractButton>("toolAction/whole")->click(); });
   const QPoint place = person.at(0.2, 0.55);
   person.waits("a dab", [&] {
@@ -114,8 +113,8 @@ void shapes(Person& person) {
   });
   if (!driver.find<QAction>("undo")->isEnabled()) qFatal("the dab missed");
   person.waits("a stroke", [&] { return person.drag(Qt::LeftButton, place, person.at(0.3, 0.6)); });
-  person.does("leave the tool", [&] { driver.find<QAction>("selectTool")->trigger(); });
-  person.does("a section", [&] { driver.find<QAction>("clipModel")->trigger(); });
+  person.does("leave the tool", [&] { person.trigger("selectTool"); });
+  person.does("a section", [&] { person.trigger("clipModel"); });
   for (const int axis : {0, 1, 2}) {
     person.does((std::string("a section across ") + "XYZ"[axis]).c_str(),
                 [&] { person.choose("viewDock", "clip_axis", axis); });
@@ -124,7 +123,7 @@ void shapes(Person& person) {
 
 void files(Person& person, const QTemporaryDir& folder, const QString& path) {
   auto& driver = person.driver();
-  person.does("ask for a name", [&] { driver.find<QAction>("saveFileAs")->trigger(); });
+  person.does("ask for a name", [&] { person.trigger("saveFileAs"); });
   person.waits("save", [&] { return driver.enterFileName("saveDialog", folder.filePath("saved.handwheel")); });
   person.does("a second document", [&] { driver.window().openPaths({path}); });
   person.does("back to the first", [&] { driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0); });

@@ -79,6 +79,9 @@ void NextStepCard::showStep(const NextStep& step) {
   for (QAction* action : step.actions) {
     auto* button = new ActionButton(action, rank, this);
     button->setObjectName(QStringLiteral("nextStep/") + action->objectName());
+    if (step.pointed)
+      connect(button, &ActionButton::pointed, this,
+              [pointed = step.pointed, action](bool isPointed) { pointed(action, isPointed); });
     const int place = m_buttons->count();
     m_buttons->addWidget(button, place / kButtonsInRow, place % kButtonsInRow);
     rank = ActionButton::Rank::Ordinary;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QFrame>
+#include <functional>
 #include <vector>
 
 class QAction;
@@ -19,6 +20,8 @@ struct NextStep {
   QString detail;
   std::vector<QAction*> actions;
   bool isFirstObvious = true;  // the first action stands out as the one that most people want
+  // Called when pointer or focus come to the button of an action, or leave it. May be empty.
+  std::function<void(const QAction* action, bool isPointed)> pointed = {};
 
   bool isEmpty() const { return title.isEmpty(); }
 };

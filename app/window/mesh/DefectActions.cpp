@@ -102,13 +102,12 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   connect(&m_reverseBodies, &QAction::triggered, this, [this] { fixRow({DefectKind::InsideOut, -1}); });
   connect(&m_resolveIntersections, &QAction::triggered, this, [this] { fixRow({DefectKind::SelfIntersection, -1}); });
   // In vain it says so in a message: as the reason of the row it would stand for what else may resolve them.
-  connect(&m_uniteBodies, &QAction::triggered, this,
-          [this] { m_jobs.change(m_document, unionFix(m_document->document.fileNumbers())); });
+  connect(&m_uniteBodies, &QAction::triggered, this, [this] { m_jobs.change(m_document, uniting()); });
   connect(&m_thickenSheet, &QAction::triggered, this, [this] { m_jobs.change(m_document, thickening()); });
   connect(&m_cutAndClose, &QAction::triggered, this, [this] { m_jobs.change(m_document, cutting()); });
   // After every change of the inspection, too.
   connect(&m_selection, &Selection::changed, this, [this] {
-    m_isThickeningPointed = false;
+    m_pointed = nullptr;
     follow();
   });
   connect(&m_preview, &HolePreview::changed, this, &DefectActions::follow);
@@ -127,7 +126,7 @@ void DefectActions::setDocument(MeshTab* document) {
   m_thickness = 0.0;
   m_kind = std::nullopt;
   m_row = -1;
-  m_isThickeningPointed = false;
+  m_pointed = nullptr;
   follow();
 }
 
@@ -138,8 +137,9 @@ void DefectActions::choose(std::optional<DefectKind> kind, int row) {
   follow();
 }
 
-void DefectActions::pointAtThickening(bool isPointed) {
-  m_isThickeningPointed = isPointed;
+void DefectActions::pointAt(const QAction* action, bool isPointed) {
+  if (!isPointed && m_pointed != action) return;
+  m_pointed = isPointed ? action : nullptr;
   m_shown.request(m_document, offered());
 }
 
@@ -183,13 +183,13 @@ void DefectActions::follow() {
 void DefectActions::followShown() {
   const bool isOfLoop = selectedLoop() >= 0;
   if (const char* why = m_shown.isPointless() ? m_shown.shown().reason : nullptr;
-      why && m_kind && m_mayFix && !isOfLoop) {
+      why && m_kind && m_mayFix && !isOfLoop && !m_pointed) {
     const QString reason = QCoreApplication::translate("Tool", why);
     Inspection& inspection = m_document->inspection;
     if (inspection.reason(*m_kind, m_row) != reason) inspection.setReason(*m_kind, m_row, reason);
   }
-  m_fix.setEnabled(m_mayFix && (isOfLoop || !m_shown.isPointless()));
-  m_cutAndClose.setEnabled(m_mayCut && (m_isThickeningPointed || !m_shown.isPointless()));
+  m_fix.setEnabled(m_mayFix && (isOfLoop || m_pointed || !m_shown.isPointless()));
+  m_cutAndClose.setEnabled(m_mayCut && (m_pointed || !m_shown.isPointless()));
 }
 
 // The card has no field for the thickness, so the name says it before it is used.
@@ -200,11 +200,19 @@ void DefectActions::nameThickening() {
           : tr("&Thicken sheets"));
 }
 
-// Where a hole has a patch, that is shown until the pointer is on the button of another way.
+// Of the fix whose button has the pointer; else of what is selected, where a hole has no patch to show.
 std::optional<OfferedFix> DefectActions::offered() const {
-  if (const int loop = selectedLoop(); loop >= 0) {
-    if (m_isThickeningPointed && m_thickenSheet.isEnabled())
-      return OfferedFix{&m_thickenSheet, {}, loop, [this] { return std::optional(thickening()); }};
+  const int loop = selectedLoop();
+  if (m_pointed && m_pointed->isEnabled()) {
+    if (m_pointed == &m_thickenSheet)
+      return OfferedFix{m_pointed, {}, loop, [this] { return std::optional(thickening()); }};
+    if (m_pointed == &m_uniteBodies) return OfferedFix{m_pointed, {}, -1, [this] { return std::optional(uniting()); }};
+    if (m_pointed == &m_resolveIntersections)
+      return OfferedFix{m_pointed, {}, -1, [this] { return changeFor(DefectKind::SelfIntersection, -1); }};
+    if (m_pointed == &m_reverseBodies)
+      return OfferedFix{m_pointed, {}, -1, [this] { return changeFor(DefectKind::InsideOut, -1); }};
+  }
+  if (loop >= 0) {
     if (m_mayCut) return OfferedFix{&m_cutAndClose, {}, loop, [this] { return std::optional(cutting()); }};
     return std::nullopt;
   }
@@ -222,6 +230,10 @@ MeshChange DefectActions::thickening() const {
   std::vector<Vertex> keys;
   for (const int id : sheets()) keys.push_back(m_document->inspection.keyOf(id));
   return thickenFix(std::move(keys), options(), m_thickness);
+}
+
+MeshChange DefectActions::uniting() const {
+  return unionFix(m_document->document.fileNumbers());
 }
 
 MeshChange DefectActions::cutting() const {

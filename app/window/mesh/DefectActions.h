@@ -33,8 +33,8 @@ class DefectActions : public QObject {
   void setDocument(MeshTab* document);  // null: no mesh is in view
   // Sets the selection in the list: one row of a kind, or -1 for all of it.
   void choose(std::optional<DefectKind> kind, int row);
-  // Whether the pointer is on the button that thickens the selected sheet. Then its result is shown, not the patch.
-  void pointAtThickening(bool isPointed);
+  // Whether the pointer is on the button of one of these actions. Then what it would do is shown, not the patch.
+  void pointAt(const QAction* action, bool isPointed);
 
   // The thickness that sheets will get, mm: that which was set for this document, else the default. A mesh is in view.
   double thickness() const;
@@ -64,6 +64,7 @@ class DefectActions : public QObject {
   std::optional<MeshChange> changeFor(DefectKind kind, int row) const;  // -1: all rows
   MeshChange thickening() const;
   void nameThickening();
+  MeshChange uniting() const;
   MeshChange cutting() const;
   std::optional<OfferedFix> offered() const;
   int selectedLoop() const;         // -1 for none
@@ -79,8 +80,8 @@ class DefectActions : public QObject {
   std::optional<DefectKind> m_kind;
   int m_row = -1;
   bool m_mayFix = false, m_mayCut = false;  // unless the preview shows that it would change nothing
-  bool m_isThickeningPointed = false;
-  double m_thickness = 0.0;  // mm; 0: the default
+  const QAction* m_pointed = nullptr;       // whose button has the pointer
+  double m_thickness = 0.0;                 // mm; 0: the default
   QAction m_fix;
   QAction m_thickenSheet;
   QAction m_cutAndClose;

@@ -27,7 +27,8 @@ struct MeshTab : DocumentTab {
   std::shared_ptr<MeshDeviation> deviation;       // the comparison that is shown; null for none
   Vertex selected = kNone;                        // Inspection::keyOf() of the selected loop
   std::optional<std::uint64_t> repairedRevision;  // of the document, after "Repair all" ran last
-  std::optional<std::uint64_t> fixedRevision;     // after "Repair all" or the fix of a defect that changed it last
+  FidelityValues repairedWith;                    // and the settings that it had
+  std::optional<HistoryPoint> fixedAt;            // after the last "Repair all" or fix of a defect that changed it
 
   std::size_t faceSlots = document.mesh().faceSlots();  // at the last change
   FaceSelection newest;                                 // the faces added by the last change, usually those of a patch
@@ -46,8 +47,8 @@ struct MeshTab : DocumentTab {
     newest.dropDead(document.mesh());
     if (!added.empty()) newest = added;
   }
-  // Whether "Repair all" or the fix of a defect was what happened last, and changed something.
-  bool isJustRepaired() const { return fixedRevision == document.revision(); }
+  // Whether "Repair all" or the fix of a defect was what happened last, or was redone last, and changed something.
+  bool isJustRepaired() const { return fixedAt == presentPoint(document); }
   // Whether the mesh equals that of the file, which was read without loss. The loops marked to be kept open may differ.
   bool isAsInFile() const { return inFile && document.file().damage.empty() && changes == changesInFile; }
 };

@@ -12,6 +12,7 @@
 #include "panels/MessageBar.h"
 #include "panels/defects/DefectModel.h"
 #include "panels/defects/DefectsPanel.h"
+#include "panels/defects/StateCard.h"
 #include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/FillHoleTool.h"
 #include "tools/mesh/MakeFaceTool.h"
@@ -126,7 +127,8 @@ void MeshUi::connectSelection() {
   });
   connect(&m_fixPreview, &FixPreview::changed, this, &MeshUi::showFix);
   connect(m_panel->settings(), &HoleSettings::compareRequested, this, &MeshUi::compareMethods);
-  connect(m_panel->settings(), &HoleSettings::thickeningPointed, &m_defectActions, &DefectActions::pointAtThickening);
+  connect(m_panel->settings(), &HoleSettings::thickeningPointed, this,
+          [this](bool isPointed) { m_defectActions.pointAt(m_defectActions.thickenSheet(), isPointed); });
   connect(m_panel->settings(), &HoleSettings::thicknessEdited, &m_defectActions, &DefectActions::setThickness);
   connect(&m_defectActions, &DefectActions::thicknessChanged, this, [this] {
     if (!m_panel || !m_document) return;
@@ -304,22 +306,25 @@ std::vector<Hint> MeshUi::hints() {
 NextStep MeshUi::nextStep() {
   if (m_document && m_show.isRunning()) return m_show.step();
   if (!m_document || m_selection.loop() >= 0 || m_jobs.isWorking()) return {};
-  return nextStepFor(*m_document, {.repairAll = m_actions.repairAll(),
-                                   .undoRepair = m_actions.undoRepair(),
-                                   .removeDebris = m_actions.removeDebris(),
-                                   .oneByOne = m_actions.goOneByOne(),
-                                   .thickenSheet = m_defectActions.thickenSheet(),
-                                   .reverseBodies = m_defectActions.reverseBodies(),
-                                   .resolveIntersections = m_defectActions.resolveIntersections(),
-                                   .uniteBodies = m_defectActions.uniteBodies(),
-                                   .repairByVolume = m_actions.repairByVolume(),
-                                   .showDefects = m_parts.isPanelVisible() ? nullptr : m_parts.showPanel,
-                                   .saveAs = m_parts.saveAs});
+  NextStep step = nextStepFor(*m_document, {.repairAll = m_actions.repairAll(),
+                                            .undoRepair = m_actions.undoRepair(),
+                                            .removeDebris = m_actions.removeDebris(),
+                                            .oneByOne = m_actions.goOneByOne(),
+                                            .thickenSheet = m_defectActions.thickenSheet(),
+                                            .reverseBodies = m_defectActions.reverseBodies(),
+                                            .resolveIntersections = m_defectActions.resolveIntersections(),
+                                            .uniteBodies = m_defectActions.uniteBodies(),
+                                            .repairByVolume = m_actions.repairByVolume(),
+                                            .showDefects = m_parts.isPanelVisible() ? nullptr : m_parts.showPanel,
+                                            .saveAs = m_parts.saveAs});
+  step.pointed = [this](const QAction* action, bool isPointed) { m_defectActions.pointAt(action, isPointed); };
+  return step;
 }
 
 QString MeshUi::statistics() const {
   if (!m_document) return {};
-  return tr("%Ln triangle(s)", nullptr, static_cast<int>(m_document->document.mesh().liveFaceCount()));
+  return tr("%Ln triangle(s)", nullptr, static_cast<int>(m_document->document.mesh().liveFaceCount())) +
+         QStringLiteral(" · ") + stateHeadline(m_document->inspection);
 }
 
 QString MeshUi::openedText(const DocumentTab& document) const {

@@ -3,6 +3,7 @@
 #include "window/mesh/NextSteps.h"
 
 #include "panels/defects/RepairSummary.h"
+#include "panels/defects/StateCard.h"
 #include "text/RepairText.h"
 #include "theme/DefectColours.h"
 #include "theme/Theme.h"
@@ -110,12 +111,21 @@ QString openTitle(const Inspection& inspection) {
                                 .arg(QLocale().toString(pieces));
 }
 
+// With nothing wrong but that it is open, on purpose or as a sheet.
+bool isOnlyOpen(const Inspection& inspection) {
+  const MeshState state = inspection.state();
+  return inspection.holes().empty() && !state.closed && state.manifold && state.oriented &&
+         state.selfIntersectingPairs.value_or(0) == 0;
+}
+
+// In the words of the panel, but for what is open.
 QString headline(const Inspection& inspection) {
   const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
   if (holes > 0) return NextStepsWords::tr("%Ln hole(s) found.", nullptr, holes);
-  if (const MeshState state = inspection.state(); state.closed && state.selfIntersectingPairs.value_or(0) > 0)
-    return NextStepsWords::tr("Closed, but self-intersecting.");
-  return inspection.sheetCount() > 0 ? openTitle(inspection) : NextStepsWords::tr("No holes, but other defects.");
+  if (isOnlyOpen(inspection)) return openTitle(inspection);
+  const MeshState state = inspection.state();
+  if (state.isSound() && !state.isKnownSound()) return NextStepsWords::tr("Closed. Looking for self-intersections…");
+  return stateHeadline(inspection) + QLatin1Char('.');
 }
 
 // Solids in solids print as they look from outside, but count twice, and slicers differ.
@@ -126,9 +136,10 @@ QString nestedBodies(const MeshTab& document) {
                                           nullptr, nested);
 }
 
+// Where the headline does not name them.
 QString openSheets(const Inspection& inspection) {
   const auto sheets = static_cast<int>(inspection.sheetCount());
-  return sheets == 0 ? QString() : NextStepsWords::tr("%Ln open sheet(s).", nullptr, sheets);
+  return sheets == 0 || isOnlyOpen(inspection) ? QString() : NextStepsWords::tr("%Ln open sheet(s).", nullptr, sheets);
 }
 
 bool isWorthSaving(const MeshTab& document) {
@@ -185,17 +196,13 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
   const Inspection& inspection = document.inspection;
   const ThemeColours& colours = themeColours(currentTheme());
   const MeshState state = inspection.state();
-  NextStep step{
-      defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), openTitle(inspection), {}, {}};
+  NextStep step{defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), headline(inspection), {}, {}};
   if (state.isSound()) {
     step.icon = QStringLiteral("watertight");
     step.colour = state.isKnownSound() ? colours.success : colours.muted;
-    step.title = state.isKnownSound() ? NextStepsWords::tr("Watertight.")
-                                      : NextStepsWords::tr("Closed. Looking for self-intersections…");
   } else if (state.selfIntersectingPairs.value_or(0) > 0) {
     step.icon = QStringLiteral("warning");
     step.colour = colours.warning;
-    if (state.closed) step.title = NextStepsWords::tr("Closed, but self-intersecting.");
   }
   QStringList details = shownWarnings(inspection);
   const auto turned = static_cast<int>(document.document.reversedFaces().size());
@@ -209,7 +216,7 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
         document.document.defects().nestedBodies == 0)
       details << NextStepsWords::tr("There is nothing to repair.");
   }
-  details << nestedBodies(document) << failedFixes(inspection);
+  details << openSheets(inspection) << nestedBodies(document) << failedFixes(inspection);
   step.detail = joined(details);
   addFurther(step, document, actions);
   return step;
@@ -251,7 +258,7 @@ NextStep nextStepFor(const MeshTab& document, const NextStepActions& actions) {
       holes ? defectIconName(DefectKind::Hole) : QStringLiteral("warning"),
       holes ? defectColour(DefectKind::Hole) : themeColours(currentTheme()).warning,
       headline(inspection),
-      joined({changes, holes ? openSheets(inspection) : QString(), nestedBodies(document),
+      joined({changes, openSheets(inspection), nestedBodies(document),
               otherFindings(inspection, changes.isEmpty() ? Compared::No : Compared::Yes), savedAs(document)}),
       {actions.repairAll}};
   if (holes) step.actions.push_back(actions.oneByOne);

@@ -77,7 +77,7 @@ std::vector<Property> MeshDocument::properties() const {
     volume += part.volume;
   }
   add("triangles", QT_TRANSLATE_NOOP("Property", "Triangles"), static_cast<double>(faces), Quantity::Number);
-  add("parts", QT_TRANSLATE_NOOP("Property", "Parts"), static_cast<double>(m_defects->components.size()),
+  add("parts", QT_TRANSLATE_NOOP("Property", "Pieces"), static_cast<double>(m_defects->components.size()),
       Quantity::Number);
   const Vec3 size = m_defects->box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(m_defects->box.sizes());
   add("size_x", QT_TRANSLATE_NOOP("Property", "Size in X"), size.x(), Quantity::Length);

@@ -16,8 +16,6 @@ namespace {
 // through space, after the user's own, with and without a lid.
 constexpr EarWeights kTastes[] = {{1, 0, 0}, {0.2, 0, 2}, {0, 2, 1}, {3, 1, 0}, {0, 0, 1}, {0.5, 3, 0}};
 
-constexpr std::size_t kLeastBendEdges = 100;  // it is cubic in them
-
 constexpr double kChordPart = 0.5;  // of the progress: the search for the chords that cut a loop into pieces
 
 bool isOptimal(FillMethod method) {
@@ -55,7 +53,7 @@ FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacl
     if (!isAdded) add(m);
   }
   // Least bend is what the choice among these goes by, but it takes long.
-  if (hole.loopSize <= kLeastBendEdges && options.method != FillMethod::Dihedral) add(FillMethod::Dihedral);
+  if (hole.loopSize <= tolerance::kOptimalFillEdges && options.method != FillMethod::Dihedral) add(FillMethod::Dihedral);
   if (hole.loopSize == 3) return;  // whatever the taste, there is one ear
   for (std::size_t i = 0; i < std::size(kTastes); ++i) {
     m_makers.push_back([this, i] { return ears(m_hole, kBalanced + i, m_progress); });

@@ -284,7 +284,7 @@ std::vector<Property> ReshapeTool::settings() const {
     below.largest = m_parts && !m_parts->voxels().empty() ? diameterOf(m_parts->voxels().front(), volume.voxel())
                                                           : std::cbrt(2.0 * volume.material());
     if (m_made) {
-      all.push_back(shownFigure("parts", QT_TRANSLATE_NOOP("Property", "Parts"), static_cast<double>(m_made->parts)));
+      all.push_back(shownFigure("parts", QT_TRANSLATE_NOOP("Property", "Pieces"), static_cast<double>(m_made->parts)));
       all.push_back(shownFigure("gone", QT_TRANSLATE_NOOP("Property", "Parts that go"),
                                 static_cast<double>(m_made->parts - m_made->kept)));
     }

@@ -5,6 +5,7 @@
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "window/documents/DocumentTabs.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -46,7 +47,7 @@ class DefectFixesWindowTest : public QObject {
     const int crossings = driver.count(DefectKind::SelfIntersection);
     QVERIFY(crossings > 0);
     QCOMPARE(driver.text("stateHeadline"), "Self-intersecting");
-    QCOMPARE(driver.text("nextStepTitle"), "Closed, but self-intersecting.");
+    QCOMPARE(driver.text("nextStepTitle"), "Self-intersecting.");
     clickGroup(driver, DefectKind::SelfIntersection);
     driver.click("fixDefectButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::SelfIntersection), 0, kPatienceMs);
@@ -92,6 +93,18 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY2(driver.text("nextStepDetail").contains("1 body inside another"),
              qPrintable(driver.text("nextStepDetail")));
     QVERIFY(unite->isEnabled());
+    // What it would do is shown while the pointer or the focus is on its button.
+    QCOMPARE(driver.text("fixPreviewStatus"), QString());
+    auto* const button = driver.find<QAbstractButton>("nextStep/uniteBodies");
+    QFocusEvent enter(QEvent::FocusIn);
+    QCoreApplication::sendEvent(button, &enter);
+    QVERIFY(driver.settle());
+    QVERIFY2(driver.text("fixPreviewStatus").startsWith("Removes "), qPrintable(driver.text("fixPreviewStatus")));
+    QVERIFY(std::abs(volumeOf() - 2.0) < 1e-5);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(button, &leave);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("fixPreviewStatus"), QString());
     unite->trigger();
     QVERIFY(driver.settle());
     QVERIFY(std::abs(volumeOf() - (2.0 - 0.59 * 0.73 * 0.67)) < 1e-5);
@@ -139,7 +152,7 @@ class DefectFixesWindowTest : public QObject {
     const int crossings = driver.count(DefectKind::SelfIntersection);
     QVERIFY(crossings > 1);
     QCOMPARE(driver.count(DefectKind::NonManifoldEdge), 1);
-    QCOMPARE(driver.text("nextStepTitle"), "Closed, but self-intersecting.");
+    QCOMPARE(driver.text("nextStepTitle"), "Self-intersecting.");
     const QString detail = driver.text("nextStepDetail");
     QVERIFY2(detail.contains("1 non-manifold edge"), qPrintable(detail));
     QVERIFY2(detail.contains(QStringLiteral("%1 self-intersections").arg(crossings)), qPrintable(detail));
@@ -147,7 +160,7 @@ class DefectFixesWindowTest : public QObject {
     driver.click("fixDefectButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::NonManifoldEdge), 0, kPatienceMs);
     QVERIFY(driver.settle());
-    QCOMPARE(driver.text("nextStepTitle"), "Closed, but self-intersecting.");
+    QCOMPARE(driver.text("nextStepTitle"), "Self-intersecting.");
     QVERIFY(driver.text("nextStepDetail").contains(QStringLiteral("%1 self-intersections").arg(crossings)));
   }
 
@@ -335,6 +348,7 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(driver.settle());
     QCOMPARE(driver.count(DefectKind::Duplicate), 1);
     QVERIFY(driver.text("nextStepDetail").contains("1 duplicate triangle"));
+    QVERIFY(!driver.find<QAction>("repairAll")->isEnabled());  // it would do nothing
   }
 
   // Two sheets across one another are not cut: each piece would hang at the others. The window says so.

@@ -84,6 +84,15 @@ class MainWindowTest : public QObject {
     QVERIFY(driver.open(fileWithHoles("read.stl")));
     driver.clickDefect(DefectKind::Hole, 0);
     look("mesh");
+    driver.click("compareMethods");
+    QVERIFY(driver.settle());
+    look("methods compared");
+    for (const char* tool : {"selectTool", "boundaryTool", "makeFaceTool", "decimateTool", "subdivideTool",
+                             "sculptTool", "transformTool", "volumeRepairTool"}) {
+      driver.find<QAction>(tool)->trigger();
+      QVERIFY(driver.settle());
+      look(tool);
+    }
     for (const char* other :
          {"newWorkpiece", "openRobotSample", "newVolume", "exercise/first-lesson-teacher", "exercise/skull"}) {
       driver.choose(other);

@@ -31,10 +31,35 @@ QRect eyeRect(const QRect& row) {
   return {row.right() - kDefectGap - kIcon, row.center().y() - kIcon / 2 + 1, kIcon, kIcon};
 }
 
+QString groupNumber(const QModelIndex& group) {
+  const int count = group.data(DefectModel::CountRole).toInt();
+  if (count < 0) return DefectModel::tr("searching…");
+  return count == 0 ? DefectModel::tr("none") : QLocale().toString(count);
+}
+
+QFont groupFont(const QStyleOptionViewItem& option, const QModelIndex& group) {
+  QFont font = option.font;
+  font.setBold(group.data(DefectModel::CountRole).toInt() > 0);
+  return font;
+}
+
 }  // namespace
 
-QSize DefectDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
-  return {120, std::max(kRowHeight, option.fontMetrics.height() + 8)};
+// As wide as name and number, or name and brief detail: nothing of these is to be cut off.
+QSize DefectDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  const QString name = index.data().toString();
+  int width = 0;
+  if (isGroup(index)) {
+    const QFontMetrics metrics(groupFont(option, index));
+    width = 4 + 2 * kIcon + 4 * kDefectGap + metrics.horizontalAdvance(name) +
+            metrics.horizontalAdvance(groupNumber(index));
+  } else {
+    const QString brief = index.data(DefectModel::BriefRole).toString();
+    width = 2 * kDefectGap + option.fontMetrics.horizontalAdvance(name);
+    if (!brief.isEmpty()) width += kDefectGap + option.fontMetrics.horizontalAdvance(brief);
+    if (!index.data(DefectModel::NoteRole).toString().isEmpty()) width += kIcon + 4;
+  }
+  return {width, std::max(kRowHeight, option.fontMetrics.height() + 8)};
 }
 
 void DefectDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -68,22 +93,17 @@ void DefectDelegate::paintGroup(QPainter* painter, const QStyleOptionViewItem& o
 
   const QRect eye = eyeRect(option.rect);
   QRect right(left.left(), left.top(), eye.left() - kDefectGap - left.left(), left.height());
-  QString number;
+  QString number = groupNumber(index);
   if (count < 0) {
-    number = DefectModel::tr("searching…");
     const int width = option.fontMetrics.horizontalAdvance(number);
     paintSpinner(painter, {right.right() - width - kIcon - 4, iconRect.top(), kIcon, kIcon});
   } else if (count == 0) {
-    number = DefectModel::tr("none");
     icon(QStringLiteral("ok"), colours.success).paint(painter, eye);
   } else {
-    number = QLocale().toString(count);
     const bool shown = index.data(DefectModel::ShownRole).toBool();
     icon(shown ? QStringLiteral("eye") : QStringLiteral("eye-off"), colours.muted).paint(painter, eye);
   }
-  QFont font = option.font;
-  font.setBold(count > 0);
-  painter->setFont(font);
+  painter->setFont(groupFont(option, index));
   const int before = index.data(DefectModel::BeforeRole).toInt();
   const QString compared = QStringLiteral("%1\u2009→\u2009%2").arg(QLocale().toString(before), number);
   const int room = right.width() - kIcon - 2 * kDefectGap;

@@ -64,6 +64,10 @@ QString detailsOf(const Inspection& inspection) {
 
 }  // namespace
 
+QString stateHeadline(const Inspection& inspection) {
+  return verdictOn(inspection).headline;
+}
+
 StateCard::StateCard(QWidget* parent)
     : QFrame(parent), m_icon(new QLabel(this)), m_headline(new QLabel(this)), m_details(new QLabel(this)) {
   setObjectName(QStringLiteral("stateCard"));

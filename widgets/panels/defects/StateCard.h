@@ -10,6 +10,10 @@ namespace handwheel {
 
 class Inspection;
 
+// The state in a word or two, the most important defect first: "3 holes", "Not manifold", "Watertight". The same on panel,
+// card and status bar.
+QString stateHeadline(const Inspection& inspection);
+
 // Shows the overall state of a document. "Watertight" in green, or its defects, most important first.
 class StateCard : public QFrame {
   Q_OBJECT

@@ -33,6 +33,7 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
       m_selection(selection),
       m_jobs(jobs),
       m_preview(preview),
+      m_fidelity(fidelity),
       m_repairAll(tr("&Repair all"), this),
       m_removeDebris(tr("Remove &debris"), this),
       m_undoRepair(tr("&Undo repair"), this),
@@ -121,7 +122,7 @@ void RepairActions::follow() {
   const int loop = document ? m_selection.loop() : -1;
   const bool kept = loop >= 0 && document->document.isKeptOpen(document->inspection.loop(loop));
   const bool holes = document && !document->inspection.holes().empty();
-  m_repairAll.setEnabled(!m_jobs.isWorking() && document && !document->inspection.isClean());
+  m_repairAll.setEnabled(!m_jobs.isWorking() && document && !document->inspection.isClean() && !isTried(*document));
   m_removeDebris.setEnabled(!m_jobs.isWorking() && document && !document->inspection.debris().empty());
   for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) action->setEnabled(holes);
   m_keepOpen.setEnabled(loop >= 0);
@@ -130,6 +131,17 @@ void RepairActions::follow() {
   m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1);
   followPreview();
   followUndo();
+}
+
+// Whether another repair would find what the last one left, and no more: the list has the reasons.
+bool RepairActions::isTried(const MeshTab& document) const {
+  if (document.repairedRevision != document.document.revision() || document.repairedWith != m_fidelity.values())
+    return false;
+  const auto& holes = document.inspection.holes();
+  return std::none_of(holes.begin(), holes.end(), [&](int id) {
+    const FillFailure failure = document.inspection.failure(id);
+    return failure == FillFailure::WasRim || failure == FillFailure::TooMuchEffort;
+  });
 }
 
 void RepairActions::followUndo() {

@@ -43,6 +43,7 @@ class RepairActions : public QObject {
   void follow();
   void followPreview();
   void followUndo();
+  bool isTried(const MeshTab& document) const;
   void fillSelected();
   void toggleKeepOpen();
   void step(int direction);
@@ -52,6 +53,7 @@ class RepairActions : public QObject {
   Selection& m_selection;
   RepairJobs& m_jobs;
   HolePreview& m_preview;
+  const FidelityChoice& m_fidelity;
   QAction m_repairAll;
   QAction m_removeDebris;
   QAction m_undoRepair;

@@ -176,7 +176,7 @@ void RepairJobs::changed(const Request& request, const QString& text, const Insp
     if (crossings && known && known->size() < kMaxTrianglePairs)
       inspection.setSelfIntersections(document->document.revision(), intersectionsAfter(*crossings, *known));
     if (wanted.isFix) {
-      document->fixedRevision = document->document.revision();
+      document->fixedAt = presentPoint(document->document);
       inspection.setBefore(before, effects.loops);
     }
     noteReasons(inspection, wanted, request.of, document->document.revision() == request.revision);
@@ -228,13 +228,14 @@ void RepairJobs::startRepair(MeshTab* document, Round round) {
   RepairOptions options;
   options.rims = RimHandling::Keep;  // the list shows them as left open
   options.cutCrossings = true;       // adds nothing, and only where it leaves none of a cluster
-  apply(m_fidelity.values(), options);
+  const FidelityValues settings = m_fidelity.values();
+  apply(settings, options);
   options.fill.numbers = document->document.fileNumbers();
   options.keepOpen = keptLoops(document->document);
   Job job;
   job.name = tr("Repairing %1").arg(document->document.name());
   const bool isSearched = document->inspection.selfIntersections().has_value();
-  job.work = [this, document, revision, round, options, isSearched,
+  job.work = [this, document, revision, round, options, settings, isSearched,
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
     const auto report = std::make_shared<RepairReport>();
@@ -246,13 +247,14 @@ void RepairJobs::startRepair(MeshTab* document, Round round) {
     if (report->cancelled || progress.cancelled()) return {};
     const InspectedMesh after = inspected(std::move(result), options.nearWeld, progress.part(0.9, 0.98));
     const RemainingDefects left = remainingDefects(after, *report, progress.part(0.98, 1.0));
-    return
-        [this, document, revision, round, options, step = wanted.step, report, pairs = std::move(pairs), after, left] {
-          if (!m_tabs.contains(document)) return;
-          if (!isStale(document, revision)) return repairedAll(document, after, {*report, options, step, pairs, left});
-          reportStale(*document, round);
-          if (round == Round::First) startRepair(document, Round::Second);
-        };
+    return [this, document, revision, round, options, settings, step = wanted.step, report, pairs = std::move(pairs),
+            after, left] {
+      if (!m_tabs.contains(document)) return;
+      if (!isStale(document, revision))
+        return repairedAll(document, after, {*report, options, settings, step, pairs, left});
+      reportStale(*document, round);
+      if (round == Round::First) startRepair(document, Round::Second);
+    };
   };
   start(document, std::move(job));
 }
@@ -268,7 +270,8 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
   if (isChanged && done.pairs) inspection.setSelfIntersections(document->document.revision(), *done.pairs);
   document->repairedRevision = document->document.revision();
-  if (isChanged) document->fixedRevision = document->document.revision();
+  document->repairedWith = done.settings;
+  if (isChanged) document->fixedAt = presentPoint(document->document);
   inspection.setFailures(failuresOf(done.report));
   // A repair that changes nothing has no summary: what is known from before is of another change.
   if (isChanged)

@@ -81,6 +81,7 @@ class RepairJobs : public QObject {
   struct Repaired {
     RepairReport report;
     RepairOptions options;
+    FidelityValues settings;
     std::string step;
     std::optional<FacePairs> pairs;  // that intersect then, where that is known of the mesh before
     RemainingDefects left;

@@ -63,6 +63,7 @@ class MeshReportTest : public QObject {
   void cancelled();
   void empty();
   void soups();
+  void sameStateAsTheListOfDefects();
 };
 
 void MeshReportTest::cubeHasItAll() {
@@ -262,6 +263,22 @@ void MeshReportTest::soups() {
     std::size_t inLoops = 0;
     for (const LoopReport& loop : r.loops) inLoops += loop.edges;
     RC_ASSERT(inLoops == edges.border);
+  }));
+}
+
+// The window takes the state from the list of defects, where opening has reversed faces so that neighbours agree; the
+// command line takes it from the report, with the directions of the file.
+void MeshReportTest::sameStateAsTheListOfDefects() {
+  QVERIFY(rc::check("state of any soup", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    const TriangleSoup s =
+        test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 40), *rc::gen::inRange<std::uint32_t>(1, 6));
+    const MeshReport report = reportOn(s);
+    const MeshState state = findDefects(buildMesh(s).mesh).state(report.selfIntersectingPairs);
+    RC_ASSERT(state.closed == report.closed);
+    RC_ASSERT(state.manifold == report.manifold);
+    RC_ASSERT(state.oriented || !report.oriented);
+    RC_ASSERT(state.components == report.components);
   }));
 }
 

@@ -8,6 +8,7 @@
 #include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/repair/intersections/SelfIntersectionRemoval.h"
+#include "mesh/search/SurfaceDistance.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
@@ -34,6 +35,32 @@ std::vector<BoundaryLoop> upperLoops(const HalfEdgeMesh& mesh, const Vec3& middl
   return loops;
 }
 
+// With a part far away, so that the box of both has this diagonal.
+HalfEdgeMesh withDiagonal(const HalfEdgeMesh& mesh, double diagonal) {
+  TriangleSoup s = mesh.compact().soup;
+  Box box;
+  for (const Vec3& p : s.points) box.extend(p);
+  const double length = std::sqrt(diagonal * diagonal - std::pow(box.sizes().y(), 2) - std::pow(box.sizes().z(), 2));
+  test::append(s, test::moved(test::tetrahedron(), Vec3(box.min().x() + length - 0.1, 0, 0), 0.1));
+  return buildMesh(s).mesh;
+}
+
+// How far the farthest vertex of one mesh is from the surface of the other.
+double farthest(const HalfEdgeMesh& from, const HalfEdgeMesh& to) {
+  const SurfaceDistance surface(to);
+  double most = 0.0;
+  for (const Vec3& p : from.compact().soup.points) most = std::max(most, std::abs(surface.from(p)->distance));
+  return most;
+}
+
+// Whether the folded region above is replaced where the model has this diagonal, and how far that moves the surface.
+std::optional<double> moveIn(const HalfEdgeMesh& folded, double diagonal) {
+  const HalfEdgeMesh before = withDiagonal(folded, diagonal);
+  HalfEdgeMesh after = before;
+  if (replaceFoldedRegions(after, upperLoops(after), {}) == 0) return {};
+  return farthest(before, after);
+}
+
 }  // namespace
 
 class FoldedRegionRemovalTest : public QObject {
@@ -46,6 +73,8 @@ class FoldedRegionRemovalTest : public QObject {
   void bodyStays();
   void whatIsToStayOpenStays();
   void farFromTheSurfaceNothingGoes();
+  void movesUpToTheTolerance();
+  void bodiesMoveUpToTheirTolerance();
   void noWorkAllowed();
   void cancelled();
 };
@@ -128,6 +157,32 @@ void FoldedRegionRemovalTest::farFromTheSurfaceNothingGoes() {
   const HalfEdgeMesh before = mesh;
   QCOMPARE(replaceFoldedRegions(mesh, upperLoops(mesh), {}), std::size_t{0});
   QVERIFY(test::sameMesh(mesh, before));
+}
+
+// The replacement is the same however large the model is.
+void FoldedRegionRemovalTest::movesUpToTheTolerance() {
+  HalfEdgeMesh folded = tangledBall();
+  const BoundaryLoop loop = upperLoops(folded).at(0);
+  folded.setPosition(folded.from(loop.halfEdges[0]), Vec3(0.02, 0.01, 1.3));
+  const auto move = moveIn(folded, 1e4);
+  QVERIFY(move && *move > 0.1);
+  const double diagonal = *move / tolerance::kFoldedRegionMove;
+  QVERIFY(moveIn(folded, diagonal / 0.98).has_value());
+  QVERIFY(!moveIn(folded, diagonal / 1.02).has_value());
+}
+
+// A nail through the border, which goes as a whole only where it hardly stands out.
+void FoldedRegionRemovalTest::bodiesMoveUpToTheirTolerance() {
+  TriangleSoup s = test::sphereWithoutCap(4, 0.12);
+  const HalfEdgeMesh ball = buildMesh(s).mesh;
+  const Vec3 border = ball.position(ball.from(findBoundaryLoops(ball)[0].halfEdges[0]));
+  test::append(s, test::moved(test::cylinder(8, 1, 0.02, 0.4, true), border - Vec3(0.005, 0.003, 0.2)));
+  const HalfEdgeMesh nailed = buildMesh(s).mesh;
+  const auto move = moveIn(nailed, 1e6);
+  QVERIFY(move && *move > 0.1);
+  const double diagonal = *move / tolerance::kFoldedRegionBodyMove;
+  QVERIFY(moveIn(nailed, diagonal / 0.98).has_value());
+  QVERIFY(!moveIn(nailed, diagonal / 1.02).has_value());
 }
 
 void FoldedRegionRemovalTest::noWorkAllowed() {
