@@ -354,13 +354,13 @@ class MeshDocumentTest : public QObject {
     test::append(soup, test::turnedOver(test::cube(1.0, {1000.5, 0.5, 0.5})));
     const auto document = documentOf(soup);
     QCOMPARE(value(*document, "area"), std::optional(30.0));
-    QCOMPARE(value(*document, "volume"), std::optional(7.0));
+    QVERIFY(std::abs(value(*document, "volume").value_or(0.0) - 7.0) < 1e-12);
     document->commit("Remove face", inspected(without(document->mesh(), 0)));
     QCOMPARE(value(*document, "area"), std::optional(28.0));
     QVERIFY(!value(*document, "volume"));
     document->history()->undo();
     QCOMPARE(value(*document, "area"), std::optional(30.0));
-    QCOMPARE(value(*document, "volume"), std::optional(7.0));
+    QVERIFY(std::abs(value(*document, "volume").value_or(0.0) - 7.0) < 1e-12);
     QVERIFY(!value(*documentOf(sheet(2)), "volume"));
     QVERIFY(!value(*documentOf({}), "volume"));
   }

@@ -74,7 +74,6 @@ class FoldedRegionRemovalTest : public QObject {
   void whatIsToStayOpenStays();
   void farFromTheSurfaceNothingGoes();
   void movesUpToTheTolerance();
-  void bodiesMoveUpToTheirTolerance();
   void noWorkAllowed();
   void cancelled();
 };
@@ -169,20 +168,6 @@ void FoldedRegionRemovalTest::movesUpToTheTolerance() {
   const double diagonal = *move / tolerance::kFoldedRegionMove;
   QVERIFY(moveIn(folded, diagonal / 0.98).has_value());
   QVERIFY(!moveIn(folded, diagonal / 1.02).has_value());
-}
-
-// A nail through the border, which goes as a whole only where it hardly stands out.
-void FoldedRegionRemovalTest::bodiesMoveUpToTheirTolerance() {
-  TriangleSoup s = test::sphereWithoutCap(4, 0.12);
-  const HalfEdgeMesh ball = buildMesh(s).mesh;
-  const Vec3 border = ball.position(ball.from(findBoundaryLoops(ball)[0].halfEdges[0]));
-  test::append(s, test::moved(test::cylinder(8, 1, 0.02, 0.4, true), border - Vec3(0.005, 0.003, 0.2)));
-  const HalfEdgeMesh nailed = buildMesh(s).mesh;
-  const auto move = moveIn(nailed, 1e6);
-  QVERIFY(move && *move > 0.1);
-  const double diagonal = *move / tolerance::kFoldedRegionBodyMove;
-  QVERIFY(moveIn(nailed, diagonal / 0.98).has_value());
-  QVERIFY(!moveIn(nailed, diagonal / 1.02).has_value());
 }
 
 void FoldedRegionRemovalTest::noWorkAllowed() {
