@@ -17,7 +17,8 @@
 namespace handwheel {
 namespace {
 
-constexpr int kRays = 2;  // to a voxel, along either axis across them
+constexpr int kRays = 2;                      // to a voxel, along either axis across them
+constexpr double kShift = 0.5 * (kRays - 1);  // of rays, which are at even places within a voxel
 constexpr double kGreys = 255.0;
 
 // A surface met by rays along an axis: along x of a space whose axes are turned, and whose y and z count rays.
@@ -55,6 +56,20 @@ class AxisRays {
         }
   }
 
+  // Adds some of the places where rays go into the inside or out of it; voxels.
+  void addBounding(std::vector<Vec3>& places) const {
+    constexpr std::size_t kMost = 100'000;
+    const auto found = m_rows.boundingBy([](const Vec3&, int turns) { return static_cast<double>(turns); }).places;
+    for (std::size_t i = 0; i < found.size(); i += found.size() / kMost + 1) {
+      Vec3 at;
+      at[m_axis] = found[i].first.x();
+      at[(m_axis + 1) % 3] = (found[i].first.y() - kShift) / kRays;
+      at[(m_axis + 2) % 3] = (found[i].first.z() - kShift) / kRays;
+      places.push_back(at);
+    }
+  }
+  int mostTurns() const { return m_rows.mostTurns(); }
+
   // Of the middle of a voxel, or nearly.
   bool isInside(const VoxelIndex& voxel) const {
     return m_rows.isInside({voxel[m_axis], kRays * voxel[(m_axis + 1) % 3], kRays * voxel[(m_axis + 2) % 3]});
@@ -63,7 +78,6 @@ class AxisRays {
  private:
   static TriangleSoup turned(const TriangleSoup& closed, int axis) {
     TriangleSoup made = closed;
-    constexpr double kShift = 0.5 * (kRays - 1);  // rays are at even places within a voxel
     for (Vec3& p : made.points)
       p = Vec3(p[axis], kRays * p[(axis + 1) % 3] + kShift, kRays * p[(axis + 2) % 3] + kShift);
     return made;
@@ -152,7 +166,11 @@ Result<SurfaceVolume> volumeByDensity(const TriangleSoup& soup, double voxel, Pr
   makeDistances(made.volume, blocks, DepthWindow::Beside::Corrected, progress.part(0.8, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (!(made.volume.material() > 0.0)) return prepared->nothingInside();
-  made.nearShare = prepared->nearShare(made.volume, std::vector<bool>(closed.triangles.size(), true));
+  std::vector<Vec3> places;
+  for (const AxisRays& axis : rays) axis.addBounding(places);
+  made.nearShare = nearShare(made.volume, places);
+  if (const auto lost = lossRefusal(made.volume, made.nearShare, made.expected / std::max(1, rays[0].mostTurns())))
+    return *lost;
   return made;
 }
 

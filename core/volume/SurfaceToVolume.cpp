@@ -9,6 +9,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -25,6 +26,8 @@ constexpr double kBytesOfBlock = sizeof(VolumeBlock) + 64.0;
 // What is taken for a while beside the result, and by the triangles that its surface becomes, as shares of it;
 // measured.
 constexpr double kWhileMaking = 1.5, kTriangles = 4.0;
+// Of one thread, for a block with its triangles; measured. The least that a job takes; s.
+constexpr double kSecondsOfBlock = 80e-6, kSecondsOfJob = 0.01;
 constexpr int kTile = 32;  // voxels along an edge of what is sampled at once; four blocks
 
 using Tile = std::array<int, 3>;  // its number along z, y, x: the order of the map
@@ -216,6 +219,11 @@ std::vector<Vec3> keptPlaces(const std::vector<std::pair<Vec3, std::uint32_t>>& 
   return kept;
 }
 
+std::vector<Vec3> inVoxels(std::vector<Vec3> places, const SparseVolume& volume) {
+  for (Vec3& p : places) p = (p - volume.origin()) / volume.voxel();
+  return places;
+}
+
 }  // namespace
 
 Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress,
@@ -261,8 +269,12 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   made.expected = prepared->enclosed();
   if (!(made.volume.material() > 0.0)) return prepared->nothingInside();
-  made.nearShare = prepared->nearShare(made.volume, bounding);
   made.kept = keptPlaces(found.places, soup.triangles.size(), made.volume);
+  made.nearShare = rows.isSimple() ? prepared->nearShare(made.volume, bounding)
+                                   : nearShare(made.volume, inVoxels(made.kept, made.volume));
+  // What a membrane closes is not enclosed by cones.
+  const double least = caps.wide.empty() ? made.expected / std::max(1, rows.mostTurns()) : 0.0;
+  if (const auto lost = lossRefusal(made.volume, made.nearShare, least)) return *lost;
   progress.set(1.0);
   return made;
 }
@@ -296,6 +308,10 @@ double predictedMakingBytes(double area, const Vec3& extent, double voxel) {
   const double rows = extent.y() / voxel * (extent.z() / voxel);
   return predictedVolumeBytes(area, voxel) * (1.0 + kWhileMaking + kTriangles) +
          rows * sizeof(std::size_t);  // their index
+}
+
+double predictedMakingSeconds(double area, double voxel) {
+  return kSecondsOfJob + kSecondsOfBlock * predictedBlocks(area, voxel) / tbb::this_task_arena::max_concurrency();
 }
 
 }  // namespace handwheel

@@ -18,7 +18,8 @@ struct SurfaceVolume {
   SparseVolume volume;
   std::size_t closedBoundaries = 0;  // holes, gaps and turned faces
   double expected = 0.0;   // mm³ inside the surface closed by cones, by its triangles; of overlaps each counts
-  double nearShare = 0.0;  // of the area that bounds material: what is within a voxel of the volume's surface
+  double nearShare = 0.0;  // of the area that bounds material: what is near the volume's surface, the rest is not
+                           // within a voxel of it
   std::vector<Vec3> kept;  // mm, places on the surface that certainly bound material, all over it
 };
 
@@ -31,9 +32,15 @@ struct SurfaceVolume {
 // voxel: edge of a voxel, mm. alignedTo: the origin of a grid that it is to share but for whole blocks, mm; none: sides
 // of the part lie between voxels. On all threads of the arena; O(area / voxel² + n log n). Errors:
 // MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange (of the voxel), VolumeErrors::TooFine (more voxels along an
-// axis than a volume has), TooLarge (for the memory that the system has left), NoVoxelInside, NothingInside; Cancelled.
+// axis than a volume has), TooLarge (for the memory that the system has left), NoVoxelInside, NothingInside,
+// SurfaceIsLost, MaterialIsLost; Cancelled.
 Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress = {},
                                       const std::optional<Vec3>& alignedTo = {});
+
+// The least share of what bounds a solid, and of what is in it, that is kept where voxels stand for it at all.
+inline constexpr double kLeastKept = 0.5;
+// The share of its surface that voxels may lose without a word: the tips of edges. More were walls.
+inline constexpr double kThinShare = 1e-3;
 
 // The voxel for a surface where a person chooses none: so many along its largest extent; mm.
 inline constexpr double kUsualVoxels = 256.0;
@@ -48,5 +55,7 @@ double predictedBlocks(double area, double voxel);
 double predictedVolumeBytes(double area, double voxel);
 // What volumeOfSurface() asks the system for, but for wide holes; bytes. extent: of the surface, mm.
 double predictedMakingBytes(double area, const Vec3& extent, double voxel);
+// How long that and the triangles of its surface take on the threads of the arena, by its order of magnitude; s.
+double predictedMakingSeconds(double area, double voxel);
 
 }  // namespace handwheel

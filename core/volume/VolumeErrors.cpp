@@ -14,6 +14,12 @@ const ErrorDescription VolumeErrors::TooLarge{
     .sentences = {translatable("ErrorText", "voxels of %1 mm would need %2 MB, and %3 MB are available")},
     .advice = {translatable("ErrorText", "Choose larger voxels, or close other programs.")}};
 
+const ErrorDescription VolumeErrors::NeedsConsent{
+    .id = "NeedsConsent",
+    .sentences = {translatable(
+        "ErrorText", "voxels of %1 mm would need %2 MB, which is more than a quarter of the %3 MB that are available")},
+    .advice = {translatable("ErrorText", "Choose larger voxels, or confirm it with --yes.")}};
+
 const ErrorDescription VolumeErrors::TooLargeToSave{
     .id = "TooLargeToSave",
     .sentences = {translatable("ErrorText",
@@ -35,6 +41,20 @@ const ErrorDescription VolumeErrors::NothingInside{
     .sentences = {translatable("ErrorText", "the surface encloses no volume")},
     .advice = {translatable("ErrorText",
                             "Turn its faces outwards, or make walls of sheets: 'handwheel voxelize --wall MM'.")}};
+
+const ErrorDescription VolumeErrors::SurfaceIsLost{
+    .id = "SurfaceIsLost",
+    .sentences = {translatable("ErrorText",
+                               "voxels of %1 mm would keep %2 % of the surface, and at least %3 % are needed")},
+    .advice = {
+        translatable("ErrorText", "Walls thinner than a voxel are lost: choose smaller voxels, or a wall thickness.")}};
+
+const ErrorDescription VolumeErrors::MaterialIsLost{
+    .id = "MaterialIsLost",
+    .sentences = {translatable("ErrorText",
+                               "voxels of %1 mm would contain %2 mm³, and at least %3 mm³ are needed of what the "
+                               "surface encloses")},
+    .advice = {translatable("ErrorText", "Walls thinner than a voxel are lost: choose smaller voxels.")}};
 
 const ErrorDescription VolumeErrors::NothingLeft{
     .id = "NothingLeft",

@@ -9,10 +9,13 @@ namespace handwheel::VolumeErrors {
 
 extern const ErrorDescription TooFine;              // {voxel in mm, extent in mm, least voxel in mm}
 extern const ErrorDescription TooLarge;             // {voxel in mm, MB that it takes, MB that there are}
+extern const ErrorDescription NeedsConsent;         // {voxel in mm, MB that it takes, MB that there are}
 extern const ErrorDescription TooLargeToSave;       // {voxel in mm, MB that it takes, MB that a document holds}
 extern const ErrorDescription ImageTooLarge;        // {MB of the image, MB of the volume, MB that a document holds}
 extern const ErrorDescription NoVoxelInside;        // {voxel in mm} it is thinner than they are
 extern const ErrorDescription NothingInside;        // the surface goes round nothing: flat, or inside out
+extern const ErrorDescription SurfaceIsLost;        // {voxel in mm, % of the surface that is kept, % that is needed}
+extern const ErrorDescription MaterialIsLost;       // {voxel in mm, mm³ that is kept, mm³ that is needed}
 extern const ErrorDescription NothingLeft;          // of what was cut, or moved inwards
 extern const ErrorDescription WallTooThin;          // {wall in mm, voxel in mm, largest voxel for it in mm}
 extern const ErrorDescription NoSuchDrill;          // {word}

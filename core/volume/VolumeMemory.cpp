@@ -8,11 +8,33 @@
 
 namespace handwheel {
 
+namespace {
+
+constexpr double kShareWithoutAsking = 0.25;  // of the memory that the system has left
+
+double memoryLeft() {
+  return static_cast<double>(systemMemory());
+}
+
+// An error of one of the codes that have these arguments.
+Error errorOf(const ErrorDescription& code, double voxel, double bytes) {
+  return {code, {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(memoryLeft() / 1e6, 3)}, {}, {}};
+}
+
+}  // namespace
+
 std::optional<Error> memoryRefusal(double voxel, double bytes) {
-  const auto left = static_cast<double>(systemMemory());
-  if (bytes <= left) return std::nullopt;
-  return Error{
-      VolumeErrors::TooLarge, {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(left / 1e6, 3)}, {}, {}};
+  if (bytes <= memoryLeft()) return std::nullopt;
+  return errorOf(VolumeErrors::TooLarge, voxel, bytes);
+}
+
+bool needsConsent(double bytes) {
+  return !(bytes <= kShareWithoutAsking * memoryLeft());
+}
+
+std::optional<Error> consentRefusal(double voxel, double bytes, bool isAgreed) {
+  if (isAgreed || !needsConsent(bytes) || memoryRefusal(voxel, bytes)) return std::nullopt;
+  return errorOf(VolumeErrors::NeedsConsent, voxel, bytes);
 }
 
 }  // namespace handwheel

@@ -12,4 +12,10 @@ namespace handwheel {
 // mm.
 std::optional<Error> memoryRefusal(double voxel, double bytes);
 
+// Whether a volume that needs so many bytes is made only after asking: it takes more than a quarter of what is left.
+bool needsConsent(double bytes);
+
+// The error where that is so, nobody has agreed, and it is not refused anyway: VolumeErrors::NeedsConsent.
+std::optional<Error> consentRefusal(double voxel, double bytes, bool isAgreed);
+
 }  // namespace handwheel

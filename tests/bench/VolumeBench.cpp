@@ -101,6 +101,9 @@ void makeReady(benchmark::State& state) {
   }
   bars.atMost("75 x 90 x 63 mm, 20,480 triangles, 0.1 mm: ready, s", 3.0, volumes.seconds + surfaces.seconds);
   bars.tell("of it the display, s", surfaces.seconds);
+  const double predicted = predictedMakingSeconds(surfaceArea(soup), kVoxel),
+               taken = volumes.seconds + surfaces.seconds;
+  bars.atMost("the time that was predicted, times off", 10.0, std::max(predicted / taken, taken / predicted));
   bars.atMost("its voxels, MB", 150.0, static_cast<double>(bytes) / 1e6);
   bars.tell("its display, MB", static_cast<double>(display) / 1e6);
 #ifdef HANDWHEEL_HAS_OPENVDB

@@ -8,8 +8,10 @@
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeMemory.h"
+#include "volume/VolumeReader.h"
 #include "volume/repair/WindingNumberFill.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +23,14 @@ Vec3 originBefore(const Vec3& first, double voxel, const std::optional<Vec3>& al
   if (!alignedTo) return first;
   const double block = VolumeBlock::kSize * voxel;
   return *alignedTo + block * ((first - *alignedTo) / block).array().floor().matrix();
+}
+
+bool isNearSurface(const VolumeReader& reader, const Vec3& place) {
+  const VoxelIndex first = place.array().floor().matrix().cast<int>() - VoxelIndex::Ones();
+  bool isInside = false, isOutside = false;
+  for (int i = 0; i < 64 && !(isInside && isOutside); ++i)
+    (reader.sample(first + VoxelIndex(i & 3, i >> 2 & 3, i >> 4)) > 0 ? isInside : isOutside) = true;
+  return isInside && isOutside;
 }
 
 }  // namespace
@@ -37,20 +47,49 @@ double ClosedSurfaceInVoxels::enclosed() const {
 }
 
 double ClosedSurfaceInVoxels::nearShare(const SparseVolume& volume, const std::vector<bool>& isUsed) const {
+  constexpr double kApart = 4.0;  // voxels between places, about
+  constexpr int kMost = 64;       // parts of an edge
+  const VolumeReader reader(volume);
   double near = 0.0, all = 0.0;
   for (std::size_t i = 0; i < closed.triangles.size(); ++i) {
     if (!isUsed[i]) continue;
     const Triangle& t = closed.triangles[i];
-    const Vec3 &a = closed.points[t[0]], &b = closed.points[t[1]], &c = closed.points[t[2]];
-    const double area = 0.5 * (b - a).cross(c - a).norm();
-    all += area;
-    const VoxelIndex base = ((a + b + c) / 3.0).array().floor().cast<int>();
-    bool isInside = false, isOutside = false;
-    for (int k = 0; k < 8; ++k)
-      (volume.sample(base + VoxelIndex(k & 1, k >> 1 & 1, k >> 2)) > 0 ? isInside : isOutside) = true;
-    if (isInside && isOutside) near += area;
+    const Vec3 &a = closed.points[t[0]], ab = closed.points[t[1]] - a, ac = closed.points[t[2]] - a;
+    const double area = 0.5 * ab.cross(ac).norm();
+    const int parts = static_cast<int>(std::clamp(std::sqrt(area) / kApart, 0.0, kMost - 1.0)) + 1;
+    // The middles of parts², all of one size.
+    for (int j = 0; j < parts; ++j)
+      for (int k = 0; k < 2 * (parts - j) - 1; ++k) {
+        const double third = k % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
+        const Vec3 place = a + ((j + third) * ab + (k / 2 + third) * ac) / parts;
+        const double share = area / (parts * parts);
+        all += share;
+        if (isNearSurface(reader, place)) near += share;
+      }
   }
   return all > 0.0 ? near / all : 0.0;
+}
+
+double nearShare(const SparseVolume& volume, const std::vector<Vec3>& places) {
+  const VolumeReader reader(volume);
+  std::size_t near = 0;
+  for (const Vec3& place : places) near += isNearSurface(reader, place);
+  return places.empty() ? 1.0 : static_cast<double>(near) / static_cast<double>(places.size());
+}
+
+std::optional<Error> lossRefusal(const SparseVolume& volume, double nearShare, double expected) {
+  if (nearShare < kLeastKept)
+    return Error{VolumeErrors::SurfaceIsLost,
+                 {roundedText(volume.voxel()), roundedText(100.0 * nearShare, 2), roundedText(100.0 * kLeastKept, 2)},
+                 {},
+                 {}};
+  const double material = volume.material();
+  if (material < kLeastKept * expected)
+    return Error{VolumeErrors::MaterialIsLost,
+                 {roundedText(volume.voxel()), roundedText(material, 3), roundedText(kLeastKept * expected, 3)},
+                 {},
+                 {}};
+  return std::nullopt;
 }
 
 Error ClosedSurfaceInVoxels::nothingInside() const {

@@ -133,4 +133,12 @@ Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRep
   return repair;
 }
 
+// Gaps are filled beside the volume that is made by then.
+double predictedRepairBytes(double area, const Vec3& extent, const VolumeRepairOptions& options) {
+  const double making = predictedMakingBytes(area, extent, options.voxel);
+  if (options.gaps == 0.0) return making;
+  const double filling = predictedOffsetBytes(predictedBlocks(area, options.voxel));
+  return std::max(making, filling + predictedVolumeBytes(area, options.voxel));
+}
+
 }  // namespace handwheel

@@ -39,4 +39,8 @@ struct VolumeRepair {
 Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRepairOptions& options,
                                     Progress progress = {});
 
+// What that asks the system for, of a surface of this area, mm², and extent, mm, but for its hierarchy of triangles;
+// bytes.
+double predictedRepairBytes(double area, const Vec3& extent, const VolumeRepairOptions& options);
+
 }  // namespace handwheel

@@ -129,6 +129,7 @@ ScanlineCrossings::ScanlineCrossings(const TriangleSoup& closed, Progress progre
     const int after = m_after[i];
     m_crossed[m_crossings[i].triangle] = true;
     if (after < 0 || after > 1) m_isSimple = false;
+    m_mostTurns = std::max(m_mostTurns, after);
   }
 }
 

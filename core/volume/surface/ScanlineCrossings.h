@@ -38,6 +38,8 @@ class ScanlineCrossings {
 
   // Whether it goes round nothing more than once, nor backwards: then each triangle bounds the inside.
   bool isSimple() const { return m_isSimple; }
+  // How often it goes round anything at most.
+  int mostTurns() const { return m_mostTurns; }
   // Where rows go into the inside or out of it: the triangles, each with true, and the places. Inside is what has a
   // winding number above a half; turns(place, whole) is it, given the whole one there. O(crossings).
   using Turns = std::function<double(const Vec3&, int)>;
@@ -56,6 +58,7 @@ class ScanlineCrossings {
   std::vector<int> m_after;           // the winding number behind each
   std::vector<bool> m_crossed;
   bool m_isSimple = true;
+  int m_mostTurns = 0;
 };
 
 }  // namespace handwheel

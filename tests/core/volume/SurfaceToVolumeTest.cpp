@@ -6,12 +6,14 @@
 #include "SolidAngles.h"
 #include "TestClass.h"
 #include "proximity/TriangleHierarchy.h"
+#include "volume/SurfaceDensity.h"
 #include "volume/VolumeErrors.h"
 
 #include <rapidcheck.h>
 
 #include <QtTest>
 #include <limits>
+#include <thread>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -36,6 +38,13 @@ void compare(const SparseVolume& volume, const TriangleSoup& soup, int step) {
           QVERIFY(std::abs(depth) > 2.98);
         }
       }
+}
+
+// A box with a corner at (x, 0, 0).
+TriangleSoup slab(double x, double thickness, double across) {
+  TriangleSoup made = cube(1.0);
+  for (Vec3& p : made.points) p = Vec3(x + thickness * p.x(), across * p.y(), across * p.z());
+  return made;
 }
 
 }  // namespace
@@ -170,6 +179,60 @@ class SurfaceToVolumeTest : public QObject {
     TriangleSoup broken = cube();
     broken.points[3].x() = std::numeric_limits<double>::infinity();
     QVERIFY(!volumeOfSurface(broken, 0.1).hasValue());
+  }
+
+  // Samples lie at halves of a mm, and so none is in a plate from 20 to 20.3 mm. Beside a cube with 600 mm² it has
+  // 2 a² + 1.2 a mm²: of 15 mm it is 44 % of the surface, of 20 mm 58 %. The share that is left is said in any case.
+  void surfaceThatIsLost() {
+    TriangleSoup some = cube(10.0), most = cube(10.0);
+    append(some, slab(20.0, 0.3, 15.0));
+    append(most, slab(20.0, 0.3, 20.0));
+    for (const VoxelMethod method : {VoxelMethod::Sign, VoxelMethod::Density}) {
+      const Result<SurfaceVolume> made = volumeOfSurface(some, 1.0, method, {});
+      QVERIFY(made.hasValue());
+      // Rays meet a triangle the more often the less it lies along them.
+      QVERIFY2(std::abs(made->nearShare - 0.56) < (method == VoxelMethod::Sign ? 0.01 : 0.05),
+               qPrintable(QString::number(made->nearShare)));
+      const Error error = volumeOfSurface(most, 1.0, method, {}).error();
+      QVERIFY(error.code == VolumeErrors::SurfaceIsLost);
+      QCOMPARE(error.arguments.size(), std::size_t{3});
+      QCOMPARE(error.arguments[2], std::string("50"));
+    }
+    // Smaller voxels keep the plate.
+    const Result<SurfaceVolume> fine = volumeOfSurface(most, 0.25);
+    QVERIFY(fine.hasValue());
+    QVERIFY(fine->nearShare > 1.0 - kThinShare);
+  }
+
+  // Plates that have samples in them, and others of 0.8 mm between samples that lie near those: their surface is near
+  // that of the volume, but what they enclose is not in it. Of 0.9 + 3 · 0.8 mm the volume has 1 mm, or of 0.9 + 0.8.
+  void materialThatIsLost() {
+    for (const int lost : {1, 3}) {
+      TriangleSoup plates;
+      for (int i = 0; i < 4; ++i) {
+        const double x = i * (lost + 2.0);
+        append(plates, slab(x, 0.9, 12.0));
+        for (int k = 0; k < lost; ++k) append(plates, slab(x + 1.6 + k, 0.8, 12.0));
+      }
+      const Result<SurfaceVolume> made = volumeOfSurface(plates, 1.0);
+      QCOMPARE(made.hasValue(), lost == 1);
+      if (!made) QVERIFY(made.error().code == VolumeErrors::MaterialIsLost);
+    }
+    // A body that is there three times encloses what it does once.
+    TriangleSoup thrice = cube(10.0);
+    for (const double shift : {0.1, 0.2}) append(thrice, cube(10.0, Vec3::Constant(shift)));
+    QVERIFY(volumeOfSurface(thrice, 0.5).hasValue());
+  }
+
+  // Where a surface takes all of the time, half of the voxel takes four times as long.
+  void secondsArePredicted() {
+    const double area = 75.0 * 90.0 * 6.0;  // mm²
+    const double coarse = predictedMakingSeconds(area, 0.1), fine = predictedMakingSeconds(area, 0.05);
+    QVERIFY(fine > 2.0 * coarse && fine < 4.1 * coarse);  // a job takes a little in any case
+    QVERIFY(predictedMakingSeconds(0.0, 0.1) > 0.0);
+    // Two threads took 2.6 s of a part with such an area (docs/adr/0041).
+    const double onTwo = coarse * std::thread::hardware_concurrency() / 2.0;
+    QVERIFY2(onTwo > 0.26 && onTwo < 26.0, qPrintable(QString::number(onTwo)));
   }
 
   // Voxels as large as the part, and a part that is far from the origin.

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/VolumeMemory.h"
+
+#include "TestClass.h"
+#include "process/SystemMemory.h"
+#include "volume/VolumeErrors.h"
+
+#include <QtTest>
+#include <limits>
+
+using namespace handwheel;
+
+// The memory of the system changes while this runs, but not by a fifth of it.
+class VolumeMemoryTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aQuarterIsTakenWithoutAsking() {
+    const auto left = static_cast<double>(systemMemory());
+    QVERIFY(!needsConsent(0.0));
+    QVERIFY(!needsConsent(0.2 * left));
+    QVERIFY(needsConsent(0.3 * left));
+    for (const double none : {std::numeric_limits<double>::infinity(), std::nan("")}) QVERIFY(needsConsent(none));
+  }
+
+  void whatIsRefused() {
+    const auto left = static_cast<double>(systemMemory());
+    QVERIFY(!consentRefusal(0.1, 0.2 * left, false));
+    const auto refused = consentRefusal(0.1, 0.5 * left, false);
+    QVERIFY(refused && refused->code == VolumeErrors::NeedsConsent);
+    QCOMPARE(refused->arguments.size(), std::size_t{3});
+    QCOMPARE(refused->arguments[0], std::string("0.1"));
+    QVERIFY(std::abs(std::stod(refused->arguments[1]) / (0.5e-6 * left) - 1.0) < 0.01);  // three digits
+    QVERIFY(!consentRefusal(0.1, 0.5 * left, true));
+    // Nobody can agree to what is not there.
+    QVERIFY(!consentRefusal(0.1, 2.0 * left, false));
+    QVERIFY(memoryRefusal(0.1, 2.0 * left));
+    QVERIFY(!memoryRefusal(0.1, 0.5 * left));
+  }
+};
+
+HANDWHEEL_TEST(VolumeMemoryTest)
+#include "VolumeMemoryTest.moc"
