@@ -81,6 +81,8 @@ std::string idleSentence(const Step& step, const StepOutcome& outcome) {
   sentence += " changed nothing";
   if (outcome.failure != FillFailure::None) {
     sentence += ": " + fillFailureReason(outcome.failure).toStdString();
+  } else if (outcome.error) {
+    sentence += ": " + fullSentenceFor(*outcome.error);
   } else if (outcome.reason) {
     sentence += std::string(": ") + outcome.reason;
   }

@@ -13,6 +13,7 @@
 #include "tools/mesh/sculpt/SculptTool.h"
 #include "tools/mesh/voxels/VolumeRepairTool.h"
 #include "viewport/surface/MeshLayer.h"
+#include "window/MemoryQuestion.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTab.h"
 #include "window/mesh/Selection.h"
@@ -24,9 +25,10 @@
 
 namespace handwheel {
 
-MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, const MeshLayer& layer, Selection& selection,
+MeshTools::MeshTools(QWidget* window, ToolHost& host, QThreadPool& pool, const MeshLayer& layer, Selection& selection,
                      HolePreview& preview, RepairActions& actions, RepairJobs& jobs, QObject* parent)
     : QObject(parent),
+      m_window(window),
       m_host(host),
       m_layer(layer),
       m_selection(selection),
@@ -128,7 +130,10 @@ std::unique_ptr<Tool> MeshTools::transformTool() {
 }
 
 std::unique_ptr<Tool> MeshTools::volumeRepairTool() {
-  return std::make_unique<VolumeRepairTool>(m_document->document, services());
+  return std::make_unique<VolumeRepairTool>(m_document->document, services(),
+                                            [window = m_window](double bytes, std::function<void()> start) {
+                                              askForMemory(window, bytes, std::move(start));
+                                            });
 }
 
 MeshServices MeshTools::services() {

@@ -23,8 +23,8 @@ class MeshTools : public QObject {
   Q_OBJECT
 
  public:
-  MeshTools(ToolHost& host, QThreadPool& pool, const MeshLayer& layer, Selection& selection, HolePreview& preview,
-            RepairActions& actions, RepairJobs& jobs, QObject* parent = nullptr);
+  MeshTools(QWidget* window, ToolHost& host, QThreadPool& pool, const MeshLayer& layer, Selection& selection,
+            HolePreview& preview, RepairActions& actions, RepairJobs& jobs, QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);
   // Sets the method for holes that are filled one by one.
@@ -55,6 +55,7 @@ class MeshTools : public QObject {
   void followTool();
   MeshServices services();
 
+  QWidget* m_window;  // that asks
   ToolHost& m_host;
   const MeshLayer& m_layer;
   Selection& m_selection;

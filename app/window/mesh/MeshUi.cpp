@@ -65,7 +65,7 @@ MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
       m_section(parts.viewport, *m_layer, parts.pool),
       m_panels(new QStackedWidget(parts.window)),
       m_scene(new DefectScene(parts.viewport, *m_layer, m_selection, *m_panel->model(), this)),
-      m_tools(parts.tools, parts.pool, *m_layer, m_selection, m_preview, m_actions, m_jobs),
+      m_tools(parts.window, parts.tools, parts.pool, *m_layer, m_selection, m_preview, m_actions, m_jobs),
       m_touch(parts),
       m_show(parts, m_jobs, this) {
   parts.viewport.addLayer(m_layer);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Error.h"
 #include "base/Progress.h"
 #include "mesh/search/FaceHierarchy.h"
 
@@ -15,6 +16,12 @@ namespace handwheel {
 
 class MeshDocument;
 struct SheetOutcomes;
+
+// What became of a repair by volume.
+struct VolumeOutcome {
+  std::optional<Error> error;  // why there is none
+  bool hasLostWalls = false;   // thinner than a voxel
+};
 
 // A change of a mesh as a repeatable function. It can run on another thread, and once more when the mesh has changed
 // meanwhile. Faces keep their indices.
@@ -37,6 +44,8 @@ struct MeshChange {
   // Set by apply: the largest distance between the surfaces before and after, mm, where it was measured. Null for other
   // changes.
   std::shared_ptr<std::optional<double>> distance = nullptr;
+  // Set by apply of a repair by volume. Null for other changes.
+  std::shared_ptr<VolumeOutcome> volume = nullptr;
   // Removes faces that the user has chosen, perhaps more than were meant.
   bool isDeletion = false;
   // Repairs listed defects: it is said how many of each kind there were before and are afterwards.

@@ -246,8 +246,8 @@ constexpr Verb kVerbs[] = {
      nullptr},
     {"by-volume",
      [](StepReader&, const OperationValues& v, const MeshDocument& d) {
-       return volumeRepairChange({v.given("voxel").value_or(0.0), v.number("close-gaps"), v.number("wall")},
-                                 numbersFor(d, v));
+       return volumeRepairChange(
+           {v.given("voxel").value_or(0.0), v.number("close-gaps"), v.number("wall"), v.flag("yes")}, numbersFor(d, v));
      },
      nullptr},
     {"decimate", readDecimate, nullptr},
@@ -282,9 +282,12 @@ Result<StepOutcome> applyChange(MeshDocument& document, const MeshChange& change
   const bool changed = commitChange(document, change, progress);
   const char* reason = reasonOf(change);
   const char* why = reason == kEdgeChanged ? kImpossible : reason;
-  return StepOutcome{changed, changed ? nullptr : why, FillFailure::None,
+  return StepOutcome{changed,
+                     changed ? nullptr : why,
+                     FillFailure::None,
                      change.sheets ? *change.sheets : SheetOutcomes(),
-                     changed && change.distance ? *change.distance : std::nullopt};
+                     changed && change.distance ? *change.distance : std::nullopt,
+                     !changed && change.volume ? change.volume->error : std::nullopt};
 }
 
 Result<StepOutcome> addFile(StepReader& reader, MeshDocument& document, Progress progress,

@@ -23,6 +23,7 @@ struct StepOutcome {
   FillFailure failure = FillFailure::None;
   SheetOutcomes sheets = {};            // of a step that thickens some
   std::optional<double> distance = {};  // as MeshChange::distance
+  std::optional<Error> error = {};      // why nothing changed, where figures belong to it
 };
 
 // Reads the mesh of another file, for "add".

@@ -194,6 +194,9 @@ void RepairJobs::changed(const Request& request, const QString& text, const Insp
     if (!crossings || !wanted.crossed) return;
     if (crossings->fresh > 0) reportCrossings(*document, *crossings);
     wanted.crossed(crossings->fresh);
+  } else if (wanted.volume && wanted.volume->error) {
+    const Error& error = *wanted.volume->error;
+    emit changedNothing(document, text, errorSentence(error) + QLatin1Char(' ') + errorAdvice(error));
   } else if (const char* reason = reasonOf(wanted)) {
     noteReasons(inspection, wanted, request.of, document->document.revision() == request.revision);
     if (request.of && request.of->row < 0) inspection.setHopeless(request.of->kind);
@@ -204,7 +207,8 @@ void RepairJobs::changed(const Request& request, const QString& text, const Insp
 void RepairJobs::logChange(const MeshTab& document, const MeshChange& done, const QString& text,
                            const QString& command) {
   const ChangeSummary summary = changeSummaryOf(document, done, text);
-  m_log.add(summary.line, command, summary.isPartly ? LogEntry::Weight::Warning : LogEntry::Weight::Info);
+  m_log.add(summary.line, command,
+            summary.isPartly || summary.hasLostWalls ? LogEntry::Weight::Warning : LogEntry::Weight::Info);
   if (summary.isPartly) {
     emit changedPartly(&document, text, summary.how);
   } else if (summary.isTold) {

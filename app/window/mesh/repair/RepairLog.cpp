@@ -24,6 +24,8 @@ ChangeSummary changeSummaryOf(const MeshTab& document, const MeshChange& done, c
   if (isMeasured)
     how << RepairJobs::tr("largest distance found between the surface before and after %1")
                .arg(lengthText(**done.distance, unit));
+  summary.hasLostWalls = done.volume && done.volume->hasLostWalls;
+  if (summary.hasLostWalls) how << RepairJobs::tr("walls thinner than a voxel were lost: choose smaller voxels");
   how << defects;
   summary.line = RepairJobs::tr("%1: %2").arg(name, text);
   if (isThickened) {

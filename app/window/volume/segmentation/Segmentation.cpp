@@ -14,6 +14,7 @@
 #include "volume/segment/SegmentSmoothing.h"
 #include "volume/segment/SegmentToVolume.h"
 #include "window/ActionToolTip.h"
+#include "window/MemoryQuestion.h"
 #include "window/documents/DocumentTab.h"
 #include "window/volume/segmentation/SlicesPanel.h"
 
@@ -95,7 +96,7 @@ void Segmentation::makeDocks() {
   });
   connect(m_panel, &SegmentationPanel::brushChanged, this, &Segmentation::setBrush);
   connect(m_panel, &SegmentationPanel::greysEdited, this, &Segmentation::setGreys);
-  connect(m_panel, &SegmentationPanel::surfaceRequested, this, &Segmentation::makeSurface);
+  connect(m_panel, &SegmentationPanel::surfaceRequested, this, &Segmentation::askForSurface);
   connectSlices();
 }
 
@@ -307,6 +308,10 @@ void Segmentation::grow(const Vec3& index) {
                              "that includes this value.")
                               .arg(QLocale().toString(value, 'g', 6))};
          });
+}
+
+void Segmentation::askForSurface() {
+  askForMemory(m_parts.window, m_panel->surfaceBytes(), [this] { makeSurface(); });
 }
 
 void Segmentation::makeSurface() {

@@ -66,6 +66,7 @@ class Segmentation : public QObject {
   void change(const QString& name, const QString& text, const Change& how);
   void keepFirst(int parts);
   void grow(const Vec3& index);
+  void askForSurface();
   void makeSurface();
   void fail(const QString& what, const QString& why);
 

@@ -4,6 +4,7 @@
 
 #include "controls/NumberField.h"
 #include "process/SystemMemory.h"
+#include "volume/VolumeMemory.h"
 #include "volume/image/ImageToVolume.h"
 #include "volume/segment/SegmentToVolume.h"
 #include "window/volume/segmentation/HistogramView.h"
@@ -355,15 +356,18 @@ void SegmentationPanel::showDebris() {
                             .arg(number(static_cast<double>(lost) * sample, 4)));
 }
 
+double SegmentationPanel::surfaceBytes() const {
+  return m_scan && m_figures.parts ? predictedBytes(m_scan->image, m_segment, m_figures.faces, m_voxel->value()) : 0.0;
+}
+
 void SegmentationPanel::showMemory() {
   if (!m_scan || !m_figures.parts) return m_memory->clear();
-  const double bytes = predictedBytes(m_scan->image, m_segment, m_figures.faces, m_voxel->value());
+  const double bytes = surfaceBytes();
   const auto left = static_cast<double>(systemMemory());
   const QString text =
       tr("About %1 MB of %2 MB available")
           .arg(QLocale().toString(std::ceil(bytes / 1e6), 'f', 0), QLocale().toString(left / 1e6, 'f', 0));
-  // As elsewhere: what takes more than a quarter is pointed out.
-  m_memory->setText(bytes <= left / 4.0 ? text : text + QLatin1Char('\n') + tr("Larger voxels need less."));
+  m_memory->setText(needsConsent(bytes) ? text + QLatin1Char('\n') + tr("Larger voxels need less.") : text);
 }
 
 }  // namespace handwheel

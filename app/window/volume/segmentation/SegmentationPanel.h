@@ -58,6 +58,7 @@ class SegmentationPanel : public QWidget {
   Brush brush() const;
   void stepRadius(double factor);
   Surface surface() const;
+  double surfaceBytes() const;  // that it is going to need; 0 until parts are counted
 
  signals:
   void rangeEdited(const handwheel::ValueRange& range, bool stillDragging);

@@ -9,6 +9,7 @@
 #include "tools/mesh/voxels/VolumeRepairOperation.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
+#include "volume/VolumeMemory.h"
 #include "volume/repair/TriangleWalls.h"
 #include "volume/repair/VolumeRepair.h"
 
@@ -19,17 +20,28 @@
 namespace handwheel {
 namespace {
 
+// Of errors whose sentences say less.
 const char* reasonOf(const Error& error) {
   if (error.code == VolumeErrors::NothingInside)
     return QT_TRANSLATE_NOOP(
         "Tool", "the surface encloses nothing, even with its holes closed: set a wall thickness to make walls of it");
-  if (error.code == VolumeErrors::NoVoxelInside)
-    return QT_TRANSLATE_NOOP("Tool", "the part is thinner than the voxels: choose smaller ones");
-  if (error.code == VolumeErrors::TooLarge)
-    return QT_TRANSLATE_NOOP("Tool", "the voxels need more memory than there is left: choose larger ones");
-  if (error.code == VolumeErrors::TooFine)
-    return QT_TRANSLATE_NOOP("Tool", "the voxels are too small for a part of this size: choose larger ones");
   return QT_TRANSLATE_NOOP("Tool", "there are no triangles, or they have coordinates that are not numbers");
+}
+
+bool hasFigures(const Error& error) {
+  return !error.arguments.empty() && error.code != ErrorCode::NumberNotFinite;
+}
+
+// Refuses what takes more memory than was agreed to.
+Result<VolumeRepair> agreedRepair(const TriangleSoup& surface, const VolumeRepairOptions& options,
+                                  const VolumeRepairWish& wish, Progress progress) {
+  Box box;
+  for (const Vec3& p : surface.points) box.extend(p);
+  if (!box.isEmpty() && box.sizes().allFinite()) {
+    const double bytes = predictedRepairBytes(surfaceArea(surface), box.sizes(), options);
+    if (const auto error = consentRefusal(options.voxel, bytes, wish.isAgreed)) return *error;
+  }
+  return repairByVolume(surface, options, progress);
 }
 
 }  // namespace
@@ -46,21 +58,28 @@ MeshChange volumeRepairChange(const VolumeRepairWish& wish, NumberType numbers) 
   values.setValid("close-gaps", wish.gaps);
   values.setValid("wall", wish.wall);
   setNumbers(values, numbers);
+  if (wish.isAgreed) values.setValid("yes", true);
   const auto distance = std::make_shared<std::optional<double>>();
+  const auto outcome = std::make_shared<VolumeOutcome>();
   MeshChange change =
       explainedChange(volumeRepairOperation().title, [=](HalfEdgeMesh& mesh, Progress progress) -> const char* {
         const TriangleSoup surface = mesh.compact().soup;
         const VolumeRepairOptions options{
             .voxel = voxelFor(wish, usualVoxel(surface)), .gaps = wish.gaps, .numbers = numbers};
-        Result<VolumeRepair> repair =
-            repairByVolume(wish.wall > 0.0 ? wallsOf(surface, wish.wall) : surface, options, progress.part(0.0, 0.9));
-        if (!repair) return repair.error().code == ErrorCode::Cancelled ? nullptr : reasonOf(repair.error());
+        *outcome = {};
+        Result<VolumeRepair> repair = agreedRepair(wish.wall > 0.0 ? wallsOf(surface, wish.wall) : surface, options,
+                                                   wish, progress.part(0.0, 0.9));
+        if (!repair && repair.error().code == ErrorCode::Cancelled) return nullptr;
+        if (!repair && hasFigures(repair.error())) outcome->error = repair.error();
+        if (!repair) return reasonOf(repair.error());
+        outcome->hasLostWalls = repair->keptDistance > options.voxel;
         *distance = largestDistance(repair->mesh, mesh, progress.part(0.9, 1.0));
         if (progress.cancelled()) return nullptr;
         mesh = std::move(repair->mesh);
         return nullptr;
       });
   change.distance = distance;
+  change.volume = outcome;
   return asFix(std::move(change), StepWriter("by-volume").options(values).text());
 }
 

@@ -9,9 +9,10 @@ namespace handwheel {
 
 // What is wanted of a repair by volume.
 struct VolumeRepairWish {
-  double voxel = 0.0;  // mm; 0: the usual one, or finer where walls need it
-  double gaps = 0.0;   // mm, as VolumeRepairOptions has it
-  double wall = 0.0;   // mm, of walls that are made of the triangles; 0: the surface encloses the volume
+  double voxel = 0.0;     // mm; 0: the usual one, or finer where walls need it
+  double gaps = 0.0;      // mm, as VolumeRepairOptions has it
+  double wall = 0.0;      // mm, of walls that are made of the triangles; 0: the surface encloses the volume
+  bool isAgreed = false;  // that it may need more than a quarter of the memory that is left (consentRefusal())
 };
 
 // Replaces a mesh by the surface of the volume that it encloses (repairByVolume()). No face or vertex keeps its index.

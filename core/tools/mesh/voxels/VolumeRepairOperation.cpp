@@ -46,6 +46,14 @@ Parameter wallParameter() {
           .word = "MM"};
 }
 
+Parameter consentParameter() {
+  return {.property = {.id = "yes",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "More than a quarter of the memory"),
+                       .value = false},
+          .meaning = "Also where it needs more than a quarter of the available memory"};
+}
+
 }  // namespace
 
 const Operation& volumeRepairOperation() {
@@ -55,7 +63,7 @@ const Operation& volumeRepairOperation() {
       .meaning =
           "Replace everything by the surface of the volume that is enclosed, which is closed and free of "
           "self-intersections",
-      .parameters = {voxelParameter(), gapsParameter(), wallParameter(), numbersParameter()}};
+      .parameters = {voxelParameter(), gapsParameter(), wallParameter(), consentParameter(), numbersParameter()}};
   return operation;
 }
 

@@ -6,7 +6,8 @@
 #include "tools/mesh/voxels/VolumeRepairChange.h"
 #include "tools/mesh/voxels/VolumeRepairOperation.h"
 #include "volume/SurfaceToVolume.h"
-#include "volume/VolumeOffset.h"
+#include "volume/VolumeMemory.h"
+#include "volume/repair/VolumeRepair.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -20,10 +21,16 @@ constexpr ToolKey kVolumeRepairKeys[] = {
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done")},
 };
 
+// To one digit.
+double roundedTo(double seconds) {
+  const double unit = std::pow(10.0, std::floor(std::log10(seconds)));
+  return unit * std::round(seconds / unit);
+}
+
 }  // namespace
 
-VolumeRepairTool::VolumeRepairTool(MeshDocument& document, MeshServices services)
-    : m_document(document), m_services(std::move(services)) {
+VolumeRepairTool::VolumeRepairTool(MeshDocument& document, MeshServices services, AskForMemory ask)
+    : m_document(document), m_services(std::move(services)), m_ask(std::move(ask)) {
   measure();
 }
 
@@ -37,13 +44,12 @@ void VolumeRepairTool::measure() {
   m_usual = surface.triangles.empty() ? 0.0 : usualVoxel(surface);
 }
 
-// As the repair asks for it, which fills gaps beside the volume that is made by then.
+double VolumeRepairTool::voxelArea() const {
+  return m_wish.wall > 0.0 ? 2.0 * m_area : m_area;
+}
+
 double VolumeRepairTool::predictedBytes() const {
-  const double voxel = voxelFor(m_wish, m_usual), area = m_wish.wall > 0.0 ? 2.0 * m_area : m_area;  // of either side
-  const double making = predictedMakingBytes(area, m_extent, voxel);
-  if (m_wish.gaps == 0.0) return making;
-  const double blocks = predictedBlocks(area, voxel);
-  return std::max(making, predictedOffsetBytes(blocks) + predictedVolumeBytes(area, voxel));
+  return predictedRepairBytes(voxelArea(), m_extent, {.voxel = voxelFor(m_wish, m_usual), .gaps = m_wish.gaps});
 }
 
 void VolumeRepairTool::documentChanged() {
@@ -53,7 +59,16 @@ void VolumeRepairTool::documentChanged() {
 ToolReply VolumeRepairTool::perform(std::string_view action) {
   if (action == "revert") return ToolReply::Finished;
   if (action != "commit") return ToolReply::Ignored;
-  m_services.commit(volumeRepairChange(m_wish, m_document.fileNumbers()));
+  const double bytes = predictedBytes();
+  VolumeRepairWish wish = m_wish;
+  wish.isAgreed = needsConsent(bytes);
+  const auto start = [commit = m_services.commit, wish, numbers = m_document.fileNumbers()] {
+    commit(volumeRepairChange(wish, numbers));
+  };
+  if (wish.isAgreed)
+    m_ask(bytes, start);
+  else
+    start();
   return ToolReply::Used;
 }
 
@@ -77,12 +92,17 @@ std::vector<Property> VolumeRepairTool::settings() const {
   memory.label = QT_TRANSLATE_NOOP("Property", "Memory for the voxels (MB)");
   memory.value = std::ceil(predictedBytes() / 1e6);
   memory.editable = false;
+  Property seconds;
+  seconds.id = "seconds";
+  seconds.label = QT_TRANSLATE_NOOP("Property", "Time for the voxels, about (s)");
+  seconds.value = roundedTo(predictedMakingSeconds(voxelArea(), voxelFor(m_wish, m_usual)));
+  seconds.editable = false;
   Property wall = volumeRepairOperation().find("wall")->property;
   wall.value = m_wish.wall;
   Property gaps = volumeRepairOperation().find("close-gaps")->property;
   gaps.id = "close_gaps";
   gaps.value = m_wish.gaps;
-  return {std::move(voxel), std::move(gaps), std::move(wall), std::move(memory)};
+  return {std::move(voxel), std::move(gaps), std::move(wall), std::move(memory), std::move(seconds)};
 }
 
 void VolumeRepairTool::setSetting(std::string_view id, const PropertyValue& value) {

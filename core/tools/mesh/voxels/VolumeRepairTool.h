@@ -15,8 +15,13 @@ class MeshDocument;
 // leaves: bodies through one another, self-intersections, walls inside.
 class VolumeRepairTool : public Tool {
  public:
-  // The document must outlive all calls but the destructor's.
-  VolumeRepairTool(MeshDocument& document, MeshServices services);
+  // Asks whether so many bytes may be used, and calls start where a person agrees, at once or later.
+  using AskForMemory = std::function<void(double bytes, std::function<void()> start)>;
+
+  // The document must outlive all calls but the destructor's. ask: called where needsConsent().
+  VolumeRepairTool(
+      MeshDocument& document, MeshServices services,
+      AskForMemory ask = [](double, const std::function<void()>& start) { start(); });
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "volume-repair"; }
@@ -29,10 +34,12 @@ class VolumeRepairTool : public Tool {
 
  private:
   void measure();
+  double voxelArea() const;  // mm², with either side of walls
   double predictedBytes() const;
 
   MeshDocument& m_document;
   MeshServices m_services;
+  AskForMemory m_ask;
   double m_area = 0.0;           // of the mesh, mm²
   Vec3 m_extent = Vec3::Zero();  // of the mesh, mm
   double m_usual = 0.0;          // voxel, mm; 0: there are no triangles

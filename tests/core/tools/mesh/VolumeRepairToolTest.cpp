@@ -9,8 +9,11 @@
 #include "StepWork.h"
 #include "TestClass.h"
 #include "mesh/structure/MeshValidator.h"
+#include "process/SystemMemory.h"
 #include "proximity/SelfIntersection.h"
 #include "tools/mesh/voxels/VolumeRepairChange.h"
+#include "volume/SurfaceToVolume.h"
+#include "volume/VolumeErrors.h"
 
 #include <QTest>
 
@@ -47,6 +50,9 @@ class VolumeRepairToolTest : public QObject {
   void aSheetStaysWithTheReason();
   void aSheetBecomesAWall();
   void aCancelledRepairChangesNothing();
+  void muchMemoryIsAskedFor();
+  void refusalsHaveTheirNumbers();
+  void lostWallsAreSaid();
 };
 
 // 1000 mm³, and what stands out.
@@ -158,6 +164,73 @@ void VolumeRepairToolTest::aCancelledRepairChangesNothing() {
   state.cancelled = true;
   QVERIFY(!commitChange(*document, volumeRepairChange({.voxel = 0.2}, NumberType::Float64), Progress(state)));
   QVERIFY(test::sameMesh(document->mesh(), before));
+}
+
+// The voxel for which a cube needs this share of the memory that is left.
+double voxelForShare(double share) {
+  const double one = predictedMakingBytes(600.0, Vec3::Constant(10.0), 1.0);  // it goes by the square
+  return std::sqrt(one / (share * static_cast<double>(systemMemory())));
+}
+
+// A person is asked with the number, and what was not agreed to does not begin.
+void VolumeRepairToolTest::muchMemoryIsAskedFor() {
+  test::Work work(test::cube(10.0));
+  std::vector<double> asked;
+  std::vector<std::string> begun;
+  MeshServices services = work.services();
+  services.commit = [&](const MeshChange& change) { begun.push_back(change.step); };
+  bool agrees = false;
+  VolumeRepairTool tool(*work.document, services, [&](double bytes, const std::function<void()>& start) {
+    asked.push_back(bytes);
+    if (agrees) start();
+  });
+  tool.setSetting("voxel", 1.0);
+  tool.perform("commit");
+  QVERIFY(asked.empty());
+  QCOMPARE(begun.size(), std::size_t{1});
+  QVERIFY2(begun[0].find("yes") == std::string::npos, begun[0].c_str());
+  tool.setSetting("voxel", voxelForShare(0.5));
+  tool.perform("commit");
+  QCOMPARE(asked.size(), std::size_t{1});
+  QVERIFY(std::abs(asked[0] / (0.5 * static_cast<double>(systemMemory())) - 1.0) < 0.2);
+  QCOMPARE(begun.size(), std::size_t{1});
+  agrees = true;
+  tool.perform("commit");
+  QCOMPARE(begun.size(), std::size_t{2});
+  QVERIFY2(begun[1].find("--yes") != std::string::npos, begun[1].c_str());
+}
+
+// As a step that does not say so, too.
+void VolumeRepairToolTest::refusalsHaveTheirNumbers() {
+  const auto document = test::meshDocument(test::cube(10.0));
+  const auto refusal = [&](double voxel) {
+    const MeshChange change = volumeRepairChange({.voxel = voxel}, NumberType::Float64);
+    return commitChange(*document, change) ? std::optional<Error>() : change.volume->error;
+  };
+  for (const auto& [share, code] :
+       {std::pair(0.5, ErrorCode(VolumeErrors::NeedsConsent)), std::pair(4.0, ErrorCode(VolumeErrors::TooLarge))}) {
+    const std::optional<Error> error = refusal(voxelForShare(share));
+    QVERIFY(error && error->arguments.size() == 3);
+    QVERIFY(error->code == code);
+    QVERIFY(std::abs(std::stod(error->arguments[1]) / (1e-6 * share * static_cast<double>(systemMemory())) - 1.0) <
+            0.2);
+  }
+  const std::optional<Error> coarse = refusal(100.0);
+  QVERIFY(coarse && coarse->arguments == std::vector<std::string>{"100"});
+  QVERIFY(!refusal(1.0));
+}
+
+// A plate of a third of a voxel beside a cube, between the samples.
+void VolumeRepairToolTest::lostWallsAreSaid() {
+  for (const bool isThin : {false, true}) {
+    TriangleSoup part = test::cube(10.0), plate = test::cube(1.0);
+    for (Vec3& p : plate.points) p = Vec3(20.0 + (isThin ? 0.3 : 3.0) * p.x(), 10.0 * p.y(), 10.0 * p.z());
+    test::append(part, plate);
+    const auto document = test::meshDocument(part);
+    const MeshChange change = volumeRepairChange({.voxel = 1.0}, NumberType::Float64);
+    QVERIFY(commitChange(*document, change));
+    QCOMPARE(change.volume->hasLostWalls, isThin);
+  }
 }
 
 HANDWHEEL_TEST(VolumeRepairToolTest)

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+namespace handwheel {
+
+// Asks whether voxels may use so many bytes. start: called at once where nothing is to be asked (needsConsent()), else
+// when the user agrees.
+void askForMemory(QWidget* window, double bytes, std::function<void()> start);
+
+// "about 120 MB of 6,100 MB available"
+QString memoryText(double bytes);
+
+}  // namespace handwheel
