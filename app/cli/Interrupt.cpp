@@ -18,6 +18,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace handwheel {
 
@@ -70,6 +71,11 @@ void watch(int signal, void (*handler)(int)) {
 
 }  // namespace
 
+void CommandJob::say(std::string line) {
+  const std::lock_guard lock(m_mutex);
+  m_lines.push_back(std::move(line));
+}
+
 class JobRun {
  public:
   explicit JobRun(const std::function<void(CommandJob&)>& work) : m_thread([this, &work] { run(work); }) {}
@@ -82,6 +88,10 @@ class JobRun {
   void cancel() { m_job.m_state.cancelled = true; }
   const JobState& state() const { return m_job.m_state; }
   std::exception_ptr failure() const { return m_failure; }
+  std::vector<std::string> takeLines() {
+    const std::lock_guard lock(m_job.m_mutex);
+    return std::exchange(m_job.m_lines, {});
+  }
 
  private:
   void run(const std::function<void(CommandJob&)>& work) {
@@ -127,7 +137,14 @@ void runInterruptible(std::string_view label, const std::function<void(CommandJo
     ProgressBar bar(label);
     JobRun run(work);
     JobClock clock;
+    const auto printLines = [&] {
+      for (const std::string& line : run.takeLines()) {
+        bar.clear();
+        print(line + "\n");
+      }
+    };
     while (!run.waitFor(kPoll)) {
+      printLines();
       bar.show(run.state().fraction, clock.seconds(run.state()));
       if (!signalled) continue;
       run.cancel();
@@ -136,6 +153,7 @@ void runInterruptible(std::string_view label, const std::function<void(CommandJo
       complain("Cancelled.");
       std::_Exit(kExitInterrupted);
     }
+    printLines();
     failure = run.failure();
   }
   if (failure) std::rethrow_exception(failure);

@@ -5,7 +5,10 @@
 #include "base/Progress.h"
 
 #include <functional>
+#include <mutex>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace handwheel {
 
@@ -13,10 +16,14 @@ namespace handwheel {
 class CommandJob {
  public:
   Progress progress() { return Progress(m_state); }
+  // Has a line printed to stdout while the work goes on. Any thread.
+  void say(std::string line);
 
  private:
   friend class JobRun;
   JobState m_state;
+  std::mutex m_mutex;  // of the lines
+  std::vector<std::string> m_lines;
 };
 
 // Runs work on a worker thread and shows its progress. The calling thread draws the progress when stderr is a

@@ -3,8 +3,10 @@
 #include "Program.h"
 #include "Shapes.h"
 #include "TestClass.h"
+#include "process/SystemMemory.h"
 
 #include <QTest>
+#include <cmath>
 #include <map>
 
 using namespace handwheel;
@@ -51,6 +53,84 @@ class VolumeTest : public QObject {
     const auto reduced = volumeJson(fewer.out);
     QVERIFY(reduced["triangles"].get<int>() < reduced["triangles_before"].get<int>() / 10);
     QVERIFY(reduced["distance_mm"].get<double>() <= 0.2);
+  }
+
+  // Before a volume is made it is said what that needs. Where it is half of the memory that is left nothing is made
+  // unless somebody agrees; what is more than all of it stays refused.
+  void memoryIsSaidAndAskedFor() {
+    const Bench bench;
+    bench.put("a.off", openBlock());
+    const Ran said = bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5"});
+    QVERIFY2(said.out.startsWith("Voxels of 0.5 mm need about ") && said.out.contains(" MB available"), said.out);
+    const auto figures =
+        volumeJson(bench.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"}).out);
+    const double bytes = figures["predicted_bytes"].get<double>();
+    QVERIFY(bytes > 0.0 && figures["predicted_s"].get<double>() > 0.0);
+    const auto voxelFor = [&](double share) {  // of the memory; it goes by the square
+      return QString::number(0.5 * std::sqrt(bytes / (share * static_cast<double>(systemMemory()))), 'g', 6);
+    };
+    const QList<QStringList> commands{{"voxelize", "a.off", "-o", "c.handwheel"},
+                                      {"repair", "a.off", "-o", "c.stl", "--by", "volume"},
+                                      {"shell", "a.off", "-o", "c.handwheel", "--wall", "1"},
+                                      {"boolean", "a.off", "a.off", "--unite", "-o", "c.handwheel"}};
+    for (const QStringList& command : commands) {
+      const Ran large = bench.run(QStringList(command) << "--voxel" << voxelFor(0.5));
+      QCOMPARE(large.code, 1);
+      QVERIFY2(large.err.contains("a.off") && large.err.contains("more than a quarter of the ") &&
+                   large.err.contains("--yes"),
+               large.err);
+      const Ran huge = bench.run(QStringList(command) << "--voxel" << voxelFor(3.0) << "--yes");
+      QCOMPARE(huge.code, 1);
+      QVERIFY2(huge.err.contains(" MB are available") && !huge.err.contains("--yes"), huge.err);
+      QCOMPARE(bench
+                   .run(QStringList(command) << "--voxel"
+                                             << "0.5"
+                                             << "--yes")
+                   .code,
+               0);
+    }
+    const Ran edited = bench.run({"edit", "a.off", "by-volume --voxel=" + voxelFor(0.5), "-o", "d.off"});
+    QVERIFY2(edited.err.contains("more than a quarter"), edited.err);
+  }
+
+  // A plate of 0.3 mm between samples 1 mm apart is lost, which is a warning; of a cube alone nothing is said.
+  void thinWallsAreSaid() {
+    const Bench bench;
+    Shape part = cube(10.0), plate = cube(1.0);
+    bench.put("a.off", part.off());
+    for (auto& p : plate.points) p = {0.3 * p[0], 10.0 * p[1], 10.0 * p[2]};
+    part.add(plate, {20.0, 0.0, 0.0});
+    bench.put("b.off", part.off());
+    for (const QByteArray name : {"a", "b"}) {
+      const Ran ran = bench.run({"voxelize", name + ".off", "-o", name + ".handwheel", "--voxel", "1", "--json"});
+      QCOMPARE(ran.code, 0);
+      QCOMPARE(ran.err.contains("Walls thinner than a voxel (1 mm) were lost"), name == "b");
+      // 212 mm² of 812 are the plate's.
+      const double near = volumeJson(ran.out)["near_share"].get<double>();
+      QVERIFY2(std::abs(near - (name == "b" ? 600.0 / 812.0 : 1.0)) < 0.01, qPrintable(QString::number(near)));
+    }
+  }
+
+  // 5 km from the origin, single precision has steps of 0.5 mm: what was sound in voxels of 0.25 mm is not so in an
+  // STL, which is said. OFF keeps all digits.
+  void remeshedFilesAreChecked() {
+    const Bench bench;
+    Shape far = cube(10.0);
+    for (auto& p : far.points)
+      for (double& x : p) x += 5e6;
+    bench.put("a.off", far.off());
+    QCOMPARE(bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.25"}).code, 0);
+    const Ran rounded = bench.run({"remesh", "a.handwheel", "-o", "b.stl", "--json"});
+    QCOMPARE(rounded.code, 2);
+    QVERIFY(!volumeJson(rounded.out)["sound"].get<bool>());
+    QVERIFY(!rounded.err.isEmpty());
+    const Ran exact = bench.run({"remesh", "a.handwheel", "-o", "b.off", "--json"});
+    QCOMPARE(exact.code, 0);
+    QVERIFY(volumeJson(exact.out)["sound"].get<bool>());
+    const Ran fewer = bench.run({"remesh", "a.handwheel", "-o", "c.off", "--faces", "500", "--json"});
+    QCOMPARE(fewer.code, 0);
+    const int left = volumeJson(fewer.out)["triangles"].get<int>();
+    QVERIFY2(left >= 490 && left <= 500, QByteArray::number(left));
   }
 
   // The exercise that ships, without a window: along the planned path by places of the head alone, handed in and

@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "cli/Interrupt.h"
+#include "cli/MakingNotice.h"
 #include "cli/Messages.h"
 #include "cli/ReportText.h"
 #include "cli/mesh/RepairArguments.h"
@@ -41,7 +42,7 @@ struct BothWays {
 };
 
 Result<BothWays> repairFileBothWays(const RepairRequest& byTriangles, const VolumeRepairRequest& byVolume,
-                                    const DocumentKinds& kinds, Progress progress) {
+                                    const DocumentKinds& kinds, MakingNotice& notice, Progress progress) {
   Result<RepairRun> run = repairFile(byTriangles, kinds, progress.part(0.0, 0.4));
   if (!run) return run.error();
   BothWays both;
@@ -52,7 +53,7 @@ Result<BothWays> repairFileBothWays(const RepairRequest& byTriangles, const Volu
   const Result<Input> input = readMeshInput(byVolume.input, byVolume.read, kinds, progress.part(0.4, 0.45));
   if (!input) return input.error();
   const auto start = std::chrono::steady_clock::now();
-  const Result<RepairedByVolume> repaired = repairInputByVolume(*input, byVolume, progress.part(0.45, 0.9));
+  const Result<RepairedByVolume> repaired = repairInputByVolume(*input, byVolume, notice, progress.part(0.45, 0.9));
   if (!repaired && repaired.error().code == ErrorCode::Cancelled) return repaired.error();
   if (repaired) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -127,9 +128,11 @@ int runRepairBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!problem.empty()) return failUsage(problem, "repair");
   byTriangles.compare = true;
 
+  MakingNotice notice(arguments);
   std::optional<Result<BothWays>> result;
-  runInterruptible("Repairing",
-                   [&](CommandJob& job) { result = repairFileBothWays(byTriangles, byVolume, kinds, job.progress()); });
+  runInterruptible("Repairing", [&](CommandJob& job) {
+    result = repairFileBothWays(byTriangles, byVolume, kinds, notice.during(job), job.progress());
+  });
   if (!*result) return fail(result->error());
   const BothWays& both = result->value();
   if (both.run.output.empty()) return reportNothingWritten(both.run, byTriangles);

@@ -6,6 +6,7 @@
 #include "cli/FidelityOption.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
+#include "cli/MakingNotice.h"
 #include "cli/Messages.h"
 #include "cli/Wording.h"
 #include "cli/mesh/MeshOutput.h"
@@ -28,7 +29,7 @@
 namespace handwheel {
 namespace {
 
-constexpr std::array<std::string_view, 8> kVolumeRepairOptions{"by",       "voxel",  "close-gaps", "wall",
+constexpr std::array<std::string_view, 9> kVolumeRepairOptions{"by",       "voxel",  "close-gaps", "wall", "yes",
                                                                "fidelity", "output", "partial",    "json"};
 
 // The triangles of a mesh, or of the surface of a volume.
@@ -49,12 +50,12 @@ struct VolumeRepairRun {
 };
 
 Result<VolumeRepairRun> repairFileByVolume(const VolumeRepairRequest& request, const DocumentKinds& kinds,
-                                           Progress progress) {
+                                           MakingNotice& notice, Progress progress) {
   const Result<Input> input = readInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
   if (!input) return input.error();
   VolumeRepairRun run{input->opened.file, refusalToReplace(request.output, input->opened.file), {}};
   if (!run.refusal.empty()) return run;
-  Result<RepairedByVolume> repaired = repairInputByVolume(*input, request, progress.part(0.1, 0.9));
+  Result<RepairedByVolume> repaired = repairInputByVolume(*input, request, notice, progress.part(0.1, 0.9));
   if (!repaired) return repaired.error();
   run.repaired = std::move(*repaired);
   const Status written = writeRepairedByVolume(*input, run.repaired, request, progress.part(0.9, 1.0));
@@ -73,18 +74,20 @@ std::string volumeRepairText(const RepairedByVolume& done, const VolumeRepairReq
          (request.gaps > 0.0 ? "Gaps filled: " + roundedText(done.repair.filled, 3) + " mm³.\n" : std::string());
 }
 
-nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done) {
-  return {{"by", "volume"},
-          {"voxel_mm", done.voxel},
-          {"closed_boundaries", done.repair.closedBoundaries},
-          {"near_share", done.repair.nearShare},
-          {"triangles_sampled", done.repair.sampledTriangles},
-          {"triangles", done.after.triangles},
-          {"scan_distance_99_mm", done.deviation.ofScan.percentiles.back()},
-          {"scan_distance_mm", std::abs(done.deviation.ofScan.farthest().distance)},
-          {"filled_mm3", done.repair.filled},
-          {"kept_distance_mm", done.repair.keptDistance},
-          {"sound", done.after.isSound()}};
+nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done, const MakingNotice& notice) {
+  nlohmann::ordered_json report = {{"by", "volume"},
+                                   {"voxel_mm", done.voxel},
+                                   {"closed_boundaries", done.repair.closedBoundaries},
+                                   {"near_share", done.repair.nearShare},
+                                   {"triangles_sampled", done.repair.sampledTriangles},
+                                   {"triangles", done.after.triangles},
+                                   {"scan_distance_99_mm", done.deviation.ofScan.percentiles.back()},
+                                   {"scan_distance_mm", std::abs(done.deviation.ofScan.farthest().distance)},
+                                   {"filled_mm3", done.repair.filled},
+                                   {"kept_distance_mm", done.repair.keptDistance},
+                                   {"sound", done.after.isSound()}};
+  notice.addTo(report);
+  return report;
 }
 
 }  // namespace
@@ -95,7 +98,8 @@ std::vector<OptionSpec> volumeRepairOptions() {
            "written"},
           {"voxel", 0, "MM", "By volume: edge of a voxel; default: a 256th of the largest extent"},
           {"close-gaps", 0, "MM", "By volume: fill gaps that a ball of this radius does not get into"},
-          {"wall", 0, "MM", "By volume: make walls of this thickness of triangles that enclose nothing"}};
+          {"wall", 0, "MM", "By volume: make walls of this thickness of triangles that enclose nothing"},
+          {"yes", 0, "", "By volume: also where it needs more than a quarter of the available memory"}};
 }
 
 std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& request) {
@@ -121,16 +125,17 @@ std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& r
 }
 
 Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRepairRequest& request,
-                                             Progress progress) {
+                                             MakingNotice& notice, Progress progress) {
   const Result<TriangleSoup> soup = surfaceIn(input, request);
   if (!soup) return soup.error();
   RepairedByVolume done;
   const VolumeRepairWish wish{request.voxel.value_or(0.0), request.gaps, request.wall};
   done.voxel = voxelFor(wish, usualVoxel(*soup, request.values.of(volumeVoxelsSetting())));
-  Result<VolumeRepair> repair =
-      repairByVolume(request.wall > 0.0 ? wallsOf(*soup, request.wall) : *soup,
-                     {.voxel = done.voxel, .gaps = request.gaps, .within = request.values.of(volumeReductionSetting())},
-                     progress.part(0.0, 0.75));
+  const TriangleSoup solid = request.wall > 0.0 ? wallsOf(*soup, request.wall) : *soup;
+  const VolumeRepairOptions options{
+      .voxel = done.voxel, .gaps = request.gaps, .within = request.values.of(volumeReductionSetting())};
+  const Status begun = notice.begin(solid, options);
+  Result<VolumeRepair> repair = begun ? repairByVolume(solid, options, progress.part(0.0, 0.75)) : begun.error();
   if (!repair) {
     Error error = repair.error();
     error.subject = request.input.string();
@@ -162,15 +167,18 @@ int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!isContainerName(request.output)) {
     if (const auto format = formatForOutput(request.output); !format) return fail(format.error());
   }
+  MakingNotice notice(arguments);
   std::optional<Result<VolumeRepairRun>> result;
-  runInterruptible("Repairing", [&](CommandJob& job) { result = repairFileByVolume(request, kinds, job.progress()); });
+  runInterruptible("Repairing", [&](CommandJob& job) {
+    result = repairFileByVolume(request, kinds, notice.during(job), job.progress());
+  });
   if (!*result) return fail(result->error());
   const VolumeRepairRun& run = result->value();
   reportLosses(run.file);
   if (!run.refusal.empty()) return refuse(run.refusal);
   const RepairedByVolume& done = run.repaired;
   const int code =
-      print(arguments.has("json") ? volumeRepairJson(done).dump() + "\n" : volumeRepairText(done, request));
+      print(arguments.has("json") ? volumeRepairJson(done, notice).dump() + "\n" : volumeRepairText(done, request));
   if (code != kExitDone) return code;
   return done.after.isSound() ? kExitDone : kExitSomethingLeft;
 }

@@ -14,6 +14,8 @@
 
 namespace handwheel {
 
+class MakingNotice;
+
 // The parameters of the repair of one file by the volume that it encloses.
 struct VolumeRepairRequest {
   std::filesystem::path input, output;
@@ -39,9 +41,10 @@ std::vector<OptionSpec> volumeRepairOptions();
 // nothing.
 std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& request);
 
-// Repairs what was read and writes nothing. Errors: those of repairByVolume() and deviation(), Unsupported where a
-// document is to hold the surface of what is no mesh.
-Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRepairRequest& request, Progress progress);
+// Repairs what was read and writes nothing. Errors: those of repairByVolume(), deviation() and MakingNotice::begin(),
+// Unsupported where a document is to hold the surface of what is no mesh.
+Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRepairRequest& request,
+                                             MakingNotice& notice, Progress progress);
 
 // Writes the result in the format of the output. Errors: those of writeMesh() and exportMesh().
 Status writeRepairedByVolume(const Input& input, const RepairedByVolume& repaired, const VolumeRepairRequest& request,

@@ -159,9 +159,10 @@ int reportNothingWritten(const RepairRun& run, const RepairRequest& request) {
 int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
   if (arguments.valueOf("by") == "volume") return runRepairByVolume(arguments, kinds);
   if (arguments.valueOf("by") == "both") return runRepairBothWays(arguments, kinds);
-  if (arguments.has("voxel") || arguments.has("close-gaps") || arguments.has("wall") ||
+  if (arguments.has("voxel") || arguments.has("close-gaps") || arguments.has("wall") || arguments.has("yes") ||
       (arguments.has("by") && arguments.valueOf("by") != "triangles"))
-    return failUsage("--by is triangles, volume or both; --voxel, --close-gaps and --wall belong to volume.", "repair");
+    return failUsage("--by is triangles, volume or both; --voxel, --close-gaps, --wall and --yes belong to volume.",
+                     "repair");
   if (isBatch(arguments)) return runBatchRepair(arguments, kinds);
   RepairRequest request;
   const std::string problem = readRequest(arguments, kinds, request);

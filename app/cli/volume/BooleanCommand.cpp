@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
+#include "cli/MakingNotice.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/VolumeFiles.h"
@@ -35,7 +36,8 @@ struct BooleanAnswer {
   SparseVolume first, second, made;
 };
 
-Result<BooleanAnswer> combineFiles(const BooleanRequest& request, const DocumentKinds& kinds, Progress progress) {
+Result<BooleanAnswer> combineFiles(const BooleanRequest& request, const DocumentKinds& kinds, MakingNotice& notice,
+                                   Progress progress) {
   if (const Status can = canWriteVolume(request.output, kinds); !can) return can.error();
   const Result<OpenedFile> first = kinds.open(request.first, request.read, progress.part(0.0, 0.1));
   if (!first) return first.error();
@@ -52,9 +54,10 @@ Result<BooleanAnswer> combineFiles(const BooleanRequest& request, const Document
     origin = other->volume.origin();
     if (!voxel) voxel = other->volume.voxel();
   }
-  Result<SparseVolume> a = materialOf(*first, request.first, voxel, origin, progress.part(0.2, 0.4));
+  Result<SparseVolume> a = materialOf(*first, request.first, voxel, origin, notice, progress.part(0.2, 0.4));
   if (!a) return a.error();
-  Result<SparseVolume> b = materialOf(*second, request.second, a->voxel(), a->origin(), progress.part(0.4, 0.6));
+  Result<SparseVolume> b =
+      materialOf(*second, request.second, a->voxel(), a->origin(), notice, progress.part(0.4, 0.6));
   if (!b) return b.error();
   done.first = std::move(*a);
   done.second = std::move(*b);
@@ -67,10 +70,12 @@ Result<BooleanAnswer> combineFiles(const BooleanRequest& request, const Document
   return done;
 }
 
-nlohmann::ordered_json reportOf(const BooleanAnswer& done) {
-  return {{"voxel_mm", done.made.voxel()},        {"first_mm3", done.first.material()},
-          {"second_mm3", done.second.material()}, {"volume_mm3", done.made.material()},
-          {"blocks", done.made.blockCount()},     {"bytes", done.made.bytes()}};
+nlohmann::ordered_json reportOf(const BooleanAnswer& done, const MakingNotice& notice) {
+  nlohmann::ordered_json report = {{"voxel_mm", done.made.voxel()},        {"first_mm3", done.first.material()},
+                                   {"second_mm3", done.second.material()}, {"volume_mm3", done.made.material()},
+                                   {"blocks", done.made.blockCount()},     {"bytes", done.made.bytes()}};
+  notice.addTo(report);
+  return report;
 }
 
 std::string textOf(const BooleanAnswer& done, const fs::path& output) {
@@ -90,6 +95,7 @@ CommandSpec booleanSpec() {
                        {"output", 'o', "OUT", "The volume (.handwheel, .vdb, .nrrd), or its surface as a mesh"}}};
   for (OptionSpec& option : optionsOf(voxelizeOperation(), {"method", "wall"}))
     spec.options.push_back(std::move(option));
+  spec.options.push_back(consentOption());
   spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
   spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
@@ -111,14 +117,15 @@ int runBoolean(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!problem.empty()) return failUsage(problem, "boolean");
   request.voxel = values.given("voxel");
   request.read.partial = arguments.has("partial");
+  MakingNotice notice(arguments);
   std::optional<Result<BooleanAnswer>> result;
   runInterruptible("Combining the volumes",
-                   [&](CommandJob& job) { result = combineFiles(request, kinds, job.progress()); });
+                   [&](CommandJob& job) { result = combineFiles(request, kinds, notice.during(job), job.progress()); });
   if (!*result) return fail(result->error());
   const BooleanAnswer& done = result->value();
   for (const DocumentFile& file : done.files) reportLosses(file);
   if (!done.refusal.empty()) return refuse(done.refusal);
-  return print(arguments.has("json") ? reportOf(done).dump() + "\n" : textOf(done, request.output));
+  return print(arguments.has("json") ? reportOf(done, notice).dump() + "\n" : textOf(done, request.output));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
+#include "cli/MakingNotice.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/TipTrajectory.h"
@@ -111,7 +112,7 @@ void takeTask(const DrillingTask& task, const OperationValues& values, DrillSetu
 }
 
 Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues& values, std::vector<HandPose> poses,
-                              const DocumentKinds& kinds, Progress progress) {
+                              const DocumentKinds& kinds, MakingNotice& notice, Progress progress) {
   Result<DrillSetup> setup = drillSetupOf(values);
   if (!setup) return setup.error();
   const Result<OpenedFile> opened = kinds.open(request.part, request.read, progress.part(0.0, 0.1));
@@ -130,7 +131,7 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   std::optional<double> voxel = values.given("voxel");
   if (!voxel && feed > 0.0) voxel = drillVoxel(feed, rate);
   Result<SparseVolume> volume =
-      materialOf(*opened, request.part, voxel.value_or(kVoxelAtRest), {}, progress.part(0.1, 0.4));
+      materialOf(*opened, request.part, voxel.value_or(kVoxelAtRest), {}, notice, progress.part(0.1, 0.4));
   if (!volume) return volume.error();
   done.voxel = volume->voxel();
   Result<Drilled> drilled =
@@ -142,7 +143,7 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   return done;
 }
 
-nlohmann::ordered_json reportOf(const DrillAnswer& done) {
+nlohmann::ordered_json reportOf(const DrillAnswer& done, const MakingNotice& notice) {
   const Drilled& drilled = done.drilled;
   nlohmann::ordered_json report = {{"removed_mm3", drilled.removed},
                                    {"max_thrust_N", drilled.maxThrust},
@@ -155,6 +156,7 @@ nlohmann::ordered_json reportOf(const DrillAnswer& done) {
                                    {"material_verified", done.setup.material.isVerified},
                                    {"material_source", done.setup.material.source}};
   if (drilled.breakthrough) report["breakthrough_s"] = *drilled.breakthrough;
+  notice.addTo(report);
   return report;
 }
 
@@ -182,6 +184,7 @@ CommandSpec drillSpec() {
        {"output", 'o', "OUT", "The drilled part: a .handwheel, or a mesh"},
        {"forces", 0, "CSV", "Write thrust and torque of each cycle"}}};
   for (OptionSpec& option : optionsOf(drillOperation())) spec.options.push_back(std::move(option));
+  spec.options.push_back(consentOption());
   spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
   spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
@@ -221,14 +224,16 @@ int runDrill(const Arguments& arguments, const DocumentKinds& kinds) {
     if (!path.problem.empty()) return refuse(request.path.string() + ": " + path.problem);
     poses = std::move(path.poses);
   }
+  MakingNotice notice(arguments);
   std::optional<Result<DrillAnswer>> result;
-  runInterruptible("Drilling",
-                   [&](CommandJob& job) { result = drillFile(request, values, poses, kinds, job.progress()); });
+  runInterruptible("Drilling", [&](CommandJob& job) {
+    result = drillFile(request, values, poses, kinds, notice.during(job), job.progress());
+  });
   if (!*result) return fail(result->error());
   const DrillAnswer& done = result->value();
   reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
-  return print(arguments.has("json") ? reportOf(done).dump() + "\n" : textOf(done));
+  return print(arguments.has("json") ? reportOf(done, notice).dump() + "\n" : textOf(done));
 }
 
 }  // namespace

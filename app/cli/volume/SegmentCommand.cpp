@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
+#include "cli/MakingNotice.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/OutputName.h"
@@ -34,7 +35,7 @@ Error about(const fs::path& path, Error error) {
 }
 
 Result<Segment> segmentFile(const fs::path& input, const fs::path& output, const OperationValues& values,
-                            const DocumentKinds& kinds, Progress progress) {
+                            const DocumentKinds& kinds, MakingNotice& notice, Progress progress) {
   const DocumentKind& kind = *kinds.withId("volume");
   if (const auto endings = writtenEndings(kind.formats()); !hasOneOf(output, endings))
     return unknownEnding(output, endings);
@@ -42,7 +43,9 @@ Result<Segment> segmentFile(const fs::path& input, const fs::path& output, const
   if (!file) return about(input, file.error());
   Segment done{{}, file->image.grid().spacing(), {}};
   for (const Note& note : notesOn(file->remarks)) done.warnings.push_back(noteText(note).toStdString());
-  Result<Segmented> segmented = segment(file->image, values, progress.part(0.4, 0.7));
+  Result<Segmented> segmented = segment(file->image, values, progress.part(0.4, 0.7), [&](double voxel, double bytes) {
+    return notice.begin(voxel, bytes, std::nullopt);
+  });
   if (!segmented) return about(input, segmented.error());
   done.segmented = std::move(*segmented);
   const auto snapshot = snapshotOf(done.segmented.volume, sourceName(input), progress.part(0.7, 0.8));
@@ -52,17 +55,19 @@ Result<Segment> segmentFile(const fs::path& input, const fs::path& output, const
   return done;
 }
 
-nlohmann::ordered_json reportOf(const Segment& done) {
+nlohmann::ordered_json reportOf(const Segment& done, const MakingNotice& notice) {
   const SparseVolume& volume = done.segmented.volume;
   const auto end = [](double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); };
-  return {{"voxels", std::llround(volume.material() / std::pow(volume.voxel(), 3))},
-          {"volume_mm3", volume.material()},
-          {"components", done.segmented.parts},
-          {"components_kept", done.segmented.kept},
-          {"range", {end(done.segmented.range.least), end(done.segmented.range.largest)}},
-          {"voxel_mm", volume.voxel()},
-          {"spacing_mm", {done.spacing.x(), done.spacing.y(), done.spacing.z()}},
-          {"warnings", done.warnings}};
+  nlohmann::ordered_json report = {{"voxels", std::llround(volume.material() / std::pow(volume.voxel(), 3))},
+                                   {"volume_mm3", volume.material()},
+                                   {"components", done.segmented.parts},
+                                   {"components_kept", done.segmented.kept},
+                                   {"range", {end(done.segmented.range.least), end(done.segmented.range.largest)}},
+                                   {"voxel_mm", volume.voxel()},
+                                   {"spacing_mm", {done.spacing.x(), done.spacing.y(), done.spacing.z()}},
+                                   {"warnings", done.warnings}};
+  notice.addTo(report);
+  return report;
 }
 
 std::string textOf(const Segment& done, const fs::path& output) {
@@ -85,13 +90,15 @@ int runSegment(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!problem.empty()) return failUsage(problem, "segment");
   const fs::path input = arguments.operands[0], output = arguments.valueOf("output");
   if (const std::string refusal = refusalToOverwrite(output, {input}); !refusal.empty()) return refuse(refusal);
+  MakingNotice notice(arguments);
   std::optional<Result<Segment>> result;
-  runInterruptible("Segmenting",
-                   [&](CommandJob& job) { result = segmentFile(input, output, values, kinds, job.progress()); });
+  runInterruptible("Segmenting", [&](CommandJob& job) {
+    result = segmentFile(input, output, values, kinds, notice.during(job), job.progress());
+  });
   if (!*result) return fail(result->error());
   const Segment& done = result->value();
   for (const std::string& warning : done.warnings) complain(warning);
-  return print(arguments.has("json") ? reportOf(done).dump() + "\n" : textOf(done, output));
+  return print(arguments.has("json") ? reportOf(done, notice).dump() + "\n" : textOf(done, output));
 }
 
 CommandSpec segmentSpec() {
@@ -103,6 +110,7 @@ CommandSpec segmentSpec() {
       "Exit code 0: done; 1: error.",
       {{"output", 'o', "OUT", "The volume (.handwheel, .vdb, .nrrd), or its surface as a mesh"}}};
   for (OptionSpec& option : optionsOf(segmentOperation())) spec.options.push_back(std::move(option));
+  spec.options.push_back(consentOption());
   spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
   return spec;

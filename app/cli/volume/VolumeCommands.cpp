@@ -6,6 +6,7 @@
 #include "cli/FidelityOption.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
+#include "cli/MakingNotice.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/BooleanCommand.h"
@@ -17,6 +18,7 @@
 #include "document/formats/MeshExport.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
+#include "text/NoteText.h"
 #include "tools/volume/VolumeOperations.h"
 #include "volume/VolumeFidelity.h"
 #include "volume/repair/TriangleWalls.h"
@@ -48,6 +50,8 @@ struct Answer {
   std::string refusal;
   std::string text;
   nlohmann::ordered_json report;
+  std::vector<Note> warnings;
+  bool isSound = true;  // a mesh as it is in its file
 };
 
 int deliver(const std::optional<Result<Answer>>& result, const Arguments& arguments) {
@@ -55,7 +59,9 @@ int deliver(const std::optional<Result<Answer>>& result, const Arguments& argume
   const Answer& done = result->value();
   reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
-  return print(arguments.has("json") ? done.report.dump() + "\n" : done.text);
+  for (const Note& warning : done.warnings) complain(noteText(warning).toStdString());
+  const int code = print(arguments.has("json") ? done.report.dump() + "\n" : done.text);
+  return code == kExitDone && !done.isSound ? kExitSomethingLeft : code;
 }
 
 std::vector<OptionSpec> withShared(std::vector<OptionSpec> options) {
@@ -71,11 +77,11 @@ std::vector<std::string> volumeEndings() {
 }
 
 Result<Answer> voxelizeFile(const Request& request, const OperationValues& values, const DocumentKinds& kinds,
-                            Progress progress) {
+                            MakingNotice& notice, Progress progress) {
   if (!hasOneOf(request.output, volumeEndings())) return unknownEnding(request.output, volumeEndings());
   const Result<OpenedFile> opened = kinds.open(request.input, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
-  Answer done{opened->file, refusalToReplace(request.output, opened->file), {}, {}};
+  Answer done{opened->file, refusalToReplace(request.output, opened->file), {}, {}, {}};
   if (!done.refusal.empty()) return done;
   const TriangleSoup surface = placedSoup(opened->kind->display(*opened->content));
   const std::optional<double> wall = values.given("wall");
@@ -83,8 +89,10 @@ Result<Answer> voxelizeFile(const Request& request, const OperationValues& value
   const double voxel = values.given("voxel").value_or(usualVoxel(solid, request.fidelity.of(volumeVoxelsSetting())));
   const VoxelMethod method =
       values.isSet("method") ? static_cast<VoxelMethod>(values.whole("method")) : voxelMethodOf(request.fidelity);
+  const Status begun = notice.begin(solid, voxel);
   const Result<MadeVolume> made =
-      makeVolume(solid, voxel, request.input.filename().string(), progress.part(0.1, 0.8), method);
+      begun ? makeVolume(solid, voxel, request.input.filename().string(), progress.part(0.1, 0.8), method)
+            : begun.error();
   if (!made) {
     Error error = made.error();
     error.subject = request.input.string();
@@ -103,6 +111,8 @@ Result<Answer> voxelizeFile(const Request& request, const OperationValues& value
                  {"closed_boundaries", made->surface.closedBoundaries},
                  {"blocks", volume.blockCount()},
                  {"bytes", volume.bytes()}};
+  notice.addTo(done.report);
+  done.warnings = notesOn(made->surface);
   done.text = request.output.string() + ": voxels of " + roundedText(volume.voxel()) + " mm, " +
               roundedText(volume.material()) + " mm³, " + roundedText(static_cast<double>(volume.bytes()) / 1e6, 3) +
               " MB.\n";
@@ -116,7 +126,7 @@ Result<Answer> remeshFile(const Request& request, const OperationValues& values,
   if (const auto format = formatForOutput(request.output); !format) return format.error();
   const Result<OpenedFile> opened = kinds.open(request.input, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
-  Answer done{opened->file, {}, {}, {}};
+  Answer done{opened->file, {}, {}, {}, {}};
   const auto volume = volumeIn(*opened);
   if (!volume) {
     done.refusal = request.input.string() + ": it is not a volume. 'handwheel voxelize' makes one of a mesh.";
@@ -127,13 +137,16 @@ Result<Answer> remeshFile(const Request& request, const OperationValues& values,
   const Result<ExportReport> written =
       exportMesh(made->mesh, NumberType::Float64, request.output, progress.part(0.8, 1.0));
   if (!written) return written.error();
-  done.report = {{"triangles_before", made->before}, {"triangles", made->mesh.liveFaceCount()}};
+  done.isSound = written->inFile.isSound();
+  done.report = {
+      {"triangles_before", made->before}, {"triangles", made->mesh.liveFaceCount()}, {"sound", done.isSound}};
   if (made->largestDistance) done.report["distance_mm"] = *made->largestDistance;
   done.text = request.output.string() + ": " + std::to_string(made->mesh.liveFaceCount()) + " triangles";
   if (made->largestDistance)
     done.text += " of " + std::to_string(made->before) + ", at most " + roundedText(*made->largestDistance) +
                  " mm from the surface";
   done.text += ".\n";
+  if (!done.isSound) done.warnings = notesOn(*written);
   return done;
 }
 
@@ -146,6 +159,7 @@ CommandSpec voxelizeSpec() {
       {{"output", 'o', "OUT", "The volume, as .handwheel, .vdb, or .nrrd (distances of all voxels)"}}};
   for (OptionSpec& option : optionsOf(voxelizeOperation())) spec.options.push_back(std::move(option));
   spec.options.push_back({"fidelity", 0, "LIST", "draft, balanced or exact, and single values: volume.voxels=400,..."});
+  spec.options.push_back(consentOption());
   spec.options = withShared(std::move(spec.options));
   return spec;
 }
@@ -155,7 +169,7 @@ CommandSpec remeshSpec() {
                       "VOLUME",
                       "Creates a mesh of the surface of a volume: closed, manifold, oriented and free of "
                       "self-intersections.\n"
-                      "Exit code 0: done; 1: error.",
+                      "Exit code 0: done; 1: error; 2: done, but rounded to the numbers of the file it is not that.",
                       {{"output", 'o', "OUT", "The mesh, in any format of meshes"}}};
   for (OptionSpec& option : optionsOf(remeshOperation())) spec.options.push_back(std::move(option));
   spec.options = withShared(std::move(spec.options));
@@ -171,9 +185,11 @@ int runVoxelize(const Arguments& arguments, const DocumentKinds& kinds) {
     problem = readFidelity(arguments, "voxelize", read, request.fidelity);
   }
   if (!problem.empty()) return failUsage(problem, "voxelize");
+  MakingNotice notice(arguments);
   std::optional<Result<Answer>> result;
-  runInterruptible("Making the volume",
-                   [&](CommandJob& job) { result = voxelizeFile(request, values, kinds, job.progress()); });
+  runInterruptible("Making the volume", [&](CommandJob& job) {
+    result = voxelizeFile(request, values, kinds, notice.during(job), job.progress());
+  });
   return deliver(result, arguments);
 }
 

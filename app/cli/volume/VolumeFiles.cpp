@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/volume/VolumeFiles.h"
 
+#include "cli/MakingNotice.h"
 #include "cli/volume/OutputName.h"
 #include "document/volume/VolumeMaking.h"
 #include "volume/VolumeErrors.h"
@@ -13,10 +14,13 @@ std::shared_ptr<const VolumeSnapshot> volumeIn(const OpenedFile& opened) {
 }
 
 Result<SparseVolume> materialOf(const OpenedFile& opened, const std::filesystem::path& path,
-                                std::optional<double> voxel, const std::optional<Vec3>& alignedTo, Progress progress) {
+                                std::optional<double> voxel, const std::optional<Vec3>& alignedTo, MakingNotice& notice,
+                                Progress progress) {
   if (const auto volume = volumeIn(opened)) return volume->volume;
   const TriangleSoup surface = placedSoup(opened.kind->display(*opened.content));
-  Result<SurfaceVolume> made = volumeOfSurface(surface, voxel.value_or(usualVoxel(surface)), progress, alignedTo);
+  const double edge = voxel.value_or(usualVoxel(surface));
+  const Status begun = notice.begin(surface, edge);
+  Result<SurfaceVolume> made = begun ? volumeOfSurface(surface, edge, progress, alignedTo) : begun.error();
   if (made) return std::move(made->volume);
   Error error = made.error();
   error.subject = path.string();

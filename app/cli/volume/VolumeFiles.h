@@ -11,13 +11,17 @@
 
 namespace handwheel {
 
+class MakingNotice;
+
 // The content of a document of a volume; null where it is of another kind.
 std::shared_ptr<const VolumeSnapshot> volumeIn(const OpenedFile& opened);
 
 // The material of a document: its own volume, or what its surface encloses, in voxels of this edge (mm; none: the usual
-// one). alignedTo: as in volumeOfSurface(). Errors: those of volumeOfSurface(), about the path.
+// one). alignedTo: as in volumeOfSurface(). Errors: those of volumeOfSurface() and MakingNotice::begin(), about the
+// path.
 Result<SparseVolume> materialOf(const OpenedFile& opened, const std::filesystem::path& path,
-                                std::optional<double> voxel, const std::optional<Vec3>& alignedTo, Progress progress);
+                                std::optional<double> voxel, const std::optional<Vec3>& alignedTo, MakingNotice& notice,
+                                Progress progress);
 
 // Whether a volume can be written under this name: as one, or its surface as a mesh. Error: that of unknownEnding().
 Status canWriteVolume(const std::filesystem::path& output, const DocumentKinds& kinds);

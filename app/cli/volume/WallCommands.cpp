@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
+#include "cli/MakingNotice.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/VolumeFiles.h"
@@ -33,13 +34,13 @@ struct WallAnswer {
 };
 
 Result<WallAnswer> changeFile(const WallRequest& request, const OperationValues& values, Change change,
-                              const DocumentKinds& kinds, Progress progress) {
+                              const DocumentKinds& kinds, MakingNotice& notice, Progress progress) {
   if (const Status can = canWriteVolume(request.output, kinds); !can) return can.error();
   const Result<OpenedFile> opened = kinds.open(request.input, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
   WallAnswer done{opened->file, refusalToReplace(request.output, opened->file), {}, {}};
   if (!done.refusal.empty()) return done;
-  Result<SparseVolume> before = materialOf(*opened, request.input, request.voxel, {}, progress.part(0.1, 0.4));
+  Result<SparseVolume> before = materialOf(*opened, request.input, request.voxel, {}, notice, progress.part(0.1, 0.4));
   if (!before) return before.error();
   done.before = std::move(*before);
   Result<SparseVolume> after = change(done.before, values, progress.part(0.4, 0.8));
@@ -55,12 +56,14 @@ Result<WallAnswer> changeFile(const WallRequest& request, const OperationValues&
   return done;
 }
 
-nlohmann::ordered_json reportOf(const WallAnswer& done) {
-  return {{"voxel_mm", done.after.voxel()},
-          {"volume_before_mm3", done.before.material()},
-          {"volume_mm3", done.after.material()},
-          {"blocks", done.after.blockCount()},
-          {"bytes", done.after.bytes()}};
+nlohmann::ordered_json reportOf(const WallAnswer& done, const MakingNotice& notice) {
+  nlohmann::ordered_json report = {{"voxel_mm", done.after.voxel()},
+                                   {"volume_before_mm3", done.before.material()},
+                                   {"volume_mm3", done.after.material()},
+                                   {"blocks", done.after.blockCount()},
+                                   {"bytes", done.after.bytes()}};
+  notice.addTo(report);
+  return report;
 }
 
 std::string textOf(const WallAnswer& done, const fs::path& output) {
@@ -79,14 +82,16 @@ int runChange(const Arguments& arguments, const DocumentKinds& kinds, const Oper
   if (!problem.empty()) return failUsage(problem, operation.id);
   WallRequest request{arguments.operands[0], arguments.valueOf("output"), sampling.given("voxel"), {}};
   request.read.partial = arguments.has("partial");
+  MakingNotice notice(arguments);
   std::optional<Result<WallAnswer>> result;
-  runInterruptible("Changing the volume",
-                   [&](CommandJob& job) { result = changeFile(request, values, change, kinds, job.progress()); });
+  runInterruptible("Changing the volume", [&](CommandJob& job) {
+    result = changeFile(request, values, change, kinds, notice.during(job), job.progress());
+  });
   if (!*result) return fail(result->error());
   const WallAnswer& done = result->value();
   reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
-  return print(arguments.has("json") ? reportOf(done).dump() + "\n" : textOf(done, request.output));
+  return print(arguments.has("json") ? reportOf(done, notice).dump() + "\n" : textOf(done, request.output));
 }
 
 int runShell(const Arguments& arguments, const DocumentKinds& kinds) {
@@ -115,6 +120,7 @@ CommandSpec specOf(const Operation& operation, std::string_view summary) {
   spec.options.push_back({"output", 'o', "OUT", "The volume (.handwheel, .vdb, .nrrd), or its surface as a mesh"});
   for (OptionSpec& option : optionsOf(voxelizeOperation(), {"method", "wall"}))
     spec.options.push_back(std::move(option));
+  spec.options.push_back(consentOption());
   spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
   spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});

@@ -122,6 +122,15 @@ Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double>
   return MadeVolume{std::move(*snapshot), std::move(*made)};
 }
 
+std::vector<Note> notesOn(const SurfaceVolume& made) {
+  const double lost = 1.0 - made.nearShare;
+  if (lost <= kThinShare) return {};
+  return {{QT_TRANSLATE_NOOP("Note",
+                             "Walls thinner than a voxel (%1 mm) were lost: %2 % of the surface is farther than a "
+                             "voxel from the surface of the volume. Choose smaller voxels."),
+           {roundedText(made.volume.voxel()), roundedText(100.0 * lost, 2)}}};
+}
+
 Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,
                                                            Progress progress) {
   const Result<std::string> head = readFileHead(path);

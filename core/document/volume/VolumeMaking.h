@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace handwheel {
 
@@ -29,6 +30,9 @@ struct MadeVolume {
 // volumeOfSurface(), and VolumeErrors::TooLargeToSave.
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
                               Progress progress, VoxelMethod method = VoxelMethod::Sign);
+
+// What there is to say of a volume that was made of a surface: walls that were lost.
+std::vector<Note> notesOn(const SurfaceVolume& made);
 
 // The content of a document of the skull that ships. It is made when nobody holds it, which takes a second.
 std::shared_ptr<const VolumeSnapshot> skullContent();

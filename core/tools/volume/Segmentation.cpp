@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "volume/image/ImageHistogram.h"
+#include "volume/image/ImageToVolume.h"
 #include "volume/segment/SegmentParts.h"
 #include "volume/segment/SegmentToVolume.h"
 
@@ -76,7 +77,8 @@ std::optional<ValueRange> rangeIn(std::string_view text) {
   return ValueRange{*least, *largest};
 }
 
-Result<Segmented> segment(const ImageVolume& image, const OperationValues& values, Progress progress) {
+Result<Segmented> segment(const ImageVolume& image, const OperationValues& values, Progress progress,
+                          const BeginMaking& begin) {
   Segmented done;
   done.range = rangeIn(values.text("range")).value_or(ValueRange{0.0, kNoEnd});
   if (values.text("range").empty()) done.range.least = otsuThreshold(histogramOf(image));
@@ -88,8 +90,12 @@ Result<Segmented> segment(const ImageVolume& image, const OperationValues& value
     segment = parts.only(0, largest);
     done.kept = largest;
   }
-  Result<SparseVolume> made =
-      volumeOfSmoothed(image, segment, values.given("voxel"), values.flag("smooth"), progress.part(0.2, 1.0));
+  const double voxel = values.given("voxel").value_or(usualVoxel(image.grid()));
+  if (begin) {
+    const double faces = facesOf(image, segment, progress.part(0.2, 0.3));
+    if (const Status begun = begin(voxel, predictedBytes(image, segment, faces, voxel)); !begun) return begun.error();
+  }
+  Result<SparseVolume> made = volumeOfSmoothed(image, segment, voxel, values.flag("smooth"), progress.part(0.3, 1.0));
   if (!made) return made.error();
   done.volume = std::move(*made);
   return done;

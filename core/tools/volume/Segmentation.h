@@ -8,6 +8,7 @@
 #include "volume/SparseVolume.h"
 #include "volume/image/ImageVolume.h"
 
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -28,7 +29,10 @@ struct Segmented {
 };
 
 // The range must be one, or empty: then it is what is above the threshold that parts the image best (otsuThreshold()).
+// begin: called before the volume is made, with its voxel, mm, and the bytes that it needs; its error ends the work.
 // Errors: those of volumeOfImage(); VolumeErrors::NothingInRange also where smoothing leaves nothing.
-Result<Segmented> segment(const ImageVolume& image, const OperationValues& values, Progress progress);
+using BeginMaking = std::function<Status(double voxel, double bytes)>;
+Result<Segmented> segment(const ImageVolume& image, const OperationValues& values, Progress progress,
+                          const BeginMaking& begin = {});
 
 }  // namespace handwheel
