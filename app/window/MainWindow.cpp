@@ -42,7 +42,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
       m_pool(pool),
       m_tabs(new DocumentTabs(this)),
       m_fileActions(this, kinds.documents, m_uis, *m_tabs, m_jobs, m_recent, m_log),
-      m_copies(this, kinds.documents, *m_tabs, m_jobs,
+      m_copies(this, kinds.documents, m_uis, *m_tabs, m_jobs,
                [this](OpenedFile opened) { return m_fileActions.loader().openUnsaved(std::move(opened)); }),
       m_autosave(*m_tabs, m_fileActions.loader(), m_log, m_services),
       m_showPanel(tr("&Show the list"), this),

@@ -58,7 +58,7 @@ NumberField::NumberField(QWidget* parent)
   column->setSpacing(2);
   column->addWidget(m_line);
   column->addWidget(m_problem);
-  connect(m_line, &NumberLineEdit::textEdited, this, [this] { showProblem({}); });
+  connect(m_line, &NumberLineEdit::textEdited, this, &NumberField::type);
   connect(m_line, &NumberLineEdit::stepped, this, &NumberField::step);
   connect(m_line, &NumberLineEdit::stepsEnded, this, &NumberField::endSteps);
   connect(m_line, &NumberLineEdit::committed, this, &NumberField::commit);
@@ -135,6 +135,14 @@ void NumberField::describe() {
   if (std::isfinite(m_least)) parts << tr("at least %1").arg(shown(m_least));
   if (std::isfinite(m_largest)) parts << tr("at most %1").arg(shown(m_largest));
   m_line->setAccessibleDescription(parts.join(QStringLiteral(", ")));
+}
+
+void NumberField::type() {
+  showProblem({});
+  const ExpressionField field{m_quantity, m_unit, locale().decimalPoint() == QLatin1String(",")};
+  const ExpressionResult result = evaluateExpression(m_line->text().toStdString(), field);
+  const double* const value = std::get_if<double>(&result);
+  if (value && rangeProblem(*value).isEmpty()) emit valueTyped(*value);
 }
 
 void NumberField::commit() {

@@ -36,6 +36,8 @@ class NumberField : public QWidget {
  signals:
   // During a run of steps stillDragging is true; the last value is sent once more with false.
   void valueEdited(double value, bool stillDragging);
+  // While a text is being typed that is a valid value.
+  void valueTyped(double value);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -45,6 +47,7 @@ class NumberField : public QWidget {
   void showValue();
   void describe();
   void commit();
+  void type();
   void revert();
   void step(double steps);
   void endSteps();

@@ -16,8 +16,9 @@
 
 namespace handwheel {
 
-CopyActions::CopyActions(QWidget* window, const DocumentKinds& kinds, DocumentTabs& tabs, JobRunner& jobs, Open open)
-    : QObject(window), m_tabs(tabs), m_jobs(jobs), m_open(std::move(open)) {
+CopyActions::CopyActions(QWidget* window, const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs,
+                         JobRunner& jobs, Open open)
+    : QObject(window), m_uis(uis), m_tabs(tabs), m_jobs(jobs), m_open(std::move(open)) {
   for (const auto& kind : kinds.all()) {
     if (!kind->isMadeOfSurfaces()) continue;
     const QString title = QCoreApplication::translate("DocumentKind", kind->title().c_str());
@@ -25,7 +26,7 @@ CopyActions::CopyActions(QWidget* window, const DocumentKinds& kinds, DocumentTa
     action->setObjectName(QStringLiteral("copyAs/") + QString::fromStdString(kind->id()));
     action->setIcon(icon(QStringLiteral("kind-") + QString::fromStdString(kind->id())));
     setActionToolTip(*action, tr("Open the surface of this document as a new document of that kind"));
-    connect(action, &QAction::triggered, this, [this, made = kind.get()] { start(*made); });
+    connect(action, &QAction::triggered, this, [this, made = kind.get()] { ask(*made); });
     m_actions.emplace_back(kind.get(), action);
   }
   connect(&m_tabs, &DocumentTabs::currentChanged, this, &CopyActions::follow);
@@ -43,9 +44,19 @@ void CopyActions::follow() {
   for (const auto& [kind, action] : m_actions) action->setEnabled(current && &current->document.kind() != kind);
 }
 
-void CopyActions::start(const DocumentKind& kind) {
+void CopyActions::ask(const DocumentKind& kind) {
   DocumentTab* const from = m_tabs.current();
   from->document.settle();
+  const auto begin = [this, &kind, from](const MakeOfSurface& make) {
+    if (m_tabs.contains(from)) start(kind, from, make);
+  };
+  if (m_uis.at(kind.id())->askToCopy(from->document, begin)) return;
+  start(kind, from, [&kind](const TriangleSoup& surface, const std::string& source, std::vector<Note>&, Progress p) {
+    return kind.ofSurface(surface, source, p);
+  });
+}
+
+void CopyActions::start(const DocumentKind& kind, DocumentTab* from, const MakeOfSurface& make) {
   Job job;
   const QString name = from->document.name();
   job.name = tr("Copying %1").arg(name);
@@ -56,12 +67,12 @@ void CopyActions::start(const DocumentKind& kind) {
   // It is called as the other one, without the ending.
   const std::string title =
       from->document.path().isEmpty() ? from->document.file().title : QFileInfo(name).completeBaseName().toStdString();
-  job.work = [this, failed, &kind, title, name = name.toStdString(), &own = from->document.kind(),
+  job.work = [this, failed, make, &kind, title, name = name.toStdString(), &own = from->document.kind(),
               content = from->document.snapshot(), file = from->document.file().path,
               unit = from->document.displayUnit()](Progress progress) -> Job::Finish {
-    Result<SnapshotPointer> made = kind.ofSurface(placedSoup(own.display(*content)), name, progress);
-    if (!made) return [failed, error = made.error()] { failed(error); };
     OpenedFile opened;
+    Result<SnapshotPointer> made = make(placedSoup(own.display(*content)), name, opened.file.notes, progress);
+    if (!made) return [failed, error = made.error()] { failed(error); };
     opened.kind = &kind;
     opened.file.id = newDocumentId();
     opened.file.title = title;

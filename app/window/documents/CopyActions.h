@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/DocumentKind.h"
+#include "window/documents/FileLoader.h"
+#include "window/kinds/KindUi.h"
 
 #include <QAction>
 #include <QObject>
@@ -18,14 +19,16 @@ class JobRunner;
 struct DocumentTab;
 struct Message;
 
-// The actions that open the surface of the current document as another kind. A mesh as a volume, and back.
+// The actions that open the surface of the current document as another kind. A mesh as a volume, and back. Kinds may
+// ask how that is to be made (KindUi::askToCopy()).
 class CopyActions : public QObject {
   Q_OBJECT
 
  public:
   using Open = std::function<DocumentTab*(OpenedFile opened)>;
 
-  CopyActions(QWidget* window, const DocumentKinds& kinds, DocumentTabs& tabs, JobRunner& jobs, Open open);
+  CopyActions(QWidget* window, const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs, JobRunner& jobs,
+              Open open);
 
   // One for each kind that is made of surfaces.
   QList<QAction*> actions() const;
@@ -35,8 +38,10 @@ class CopyActions : public QObject {
 
  private:
   void follow();
-  void start(const DocumentKind& kind);
+  void ask(const DocumentKind& kind);
+  void start(const DocumentKind& kind, DocumentTab* from, const MakeOfSurface& make);
 
+  const KindUis& m_uis;
   DocumentTabs& m_tabs;
   JobRunner& m_jobs;
   Open m_open;

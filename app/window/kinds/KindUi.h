@@ -90,6 +90,11 @@ struct StartAction {
   bool asks = false;                   // KindUi::begin() does it, after a question
 };
 
+// Creates the content of a document from the surface of another, as DocumentKind::ofSurface() does. The notes are what
+// there is to say of it.
+using MakeOfSurface = std::function<Result<SnapshotPointer>(const TriangleSoup& surface, const std::string& source,
+                                                            std::vector<Note>& notes, Progress progress)>;
+
 // The user interface of one kind of document: scene, panel, menu, tools, hints. One per window and kind.
 class KindUi : public QObject {
   Q_OBJECT
@@ -129,6 +134,14 @@ class KindUi : public QObject {
   virtual std::vector<StartAction> startActions() const { return {}; }
   // Carries out one of them that asks for something first; any document may be current, or none.
   virtual void begin(const QString& startAction) { (void)startAction; }
+
+  // Asks how a document of this kind is to be made of the surface of another, and calls start with that, which a person
+  // may decline; false: nothing is to be asked.
+  virtual bool askToCopy(const Document& from, std::function<void(MakeOfSurface)> start) {
+    (void)from;
+    (void)start;
+    return false;
+  }
 
   // The properties of the current document, of this kind, that are in the list of its properties now.
   virtual std::vector<Property> listedProperties(const Document& document) const;

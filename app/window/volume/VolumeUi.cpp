@@ -20,6 +20,7 @@
 #include "window/volume/RemeshAction.h"
 #include "window/volume/ReshapeActions.h"
 #include "window/volume/StampAction.h"
+#include "window/volume/VoxelizeQuestion.h"
 #include "window/volume/segmentation/Segmentation.h"
 
 #include <QLocale>
@@ -34,7 +35,8 @@ VolumeUi::VolumeUi(const WindowContext& window)
       m_drillView(new DrillView(window, this)),
       m_reshape(new ReshapeActions(window, this)),
       m_remesh(new RemeshAction(window, this)),
-      m_stamp(new StampAction(window, this)) {
+      m_stamp(new StampAction(window, this)),
+      m_voxelize(new VoxelizeQuestion(window.window, this)) {
   connect(m_segmentation, &Segmentation::message, this, &VolumeUi::message);
   setFelt(false);  // through the depths of the volume, not through triangles
   window.viewport.addLayer(m_volumeLayer);
@@ -152,6 +154,11 @@ QList<QAction*> VolumeUi::menu() {
 
 bool VolumeUi::isSettled() const {
   return RigidPartsUi::isSettled() && m_segmentation->isSettled() && m_remesh->isSettled();
+}
+
+bool VolumeUi::askToCopy(const Document& from, std::function<void(MakeOfSurface)> start) {
+  m_voxelize->ask(from, std::move(start));
+  return true;
 }
 
 std::vector<StartAction> VolumeUi::startActions() const {

@@ -15,6 +15,7 @@ class ReshapeActions;
 class Segmentation;
 class StampAction;
 class VolumeLayer;
+class VoxelizeQuestion;
 struct VolumeSnapshot;
 
 // The user interface of volumes: their layer, the clay tool and their haptics.
@@ -34,6 +35,7 @@ class VolumeUi : public RigidPartsUi {
   QString menuTitle() const override { return tr("&Volume"); }
   QList<QAction*> menu() override;
   bool isSettled() const override;
+  bool askToCopy(const Document& from, std::function<void(MakeOfSurface)> start) override;
   std::vector<StartAction> startActions() const override;
   void begin(const QString& startAction) override;
   std::vector<ToolDescriptor> tools() override;
@@ -57,6 +59,7 @@ class VolumeUi : public RigidPartsUi {
   ReshapeActions* m_reshape;
   RemeshAction* m_remesh;
   StampAction* m_stamp;
+  VoxelizeQuestion* m_voxelize;
   std::shared_ptr<const ClayState> m_live;  // what a tool has made of the document; null: nothing
   std::shared_ptr<ClayChannel> m_still;     // the document as it is
   std::shared_ptr<ClayChannel> m_felt;      // of the tool, or m_still; null: nothing is

@@ -9,6 +9,8 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
@@ -27,6 +29,11 @@ class VolumeWindowTest : public QObject {
   static bool isEnabled(WindowDriver& driver, const char* name) {
     return driver.window().findChild<QAction*>(QString::fromLatin1(name))->isEnabled();
   }
+  // As the dialog proposes it.
+  static void copyAsVolume(WindowDriver& driver) {
+    driver.choose("copyAs/volume");
+    driver.find<QPushButton>("propertiesAccept")->click();
+  }
 
  private slots:
   void meshToVolumeAndBack() {
@@ -36,7 +43,7 @@ class VolumeWindowTest : public QObject {
     writeStl(path, torusWithHole());
     QVERIFY(driver.open(path));
     QVERIFY(isEnabled(driver, "copyAs/volume") && !isEnabled(driver, "copyAs/mesh"));
-    driver.choose("copyAs/volume");
+    copyAsVolume(driver);
     QVERIFY(driver.settle());
     QCOMPARE(driver.tabs(), 2);
     QVERIFY(!isEnabled(driver, "copyAs/volume") && isEnabled(driver, "copyAs/mesh"));
@@ -62,6 +69,42 @@ class VolumeWindowTest : public QObject {
     QCOMPARE(driver.count(DefectKind::Hole), 0);
     QVERIFY(driver.open(saved));
     QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Volume"));
+  }
+
+  // The dialog says what the voxels take while their size is typed; what needs more than a quarter of the memory is
+  // asked once more. Whoever declines gets nothing, and the next dialog proposes what the first did.
+  void askedBeforeItIsMade() {
+    WindowDriver driver;
+    const QString path = m_folder.filePath(QStringLiteral("asked.stl"));
+    writeStl(path, torusWithHole());
+    QVERIFY(driver.open(path));
+    const auto text = [&](const char* id) {
+      const QWidget* const row = driver.find<QDialog>("voxelizeDialog")->findChild<QWidget*>(QString("property/") + id);
+      QStringList all;
+      for (const QLabel* const label : row->findChildren<QLabel*>()) all << label->text();
+      return all.join(QLatin1Char('|'));
+    };
+    driver.choose("copyAs/volume");
+    const QString memory = text("memory"), seconds = text("seconds"), reason = text("reason");
+    QVERIFY2(memory.contains("MB") && seconds.contains(" s") && reason.contains("256"), qPrintable(memory + reason));
+    auto* const line =
+        driver.find<QDialog>("voxelizeDialog")->findChild<QWidget*>("property/voxel")->findChild<QLineEdit*>();
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, QStringLiteral("0.00001"));  // not entered
+    QVERIFY(text("memory") != memory && text("seconds") != seconds && text("reason") != reason);
+    QCOMPARE(line->text().toDouble(), 1e-5);
+    driver.find<QPushButton>("propertiesAccept")->click();
+    QTRY_VERIFY(driver.window().findChild<QMessageBox*>(QStringLiteral("memoryQuestion")));
+    driver.window().findChild<QMessageBox*>(QStringLiteral("memoryQuestion"))->reject();
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 1);
+    QTRY_VERIFY(!driver.window().findChild<QDialog*>(QStringLiteral("voxelizeDialog")));
+    driver.choose("copyAs/volume");
+    QCOMPARE(text("reason"), reason);
+    driver.find<QDialog>("voxelizeDialog")->reject();
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 1);
   }
 
   // The whole volume is changed from the menu: shown first, applied by a key, undone; nothing of it is there before.
@@ -105,7 +148,7 @@ class VolumeWindowTest : public QObject {
     const QString path = m_folder.filePath(QStringLiteral("ring.stl"));
     writeStl(path, torusWithHole());
     QVERIFY(driver.open(path));
-    driver.choose("copyAs/volume");
+    copyAsVolume(driver);
     QVERIFY(driver.settle());
     const DocumentTab* const ring = driver.window().findChild<DocumentTabs*>()->current();
     QCOMPARE(ring->document.name(), QStringLiteral("ring"));
@@ -151,7 +194,7 @@ class VolumeWindowTest : public QObject {
     const QString path = m_folder.filePath(QStringLiteral("flat.stl"));
     writeStl(path, {Corners{Corner{0, 0, 0}, Corner{10, 0, 0}, Corner{0, 10, 0}}});
     QVERIFY(driver.open(path));
-    driver.choose("copyAs/volume");
+    copyAsVolume(driver);
     QVERIFY(driver.settle());
     QCOMPARE(driver.tabs(), 1);
   }

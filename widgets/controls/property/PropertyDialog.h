@@ -29,6 +29,8 @@ class PropertyDialog : public QDialog {
   // To be called when what is shown has changed by itself.
   void refresh() { m_list->setProperties(m_shown()); }
   void setLengthUnit(LengthUnit unit) { m_list->setLengthUnit(unit); }
+  // Changes numbers while they are being typed, and not only when they are entered.
+  void followTyping() { connect(m_list, &PropertyList::typed, this, &PropertyDialog::edit); }
 
  private:
   void edit(const std::string& id, const PropertyValue& value);

@@ -143,6 +143,8 @@ PropertyRow* PropertyList::addRow(const Property& property) {
   connect(row, &PropertyRow::edited, this, [this, id = property.id](const PropertyValue& value, bool stillDragging) {
     emit edited(id, value, stillDragging);
   });
+  connect(row, &PropertyRow::typed, this,
+          [this, id = property.id](const PropertyValue& value) { emit typed(id, value); });
   return row;
 }
 

@@ -38,6 +38,7 @@ class PropertyList : public QScrollArea {
 
  signals:
   void edited(const std::string& id, const handwheel::PropertyValue& value, bool stillDragging);
+  void typed(const std::string& id, const handwheel::PropertyValue& value);  // a number, before it is entered
 
  private:
   bool fit(const std::vector<Property>& properties) const;

@@ -28,6 +28,7 @@ class PropertyRow : public QWidget {
 
  signals:
   void edited(const PropertyValue& value, bool stillDragging);
+  void typed(const PropertyValue& value);  // before it is entered
 
  protected:
   enum class Kind { Number, Switch, Text, LongText, Colour, Choice, List, ReadOnly };

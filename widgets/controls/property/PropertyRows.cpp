@@ -102,6 +102,7 @@ NumberRow::NumberRow(QWidget* parent)
   arrange(m_field, true, m_travel);
   connect(m_field, &NumberField::valueEdited, this,
           [this](double value, bool stillDragging) { emit edited(value, stillDragging); });
+  connect(m_field, &NumberField::valueTyped, this, [this](double value) { emit typed(value); });
   connect(m_slider, &QSlider::valueChanged, this, &NumberRow::slide);
   connect(m_slider, &QSlider::sliderReleased, this, [this] {
     if (std::exchange(m_slid, false)) slide(m_slider->value());

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/volume/VoxelizeQuestion.h"
+
+#include "controls/property/PropertyDialog.h"
+#include "document/Document.h"
+#include "document/volume/VolumeMaking.h"
+#include "volume/repair/TriangleWalls.h"
+#include "window/MemoryQuestion.h"
+
+#include <QLocale>
+
+namespace handwheel {
+namespace {
+
+Property said(const char* id, const char* label, const QString& text) {
+  Property property{.id = id, .group = {}, .label = label, .value = text.toStdString()};
+  property.editable = false;
+  return property;
+}
+
+}  // namespace
+
+VoxelizeQuestion::VoxelizeQuestion(QWidget* window, QObject* parent) : QObject(parent), m_window(window) {}
+
+void VoxelizeQuestion::ask(const Document& from, std::function<void(MakeOfSurface)> start) {
+  if (m_dialog) return m_dialog->raise();
+  m_settings.emplace(placedSoup(from.kind().display(*from.snapshot())));
+  m_dialog = new PropertyDialog(
+      {tr("Make a volume"), tr("The volume becomes a document of its own. Whatever is smaller than a voxel is lost."),
+       tr("&Make volume")},
+      [this] { return shown(); },
+      [this](const std::string& id, const PropertyValue& value) -> Status {
+        m_settings->change(id, value);
+        return Done{};
+      },
+      m_window);
+  m_dialog->setObjectName(QStringLiteral("voxelizeDialog"));
+  m_dialog->setModal(true);
+  m_dialog->setLengthUnit(from.displayUnit());
+  m_dialog->followTyping();
+  connect(m_dialog, &QDialog::finished, this, [this, start = std::move(start)](int result) {
+    if (result == QDialog::Accepted)
+      askForMemory(m_window, m_settings->bytes(), [start, make = wanted()] { start(make); });
+  });
+  m_dialog->open();
+}
+
+std::vector<Property> VoxelizeQuestion::shown() const {
+  std::vector<Property> all = m_settings->properties();
+  const QString across = tr("%1 voxels along the largest extent: %2")
+                             .arg(QLocale().toString(std::round(m_settings->across()), 'f', 0), reasonText());
+  all.insert(all.begin() + 1, said("reason", QT_TRANSLATE_NOOP("Property", "Size of the voxels"), across));
+  all.push_back(said("memory", QT_TRANSLATE_NOOP("Property", "Memory"), memoryText(m_settings->bytes())));
+  all.push_back(said("seconds", QT_TRANSLATE_NOOP("Property", "Time"),
+                     tr("about %1 s").arg(QLocale().toString(m_settings->seconds(), 'g', 1))));
+  return all;
+}
+
+QString VoxelizeQuestion::reasonText() const {
+  switch (m_settings->reason()) {
+    case VoxelizeSettings::Reason::Drilling:
+      return tr("by the resolution rule of drilling, at 1 mm/s and 1 kHz");
+    case VoxelizeSettings::Reason::Extent:
+      return tr("256 to the extent, as the rule of drilling does not suit this size");
+    case VoxelizeSettings::Reason::Wall:
+      return tr("four to the thickness of a wall");
+    case VoxelizeSettings::Reason::Chosen:
+      break;
+  }
+  return tr("as chosen");
+}
+
+MakeOfSurface VoxelizeQuestion::wanted() const {
+  return [settings = *m_settings](const TriangleSoup& surface, const std::string& source, std::vector<Note>& notes,
+                                  Progress progress) -> Result<SnapshotPointer> {
+    const Result<MadeVolume> made = makeVolume(settings.wall() ? wallsOf(surface, *settings.wall()) : surface,
+                                               settings.voxel(), source, progress, settings.method());
+    if (!made) return made.error();
+    notes = notesOn(made->surface);
+    return SnapshotPointer(made->volume);
+  };
+}
+
+}  // namespace handwheel

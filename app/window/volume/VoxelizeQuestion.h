@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/volume/VoxelizeSettings.h"
+#include "window/kinds/KindUi.h"
+
+#include <QPointer>
+
+namespace handwheel {
+
+class PropertyDialog;
+
+// The dialog that asks how a volume is made of the surface of another document. It shows what that is going to take,
+// while numbers are typed, and remembers nothing. Window thread.
+class VoxelizeQuestion : public QObject {
+  Q_OBJECT
+
+ public:
+  VoxelizeQuestion(QWidget* window, QObject* parent);
+
+  // start: called with what makes the volume, unless the user declines.
+  void ask(const Document& from, std::function<void(MakeOfSurface)> start);
+
+ private:
+  std::vector<Property> shown() const;
+  QString reasonText() const;
+  MakeOfSurface wanted() const;
+
+  QWidget* m_window;
+  QPointer<PropertyDialog> m_dialog;
+  std::optional<VoxelizeSettings> m_settings;  // while the dialog is open
+};
+
+}  // namespace handwheel
