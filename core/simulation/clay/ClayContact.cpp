@@ -11,6 +11,18 @@ namespace {
 
 constexpr double kStill = 0.01;  // voxels: a step that is no more is the last
 
+// Where a simulation removes the material, it has gone from around the tool: there its load counts, and the field only
+// where the hand has come to material that the load does not know of.
+double resistanceTo(const Vec3& hand, const Vec3& tool, const SparseVolume& volume, const ClayFeel& feel,
+                    const CutLoad* load) {
+  constexpr double kBeyond = 0.25;  // voxels
+  if (load && load->resistance > 0.0 && (hand - tool).dot(load->way) > 0.0) return load->resistance;
+  const VolumeReader reader(volume);
+  const double depth = reader.depthAt(hand).depth;
+  const bool isInside = load ? depth > kBeyond * volume.voxel() : depth > 0.0 || reader.depthAt(tool).depth > 0.0;
+  return isInside ? feel.resistance : 0.0;
+}
+
 }  // namespace
 
 void ClayContact::place(const Vec3& hand) {
@@ -18,13 +30,13 @@ void ClayContact::place(const Vec3& hand) {
   m_isBuried = true;  // if it is in material
 }
 
-bool ClayContact::follow(const SparseVolume& volume, const ClayFeel& feel, const Vec3& hand, bool isWorking,
-                         double dt) {
+bool ClayContact::follow(const SparseVolume& volume, const ClayFeel& feel, const Vec3& hand, bool isWorking, double dt,
+                         const CutLoad* load) {
   const bool isFree = isWorking && feel.isFree;
   const bool isInside = VolumeReader(volume).depthAt(hand).depth > 0.0;
   if (isWorking && feel.isCutting && !isFree) {
     m_isBuried = false;
-    return cut(volume, feel, hand, dt);
+    return cut(feel.stiffness, resistanceTo(hand, m_tool, volume, feel, load), hand, dt);
   }
   // Deeper than a tool that slid can be: the material has come to it.
   if (VolumeReader(volume).depthAt(m_tool).depth > volume.voxel()) m_isBuried = true;
@@ -70,17 +82,13 @@ bool ClayContact::slide(const SparseVolume& volume, const Vec3& hand) {
   return isTouching;
 }
 
-// Through material only as fast as it is pressed: F = resistance · speed.
-bool ClayContact::cut(const SparseVolume& volume, const ClayFeel& feel, const Vec3& hand, double dt) {
-  const Vec3 way = hand - m_tool;
-  const VolumeReader reader(volume);
-  const bool isInside = reader.depthAt(m_tool).depth > 0.0 || reader.depthAt(m_tool + way).depth > 0.0;
-  if (!isInside || !(way.norm() > 0.0)) {
+// Through material only as fast as it is pressed: F = resistance · speed, exactly, with the force after the step.
+bool ClayContact::cut(double stiffness, double resistance, const Vec3& hand, double dt) {
+  if (!(resistance > 0.0) || hand == m_tool) {
     m_tool = hand;
     return false;
   }
-  const double share = feel.resistance > 0.0 ? std::min(1.0, feel.stiffness * dt / feel.resistance) : 1.0;
-  m_tool += share * way;
+  m_tool += stiffness * dt / (resistance + stiffness * dt) * (hand - m_tool);
   return true;
 }
 

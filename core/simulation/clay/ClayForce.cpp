@@ -18,47 +18,62 @@ void ClayForce::follow(const ForceSource& previous) noexcept {
   m_contact = other->m_contact;
   m_share = other->m_share;
   m_angle = other->m_angle;
+  m_give = other->m_give;
   m_isPlaced = other->m_isPlaced;
 }
 
 ForceBounds ClayForce::advance(const TipState& tip, ForceOut& out) noexcept {
   const std::uint32_t gesture = m_channel->inputs->gestureAt(tip);
-  m_isTouching = false;
-  if (!tip.position.allFinite()) return {};
-  if (tip.isRestart || !m_isPlaced) m_contact.place(tip.position);
+  m_hand = tip.position - m_feel.reach * (tip.orientation * Vec3::UnitZ());
+  if (!m_hand.allFinite()) {
+    m_isTouching = m_isCutting = false;
+    return {};
+  }
+  if (tip.isRestart || !m_isPlaced) m_contact.place(m_hand);
   m_isPlaced = true;
+  swing(tip.period);
   const ClayPatch& patch = m_channel->patch.read();
+  m_isTouching = false;
   if (patch.state) {
     ClayFeel feel = m_feel;
-    feel.stiffness *= m_share;
-    m_isTouching = m_contact.follow(patch.state->volume, feel, tip.position, gesture != 0, tip.period);
+    feel.stiffness *= m_share * m_give;
+    m_isTouching = m_contact.follow(patch.state->volume, feel, m_hand, gesture != 0, tip.period,
+                                    patch.load ? &*patch.load : nullptr);
   } else {
-    m_contact.place(tip.position);
+    m_contact.place(m_hand);
   }
   m_isCutting = m_isTouching && m_feel.isCutting && gesture != 0;
-  m_angle = std::fmod(m_angle + m_feel.spindle / 60.0 * 2.0 * M_PI * tip.period, 2.0 * M_PI);
-  m_channel->inputs->push({tip, m_contact.tool(), gesture, false, pressureAt(tip)});
+  const Vec3 tool = tip.position + m_contact.tool() - m_hand;
+  // What nothing holds back has no pressure to go by.
+  const double pressure = m_isTouching ? std::min(1.0, held() / kFullForce) : 1.0;
+  m_channel->inputs->push({tip, tool, gesture, false, pressure});
   if (!m_isTouching) return {};
   out.isContact = true;
-  out.proxy = m_contact.tool();
+  out.proxy = tool;
+  if (m_isCutting && patch.load) out.torque += held() * patch.load->torque;
   return {m_feel.stiffness, 0.0};
 }
 
-// By the spring between hand and tool. What nothing holds back has no pressure to go by.
-double ClayForce::pressureAt(const TipState& tip) const noexcept {
-  if (!m_isTouching) return 1.0;
-  return std::min(1.0, m_share * m_feel.stiffness * (m_contact.tool() - tip.position).norm() / kFullForce);
+// While it cuts the spring gives way by the vibration once a turn: so it is never stiffer than the loop can carry. The
+// tool goes as fast as what is left of the force lets it, so the mean of the force stays.
+void ClayForce::swing(double period) noexcept {
+  m_angle = std::fmod(m_angle + m_feel.spindle / 60.0 * 2.0 * M_PI * period, 2.0 * M_PI);
+  m_give = 1.0;
+  const double spring = m_share * m_feel.stiffness * (m_contact.tool() - m_hand).norm();
+  if (!m_isCutting || !(m_feel.spindle > 0.0) || !(spring > 0.0)) return;
+  const auto at = [&](double angle) { return vibration({}, spring, angle, m_feel.spindle, period); };
+  m_give = 1.0 - 0.5 * (at(0.5 * M_PI) - at(m_angle)) / spring;
 }
 
-// While it cuts the spring gives way by the vibration once a turn: so it is never stiffer than the loop can carry.
-Vec3 ClayForce::force(const TipState& tip, double stiffness, double) noexcept {
+// N, of the spring between hand and tool.
+double ClayForce::held() const noexcept {
+  return m_share * m_give * m_feel.stiffness * (m_contact.tool() - m_hand).norm();
+}
+
+Vec3 ClayForce::force(const TipState&, double stiffness, double) noexcept {
   m_share = stiffness;
   if (!m_isTouching) return Vec3::Zero();
-  const Vec3 spring = stiffness * m_feel.stiffness * (m_contact.tool() - tip.position);
-  const double held = spring.norm();
-  if (!m_isCutting || !(m_feel.spindle > 0.0) || !(held > 0.0)) return spring;
-  const auto swing = [&](double angle) { return vibration({}, held, angle, m_feel.spindle, tip.period); };
-  return (1.0 - 0.5 * (swing(0.5 * M_PI) - swing(m_angle)) / held) * spring;
+  return m_share * m_give * m_feel.stiffness * (m_contact.tool() - m_hand);
 }
 
 }  // namespace handwheel

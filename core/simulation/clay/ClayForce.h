@@ -12,7 +12,7 @@ namespace handwheel {
 inline constexpr const char* kClaySource = "clay";
 
 // The force of clay on a tool: a spring between hand and god-object. The clay holds back the latter, which is the tool
-// (ClayContact).
+// (ClayContact). Of a drill it is the thrust that the simulation computes, with its torque about the axis.
 class ClayForce : public ForceSource {
  public:
   ClayForce(std::shared_ptr<ClayChannel> channel, const ClayFeel& feel);
@@ -24,13 +24,16 @@ class ClayForce : public ForceSource {
   static constexpr double kFullForce = 2.0;  // N, of a hand that presses fully: a share of it is the pressure
 
  private:
-  double pressureAt(const TipState& tip) const noexcept;
+  void swing(double period) noexcept;
+  double held() const noexcept;
 
   std::shared_ptr<ClayChannel> m_channel;
   ClayFeel m_feel;
   ClayContact m_contact;
-  double m_share = 1.0;  // of the stiffness, in the tick before
-  double m_angle = 0.0;  // radian, that the spindle has turned by
+  double m_share = 1.0;        // of the stiffness, in the tick before
+  Vec3 m_hand = Vec3::Zero();  // mm, of the tool's foremost point, as the hand has it
+  double m_angle = 0.0;        // radian, that the spindle has turned by
+  double m_give = 1.0;         // what the vibration leaves of the spring
   bool m_isCutting = false;
   bool m_isTouching = false;
   bool m_isPlaced = false;

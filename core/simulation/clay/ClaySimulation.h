@@ -3,6 +3,7 @@
 #pragma once
 
 #include "simulation/Simulation.h"
+#include "simulation/clay/ClayContact.h"
 #include "simulation/clay/ClayStroke.h"
 #include "volume/ClayMask.h"
 #include "volume/surface/VolumeSurface.h"
@@ -24,6 +25,7 @@ struct ClayState : SimulationState {
 // is freed on the thread that writes the next one.
 struct ClayPatch {
   std::shared_ptr<const ClayState> state;
+  std::optional<CutLoad> load = {};  // of a simulation that computes one; none: not yet
 };
 
 using ClayChannel = SimulationChannel<ClayPatch>;

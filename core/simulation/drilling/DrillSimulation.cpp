@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace handwheel {
 namespace {
@@ -55,7 +56,7 @@ void DrillSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   }
   if (m_hasTicks) publish();
   if (m_isWritten) return;
-  m_channel->patch.write({m_state});
+  m_channel->patch.write({m_state, m_felt});
   m_isWritten = true;
 }
 
@@ -67,6 +68,7 @@ void DrillSimulation::goTo(const Vec3& place, const Vec3& axis) {
   m_load.thrust = std::max(m_load.thrust, tick.thrust);
   m_load.torque = std::max(m_load.torque, tick.torque.norm());
   m_hasTicks = true;
+  watchLoad(tick, pose.direction());
   if (m_poses.size() == DrillRecord::kMostPoses) return;
   if (!m_watch) {
     const Vec3 along = pose.direction();
@@ -79,6 +81,27 @@ void DrillSimulation::goTo(const Vec3& place, const Vec3& axis) {
   }
   m_poses.push_back(pose);
   m_moments.push_back(m_watch->add(tick, pose.direction(), m_run.breakthrough().has_value()));
+}
+
+// By the balance of energy over the last way that is long enough for the voxels to tell what it took.
+void DrillSimulation::watchLoad(const DrillTick& tick, const Vec3& axis) {
+  constexpr double kLeastWay = 0.01;  // voxels
+  const std::optional<DrillTick> before = std::exchange(m_before, tick);
+  if (!before) return;
+  const Vec3 way = tick.place - before->place;
+  m_passage.way += way;
+  m_passage.length += way.norm();
+  m_passage.seconds += tick.time - before->time;
+  m_passage.removed += tick.removed;
+  if (!(m_passage.length > kLeastWay * m_volume.voxel() && m_passage.seconds > 0.0)) return;
+  const Passage gone = std::exchange(m_passage, {});
+  const double feed = gone.length / gone.seconds;
+  const DrillLoad load = drillLoad(m_setup.material, m_setup.tool, gone.removed, gone.seconds, feed, m_setup.spindle);
+  m_felt.emplace();
+  if (!(load.thrust > 0.0) || gone.way.isZero(0.0)) return;
+  m_felt->resistance = load.thrust / feed;
+  m_felt->way = gone.way.normalized();
+  m_felt->torque = -std::copysign(load.torque / load.thrust, m_setup.spindle) * axis;
 }
 
 void DrillSimulation::publish() {

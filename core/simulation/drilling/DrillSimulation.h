@@ -31,7 +31,8 @@ struct DrillFeed {
   double speed = 1.0;         // mm/s, against the axis
 };
 
-// The simulation of drilling: the volume loses what the head passes in a gesture.
+// The simulation of drilling: the volume loses what the head passes in a gesture. What that takes is told to the servo
+// loop, whose hand is held back by it.
 class DrillSimulation : public Simulation {
  public:
   // feed: none for a device, whose tip is the centre of the head and whose stylus is the shank. plan: none: straight on
@@ -43,7 +44,16 @@ class DrillSimulation : public Simulation {
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
 
  private:
+  // A way of the head: what counts for the force of a hand.
+  struct Passage {
+    Vec3 way = Vec3::Zero();  // mm
+    double length = 0.0;      // mm
+    double seconds = 0.0;
+    double removed = 0.0;  // mm³
+  };
+
   void goTo(const Vec3& place, const Vec3& axis);
+  void watchLoad(const DrillTick& tick, const Vec3& axis);
   void publish();
 
   std::shared_ptr<const DrillState> m_state;
@@ -56,12 +66,15 @@ class DrillSimulation : public Simulation {
   PagedArray<DrillPose> m_poses;
   std::optional<DrillFeed> m_feed;
   std::shared_ptr<ClayChannel> m_channel;
-  std::optional<Vec3> m_start;    // of the fed drill
-  std::optional<double> m_begin;  // s, by the clock of the inputs
-  double m_time = 0.0;            // s, since then
-  DrillLoad m_load;               // largest since the state before
-  bool m_hasTicks = false;        // since then
-  bool m_isWritten = false;       // the present state is in the channel
+  std::optional<Vec3> m_start;        // of the fed drill
+  std::optional<double> m_begin;      // s, by the clock of the inputs
+  double m_time = 0.0;                // s, since then
+  DrillLoad m_load;                   // largest since the state before
+  bool m_hasTicks = false;            // since then
+  bool m_isWritten = false;           // the present state is in the channel
+  std::optional<DrillTick> m_before;  // the last cycle
+  Passage m_passage;                  // since the load was computed
+  std::optional<CutLoad> m_felt;      // none: not yet
   std::set<std::array<int, 3>> m_changed;
 };
 

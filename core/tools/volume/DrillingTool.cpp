@@ -84,13 +84,14 @@ DrillSetup DrillingTool::setup() const {
   return {m_head, drillMaterials()[m_material], m_rpm * 2.0 * M_PI / 60.0};
 }
 
-// As fast as the balance of energy lets a head go that is in the material with its whole section: thrust by feed.
+// The resistance until the simulation tells what the head takes: that of its whole section, by the balance of energy.
 ClayFeel DrillingTool::feelAtDevice() const {
   const DrillSetup now = setup();
   const double section = M_PI * m_head.radius() * m_head.radius();
   ClayFeel feel{kDrillStiffness, drillLoad(now.material, m_head, section, 1.0, 1.0, now.spindle).thrust};
   feel.isCutting = true;
   feel.spindle = std::abs(now.spindle) * 60.0 / (2.0 * M_PI);
+  feel.reach = m_head.reach();
   return feel;
 }
 

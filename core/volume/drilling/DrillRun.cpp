@@ -34,10 +34,10 @@ DrillTick DrillRun::move(const Vec3& place, const Vec3& axis, double time) {
   const double feed = way.norm() / dt;
   const DrillLoad load = drillLoad(m_setup.material, m_setup.tool, tick.removed, dt, feed, m_setup.spindle);
   if (push.norm() > 0.0) tick.force = -load.thrust * push.normalized();
-  tick.torque = -load.torque * axis;
+  tick.torque = -std::copysign(load.torque, m_setup.spindle) * axis;
   tick.thrust = load.thrust;
   m_removed += tick.removed;
-  m_energy += 1e-3 * (-tick.force.dot(way) + load.torque * std::abs(m_setup.spindle) * dt);
+  m_energy -= 1e-3 * (tick.force.dot(way) + tick.torque.dot(m_setup.spindle * axis) * dt);
   m_maxThrust = std::max(m_maxThrust, load.thrust);
   m_maxTorque = std::max(m_maxTorque, load.torque);
   watchTip(axis, way.norm(), time);

@@ -160,7 +160,7 @@ class DrillingToolTest : public QObject {
     QCOMPARE(bench.document.history()->count(), 0);
   }
 
-  // The resistance is the thrust of the whole section by the feed: half the feed, half the thrust.
+  // Until the simulation tells it, the resistance is the thrust of the whole section by the feed.
   void resistance() {
     DrillBench bench;
     bench.runner.setSetting("diameter", PropertyValue(4.0));
