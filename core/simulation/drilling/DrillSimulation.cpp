@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/drilling/DrillSimulation.h"
 
+#include "volume/drilling/DrillProgram.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -50,14 +52,43 @@ void DrillSimulation::step(double dt, std::span<const SimulationInput> inputs) {
     m_time = input.tip.time - *m_begin;
     goTo(input.proxy, input.tip.orientation * Vec3::UnitZ());
   }
-  if (m_start) {
-    goTo(*m_start - m_feed->speed * m_time * m_feed->axis, m_feed->axis);
-    m_time += dt;
-  }
+  if (m_start) feedFor(dt);
   if (m_hasTicks) publish();
   if (m_isWritten) return;
   m_channel->patch.write({m_state, m_felt});
   m_isWritten = true;
+}
+
+// mm, of the depth at which it turns. Out to the start and back as G83 does, by the rapid feed of programs.
+double DrillSimulation::targetOfPhase() const {
+  if (m_phase == Phase::Retracting) return 0.0;
+  if (m_phase == Phase::Returning) return std::max(0.0, m_pecked - DrillProgram::kPeckClearance);
+  const bool hasPecks = m_feed->peck >= DrillFeed::kLeastPeck;
+  return hasPecks ? m_pecked + m_feed->peck : std::numeric_limits<double>::infinity();
+}
+
+// Each turn is a place of its own, so that the full depth of a peck is drilled.
+void DrillSimulation::feedFor(double dt) {
+  const auto go = [&] { goTo(*m_start - m_depth * m_feed->axis, m_feed->axis); };
+  go();
+  while (!m_isHeld) {
+    const double target = targetOfPhase(), left = target - m_depth;
+    const double speed = m_phase == Phase::Feeding ? m_feed->speed : DrillProgram::kRapid;
+    const double needed = std::abs(left) / speed;
+    if (needed >= dt) {
+      m_depth += std::copysign(speed * dt, left);
+      break;
+    }
+    m_depth = target;
+    m_time += needed;
+    dt -= needed;
+    if (m_phase == Phase::Feeding) m_pecked = m_depth;
+    m_phase = m_phase == Phase::Feeding      ? Phase::Retracting
+              : m_phase == Phase::Retracting ? Phase::Returning
+                                             : Phase::Feeding;
+    go();
+  }
+  m_time += dt;
 }
 
 // As the record has it, so that it gives the same hole. What is too long for a record is drilled on without.

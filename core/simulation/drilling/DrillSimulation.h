@@ -27,8 +27,11 @@ bool isBesidePath(const DrillState& state);
 
 // A drill that is fed by the program, as a person without a device does: from where it is pressed along a direction.
 struct DrillFeed {
+  static constexpr double kLeastPeck = 0.1;  // mm
+
   Vec3 axis = Vec3::UnitZ();  // to the shank, of length 1
   double speed = 1.0;         // mm/s, against the axis
+  double peck = 0.0;          // mm, after each of which it goes out to its start and back, as in G83; less: never
 };
 
 // The simulation of drilling: the volume loses what the head passes in a gesture. What that takes is told to the servo
@@ -41,6 +44,8 @@ class DrillSimulation : public Simulation {
                   std::shared_ptr<ClayChannel> channel, std::optional<DrillPlan> plan = {});
 
   void step(double dt, std::span<const SimulationInput> inputs) override;
+  // Holds the feed where it is, the spindle turning, or lets it go on. A device feeds by itself.
+  void holdFeed(bool isHeld) { m_isHeld = isHeld; }
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
 
  private:
@@ -52,6 +57,11 @@ class DrillSimulation : public Simulation {
     double removed = 0.0;  // mm³
   };
 
+  // Of a feed by pecks.
+  enum class Phase { Feeding, Retracting, Returning };
+
+  void feedFor(double dt);
+  double targetOfPhase() const;
   void goTo(const Vec3& place, const Vec3& axis);
   void watchLoad(const DrillTick& tick, const Vec3& axis);
   void publish();
@@ -66,7 +76,11 @@ class DrillSimulation : public Simulation {
   PagedArray<DrillPose> m_poses;
   std::optional<DrillFeed> m_feed;
   std::shared_ptr<ClayChannel> m_channel;
-  std::optional<Vec3> m_start;        // of the fed drill
+  std::optional<Vec3> m_start;  // of the fed drill, which is
+  double m_depth = 0.0;         // mm, from there,
+  double m_pecked = 0.0;        // mm, and was so deep at the end of the last peck
+  Phase m_phase = Phase::Feeding;
+  bool m_isHeld = false;              // the feed
   std::optional<double> m_begin;      // s, by the clock of the inputs
   double m_time = 0.0;                // s, since then
   DrillLoad m_load;                   // largest since the state before

@@ -20,8 +20,10 @@ constexpr double kFinestDrill = 6.0;     // of a diameter
 constexpr double kWidestDrill = 900.0;
 constexpr Limits kSpeeds{0.05, 50.0};       // mm/s
 constexpr Limits kSpindle{1.0, 100'000.0};  // r/min
+constexpr Limits kPecks{0.0, 1000.0};       // mm
 
-constexpr ToolKey kDrillKeys[] = {{"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the hole")}};
+constexpr ToolKey kDrillKeys[] = {{"hold", "Shift+Q", QT_TRANSLATE_NOOP("Tool", "hold the feed")},
+                                  {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the hole")}};
 
 Limits diameterLimits(const SparseVolume& volume) {
   const Limits ofVoxels{kFinestDrill * volume.voxel(), kWidestDrill * volume.voxel()};
@@ -114,7 +116,7 @@ std::optional<Vec3> DrillingTool::startOfFeed(const PointerEvent& event) {
   m_isBlocked = false;
   const auto hit = firstHit(volume.volume, event.ray.origin, event.ray.direction);
   if (!hit) return std::nullopt;
-  m_feed = DrillFeed{event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : hit->normal, m_speed};
+  m_feed = DrillFeed{event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : hit->normal, m_speed, m_peck};
   if (!event.modifiers.shift && !volume.holes.empty() && !volume.holes.back()->poses.empty()) {
     const DrillRecord& before = *volume.holes.back();
     const DrillPose last = before.poses[before.poses.size() - 1];
@@ -147,6 +149,7 @@ ToolReply DrillingTool::press(const PointerEvent& event) {
   }
   m_last.reset();
   m_begun = setup();
+  m_isHeld = false;
   m_gesture.restart();
   m_gesture.begin(event.device.has_value());
   if (start) m_gesture.feed(*start, event.time);
@@ -209,8 +212,14 @@ ToolReply DrillingTool::release() {
 }
 
 ToolReply DrillingTool::perform(std::string_view action) {
-  if (action != "revert" || !m_gesture.isOn()) return ToolReply::Ignored;
-  m_gesture.restart();
+  if (action == "hold" && m_gesture.isOnBy(false)) {
+    m_isHeld = !m_isHeld;
+    m_gesture.look([this](Simulation& drilling) { static_cast<DrillSimulation&>(drilling).holdFeed(m_isHeld); });
+  } else if (action == "revert" && m_gesture.isOn()) {
+    m_gesture.restart();
+  } else {
+    return ToolReply::Ignored;
+  }
   reportUpdated();
   return ToolReply::Used;
 }
@@ -220,6 +229,7 @@ const char* DrillingTool::holdText() const {
   if (m_isBlocked) return QT_TRANSLATE_NOOP("Tool", "the drill would cut sideways here: begin on a free surface");
   if (!m_gesture.isOn()) return QT_TRANSLATE_NOOP("Tool", "drill across the surface");
   const std::shared_ptr<const DrillState> now = state();
+  if (m_isHeld) return QT_TRANSLATE_NOOP("Tool", "the feed is held");
   if (now->figures.forbidden > 0.0) return QT_TRANSLATE_NOOP("Tool", "in the forbidden region: release the button");
   if (now->breakthrough) return QT_TRANSLATE_NOOP("Tool", "breakthrough: release the button");
   return isBesidePath(*now) ? QT_TRANSLATE_NOOP("Tool", "beside the planned path")
@@ -229,6 +239,8 @@ const char* DrillingTool::holdText() const {
 std::vector<ToolAction> DrillingTool::actions() const {
   return {{"", QT_TRANSLATE_NOOP("ToolInput", "Hold"), holdText()},
           {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+hold"), QT_TRANSLATE_NOOP("Tool", "drill along the view")},
+          actionOf(kDrillKeys, "hold", m_gesture.isOnBy(false),
+                   m_isHeld ? QT_TRANSLATE_NOOP("Tool", "go on with the feed") : nullptr),
           actionOf(kDrillKeys, "revert", m_gesture.isOn())};
 }
 
@@ -256,7 +268,9 @@ std::vector<Property> DrillingTool::settings() const {
       choiceSetting("material", QT_TRANSLATE_NOOP("Property", "Material"), static_cast<int>(m_material), materials),
       numberSetting("rpm", QT_TRANSLATE_NOOP("Property", "Spindle (r/min)"), m_rpm, Quantity::Number, kSpindle),
       numberSetting("feed", QT_TRANSLATE_NOOP("Property", "Feed by the mouse (mm/s)"), m_speed, Quantity::Number,
-                    kSpeeds)};
+                    kSpeeds),
+      numberSetting("peck", QT_TRANSLATE_NOOP("Property", "Peck by the mouse (0: none)"), m_peck, Quantity::Length,
+                    kPecks)};
   for (Property& property : all) property.editable = !m_task || property.id == "feed";
   const std::shared_ptr<const DrillState> hole = this->hole();
   if (!hole) return all;
@@ -284,6 +298,7 @@ void DrillingTool::setSetting(std::string_view id, const PropertyValue& value) {
     m_head.length = 10.0 * m_head.diameter;
   if (id == "rpm") assignNumber(m_rpm, value, kSpindle);
   if (id == "feed") assignNumber(m_speed, value, kSpeeds);
+  if (id == "peck") assignNumber(m_peck, value, kPecks);
   if (!m_gesture.isOn()) m_gesture.restart();
 }
 

@@ -12,9 +12,9 @@
 namespace handwheel {
 
 // Tool that drills a volume. With the mouse the drill is fed along the surface's normal, or straight down the view with
-// Shift, from where it is pressed until the button is released; a device drills as the hand goes. A hole is one undo
-// step, and how it was drilled is kept with it. Thrust, torque and work are shown while it goes on. In work on an
-// exercise the drill is that of its task, and is judged by the planned path.
+// Shift, from where it is pressed until the button is released, in pecks if that is set; a key holds it. A device
+// drills as the hand goes. A hole is one undo step, and how it was drilled is kept with it. Thrust, torque and work are
+// shown while it goes on. In work on an exercise the drill is that of its task, and is judged by the planned path.
 class DrillingTool : public VolumeTool {
  public:
   static constexpr double kRate = 60.0;  // steps of the simulation a second
@@ -57,6 +57,8 @@ class DrillingTool : public VolumeTool {
   std::size_t m_material = 0;       // of drillMaterials()
   double m_rpm = 1000.0;            // r/min
   double m_speed = 1.0;             // mm/s, of the feed
+  double m_peck = 0.0;              // mm, as that of DrillFeed
+  bool m_isHeld = false;            // the feed, for now
   std::optional<DrillFeed> m_feed;  // of the present hole; none: by a device
   DrillSetup m_begun;               // that the present hole was begun with
   SimulatedGesture m_gesture;

@@ -5,6 +5,7 @@
 #include "TestClass.h"
 #include "volume/VolumeReader.h"
 #include "volume/VolumeShapes.h"
+#include "volume/drilling/DrillProgram.h"
 #include "volume/drilling/DrillReview.h"
 
 #include <QtTest>
@@ -68,6 +69,65 @@ class DrillSimulationTest : public QObject {
     QVERIFY(std::abs(through->removed - (countedMaterial(drilledBall()->volume) - countedMaterial(through->volume))) <
             1e-6);
     QVERIFY(std::abs(through->energy / (0.25 * through->removed) - 1.0) < 0.01);
+  }
+
+  // In pecks of 3 mm through the ball of 8 mm: out to the start and back as G83 goes, each to its full depth; it takes
+  // what a plain feed takes, and is through as much later as the ways out and back last.
+  void inPecks() {
+    const auto drilled = [](double peck, int steps) {
+      DrillSimulation simulation(drilledBall(), fineDrill(), DrillFeed{Vec3::UnitZ(), 6.0, peck},
+                                 std::make_shared<ClayChannel>());
+      const SimulationInput pressed = handAt({0.0, 0.0, 5.5}, 0.0, 1);
+      simulation.step(1.0 / 60.0, {&pressed, 1});
+      for (int i = 1; i < steps; ++i) simulation.step(1.0 / 60.0, {});
+      return stateOf(simulation);
+    };
+    const auto plain = drilled(0.0, 120), pecked = drilled(3.0, 160);
+    QVERIFY(plain->breakthrough && pecked->breakthrough);
+    double later = 0.0;
+    for (const double depth : {3.0, 6.0})
+      later += (2.0 * depth - DrillProgram::kPeckClearance) / DrillProgram::kRapid + DrillProgram::kPeckClearance / 6.0;
+    QVERIFY2(std::abs(*pecked->breakthrough - *plain->breakthrough - later) < 1.5 / 60.0,
+             qPrintable(QString::number(*pecked->breakthrough - *plain->breakthrough)));
+    std::vector<double> turns;  // mm, depths where it turns
+    double before = 0.0, way = 1.0;
+    for (std::size_t i = 1; i < pecked->poses.size(); ++i) {
+      const double depth = 5.5 - pecked->poses[i].place().z();
+      if ((depth - before) * way < -1e-9) {
+        turns.push_back(before);
+        way = -way;
+      }
+      before = depth;
+    }
+    QVERIFY(turns.size() >= 4);
+    const double exact[] = {3.0, 0.0, 6.0, 0.0};
+    for (std::size_t i = 0; i < 4; ++i) QVERIFY(std::abs(turns[i] - exact[i]) < 2e-6);
+    QVERIFY(std::abs(pecked->removed / plain->removed - 1.0) < 0.01);
+    // Less than the least peck is none.
+    QCOMPARE(drilled(1e-12, 30)->removed, drilled(0.0, 30)->removed);
+  }
+
+  // Held, nothing is taken while time goes on; then the hole is the same, later.
+  void feedHold() {
+    const auto drilled = [](int held) {
+      DrillSimulation simulation(drilledBall(), fineDrill(), DrillFeed{Vec3::UnitZ(), 6.0},
+                                 std::make_shared<ClayChannel>());
+      const SimulationInput pressed = handAt({0.0, 0.0, 5.5}, 0.0, 1);
+      simulation.step(1.0 / 60.0, {&pressed, 1});
+      for (int i = 1; i < 40; ++i) simulation.step(1.0 / 60.0, {});
+      simulation.holdFeed(true);
+      simulation.step(1.0 / 60.0, {});
+      const double removed = stateOf(simulation)->removed;
+      for (int i = 1; i < held; ++i) simulation.step(1.0 / 60.0, {});
+      if (held > 1 && (stateOf(simulation)->removed != removed || stateOf(simulation)->thrust != 0.0))
+        qFatal("not held");
+      simulation.holdFeed(false);
+      for (int i = 0; i < 80; ++i) simulation.step(1.0 / 60.0, {});
+      return stateOf(simulation);
+    };
+    const auto brief = drilled(1), lengthy = drilled(61);
+    QCOMPARE(lengthy->removed, brief->removed);
+    QVERIFY(std::abs(*lengthy->breakthrough - *brief->breakthrough - 1.0) < 1e-5);
   }
 
   // By the hand: as DrillRun with the same places; a hand that only moves drills nothing. What is kept of it gives the

@@ -149,6 +149,27 @@ class DrillingToolTest : public QObject {
     bench.runner.perform("revert");
   }
 
+  // A key holds the feed and lets it go on; there is none to hold before. Pecks are a setting.
+  void theFeedIsHeld() {
+    DrillBench bench;
+    bench.runner.setSetting("feed", PropertyValue(20.0));
+    bench.runner.setSetting("peck", PropertyValue(2.0));
+    QCOMPARE(bench.setting("peck"), 2.0);
+    QCOMPARE(bench.runner.perform("hold"), ToolReply::Ignored);
+    bench.event(PointerEvent::Kind::Press, 0.0, 0.0);
+    QVERIFY(QTest::qWaitFor([&] { return bench.setting("removed") > 5.0; }, 20'000));
+    QCOMPARE(bench.runner.perform("hold"), ToolReply::Used);
+    QCOMPARE(std::string(bench.tool->actions().front().effect), std::string("the feed is held"));
+    const std::size_t held = bench.tool->hole()->moments.size();
+    QVERIFY(QTest::qWaitFor([&] { return bench.tool->hole()->moments.size() > held + 6; }, 20'000));
+    const auto now = bench.tool->hole();
+    QCOMPARE(now->moments[now->moments.size() - 1].depth, now->moments[now->moments.size() - 4].depth);
+    QCOMPARE(bench.runner.perform("hold"), ToolReply::Used);
+    QVERIFY(QTest::qWaitFor([&] { return bench.setting("removed") > now->removed; }, 20'000));
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    QCOMPARE(bench.document.history()->count(), 1);
+  }
+
   // Beside the part the camera has the mouse; what is discarded leaves nothing.
   void nothingIsDone() {
     DrillBench bench;
