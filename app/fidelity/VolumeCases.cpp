@@ -7,6 +7,7 @@
 #include "volume/VolumeFidelity.h"
 #include "volume/VolumeShapes.h"
 #include "volume/drilling/DrillRun.h"
+#include "volume/drilling/DrillTools.h"
 #include "volume/repair/VolumeRepair.h"
 #include "volume/surface/SharpSurface.h"
 #include "volume/surface/VolumeToSurface.h"

@@ -69,8 +69,8 @@ const ErrorDescription VolumeErrors::WallTooThin{
 const ErrorDescription VolumeErrors::NoSuchDrill{
     .id = "NoSuchDrill",
     .sentences = {translatable("ErrorText", "there is no drill “%1”")},
-    .advice = {
-        translatable("ErrorText", "Write ball, burr or twist with a diameter from 0.05 to 200 mm, such as ball:6.")}};
+    .advice = {translatable("ErrorText",
+                            "Write ball, burr, twist or saw with a diameter from 0.05 to 200 mm, such as ball:6.")}};
 
 const ErrorDescription VolumeErrors::NoSuchDrillMaterial{
     .id = "NoSuchDrillMaterial",

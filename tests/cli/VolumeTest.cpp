@@ -251,8 +251,8 @@ class VolumeTest : public QObject {
     QTest::addColumn<QByteArray>("says");
     QTest::newRow("no path") << QStringList{"drill", "a.off"} << QByteArray("--path FILE is missing");
     QTest::newRow("no file") << QStringList{"drill", "a.off", "--path", "none.csv"} << QByteArray("none.csv");
-    QTest::newRow("no drill") << QStringList{"drill", "a.off", "--path", "p.csv", "--tool", "saw:3"}
-                              << QByteArray("saw:3");
+    QTest::newRow("no drill") << QStringList{"drill", "a.off", "--path", "p.csv", "--tool", "chisel:3"}
+                              << QByteArray("chisel:3");
     QTest::newRow("no material") << QStringList{"drill", "a.off", "--path", "p.csv", "--material", "moon"}
                                  << QByteArray("moon");
     QTest::newRow("bad path") << QStringList{"drill", "a.off", "--path", "a.off"} << QByteArray("Line 1");

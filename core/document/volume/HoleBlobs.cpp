@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 
 constexpr const char *kHoles = "holes", *kShape = "drill", *kPoses = "poses", *kErosion = "erosion";
 constexpr const char *kTimes = "volume/holes/times", *kPlaces = "volume/holes/places", *kAxes = "volume/holes/axes";
-constexpr const char* kShapes[] = {"ball", "burr", "twist"};  // in the order of DrillShape
+constexpr const char* kShapes[] = {"ball", "burr", "twist", "saw"};  // in the order of DrillShape
 constexpr std::size_t kMostHoles = 100'000;
 
 template <class Setup>
@@ -23,19 +23,22 @@ void visitSetup(Setup& setup, const auto& visit) {
   visit("diameter", setup.tool.diameter);
   visit("point_angle", setup.tool.pointAngle);
   visit("length", setup.tool.length);
+  visit("width", setup.tool.width);
   visit("material", setup.material.id);
   visit("energy", setup.material.energy);
   visit("tangential", setup.material.tangential);
   visit("spindle", setup.spindle);
 }
 
-// All that can be drilled with can be read again. The length is bounded by the diameter, and with it the work to drill.
+// All that can be drilled with can be read again. Length and width are bounded by the diameter, and with them the work
+// to drill.
 bool isSound(const DrillSetup& setup) {
   const auto isWithin = [](double x, double least, double most) { return x >= least && x <= most; };
   return setup.tool.diameter > 0.0 && setup.tool.diameter <= 1e6 && isWithin(setup.tool.pointAngle, 0.1, M_PI) &&
-         isWithin(setup.tool.length, 0.0, 20.0 * setup.tool.diameter + 1.0) &&
-         isWithin(setup.material.energy, 1e-9, 1e9) && isWithin(setup.material.tangential, 1e-9, 1e6) &&
-         isWithin(std::abs(setup.spindle), 0.0, 1e7) && setup.erosion > 0.0;
+         isWithin(setup.tool.length, 0.0, 20.0 * setup.tool.diameter + 1.0) && setup.tool.width > 0.0 &&
+         setup.tool.width <= setup.tool.diameter + 1.0 && isWithin(setup.material.energy, 1e-9, 1e9) &&
+         isWithin(setup.material.tangential, 1e-9, 1e6) && isWithin(std::abs(setup.spindle), 0.0, 1e7) &&
+         setup.erosion > 0.0;
 }
 
 std::optional<DrillSetup> setupIn(const Json& entry) {

@@ -69,7 +69,7 @@ double DrillSimulation::targetOfPhase() const {
 
 // Each turn is a place of its own, so that the full depth of a peck is drilled.
 void DrillSimulation::feedFor(double dt) {
-  const auto go = [&] { goTo(*m_start - m_depth * m_feed->axis, m_feed->axis); };
+  const auto go = [&] { goTo(*m_start + m_depth * m_feed->way, m_feed->axis); };
   go();
   while (!m_isHeld) {
     const double target = targetOfPhase(), left = target - m_depth;
@@ -105,7 +105,8 @@ void DrillSimulation::goTo(const Vec3& place, const Vec3& axis) {
     const Vec3 along = pose.direction();
     if (!m_plan) {
       constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-      m_plan = DrillPlan{pose.place() - m_setup.tool.reach() * along, -along, kAnywhere, {}};
+      const Vec3 way = m_feed ? m_feed->way : Vec3(-along);
+      m_plan = DrillPlan{pose.place() + m_setup.tool.edge() * way, way, kAnywhere, {}};
     }
     m_watch.emplace(*m_plan);
     m_watch->beginHole(m_setup);

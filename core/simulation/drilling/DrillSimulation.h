@@ -30,8 +30,9 @@ struct DrillFeed {
   static constexpr double kLeastPeck = 0.1;  // mm
 
   Vec3 axis = Vec3::UnitZ();  // to the shank, of length 1
-  double speed = 1.0;         // mm/s, against the axis
+  double speed = 1.0;         // mm/s
   double peck = 0.0;          // mm, after each of which it goes out to its start and back, as in G83; less: never
+  Vec3 way = -Vec3::UnitZ();  // where it goes, of length 1; of a saw not against the axis
 };
 
 // The simulation of drilling: the volume loses what the head passes in a gesture. What that takes is told to the servo

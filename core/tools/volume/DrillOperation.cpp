@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "volume/VolumeErrors.h"
+#include "volume/drilling/DrillTools.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -39,7 +40,7 @@ Operation makeOperation() {
   tool.property.id = "tool";
   tool.property.label = QT_TRANSLATE_NOOP("Property", "Drill");
   tool.property.value = std::string("ball:6");
-  tool.meaning = "Head and diameter in mm: ball:6, twist:6 or burr:4";
+  tool.meaning = "Head and diameter in mm: ball:6, twist:6, burr:4 or saw:30; saw:30:0.8 with its width";
   tool.word = "HEAD";
   Parameter material = tool;
   material.property.id = "material";

@@ -21,9 +21,15 @@ constexpr double kWidestDrill = 900.0;
 constexpr Limits kSpeeds{0.05, 50.0};       // mm/s
 constexpr Limits kSpindle{1.0, 100'000.0};  // r/min
 constexpr Limits kPecks{0.0, 1000.0};       // mm
+constexpr double kThinnestSaw = 2.0;        // voxels
 
 constexpr ToolKey kDrillKeys[] = {{"hold", "Shift+Q", QT_TRANSLATE_NOOP("Tool", "hold the feed")},
                                   {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the hole")}};
+
+// In the order of DrillShape.
+constexpr const char* kHeads[] = {QT_TRANSLATE_NOOP("Property", "Ball"), QT_TRANSLATE_NOOP("Property", "Burr"),
+                                  QT_TRANSLATE_NOOP("Property", "Twist drill"),
+                                  QT_TRANSLATE_NOOP("Property", "Circular saw")};
 
 Limits diameterLimits(const SparseVolume& volume) {
   const Limits ofVoxels{kFinestDrill * volume.voxel(), kWidestDrill * volume.voxel()};
@@ -44,6 +50,19 @@ Property figure(const char* id, const char* label, double value) {
   Property property = numberSetting(id, label, value, Quantity::Number, {-1e300, 1e300});
   property.editable = false;
   return property;
+}
+
+Limits widthLimits(const SparseVolume& volume, const DrillTool& head) {
+  const double least = std::max(kThinnestSaw * volume.voxel(), DrillTool::kLeastWidth);
+  return {least, std::max(least, 0.5 * head.diameter)};
+}
+
+// The axis of a head that is fed out of the surface by `out`: that of a saw lies along the surface, so that it cuts
+// upright.
+Vec3 axisOf(const DrillTool& head, const Vec3& out) {
+  if (head.shape != DrillShape::Saw) return out;
+  const Vec3 across = out.cross(Vec3::UnitZ());
+  return across.norm() > 0.1 ? Vec3(across.normalized()) : Vec3(Vec3::UnitX());
 }
 
 std::vector<Vec3> circleAt(const Vec3& centre, const Vec3& axis, double radius) {
@@ -71,9 +90,16 @@ DrillingTool::DrillingTool(VolumeDocument& document, const SimulationServices& s
     while (all[m_material].id != m_task->material) ++m_material;
     return;
   }
+  setHead(0);
+}
+
+void DrillingTool::setHead(std::size_t type) {
   const SparseVolume& volume = m_document.volume()->volume;
-  m_head.diameter = diameterLimits(volume).bring(m_head.diameter);
-  m_head.length = 10.0 * m_head.diameter;
+  m_head = drillTools()[type].tool;
+  const double usual = m_head.diameter;
+  m_head.diameter = diameterLimits(volume).bring(usual);
+  m_head.length *= m_head.diameter / usual;
+  m_head.width = widthLimits(volume, m_head).bring(m_head.width);
 }
 
 std::span<const ToolKey> DrillingTool::keys() {
@@ -116,8 +142,10 @@ std::optional<Vec3> DrillingTool::startOfFeed(const PointerEvent& event) {
   m_isBlocked = false;
   const auto hit = firstHit(volume.volume, event.ray.origin, event.ray.direction);
   if (!hit) return std::nullopt;
-  m_feed = DrillFeed{event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : hit->normal, m_speed, m_peck};
-  if (!event.modifiers.shift && !volume.holes.empty() && !volume.holes.back()->poses.empty()) {
+  const Vec3 out = event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : hit->normal;
+  m_feed = DrillFeed{axisOf(m_head, out), m_speed, m_peck, -out};
+  if (m_head.shape != DrillShape::Saw && !event.modifiers.shift && !volume.holes.empty() &&
+      !volume.holes.back()->poses.empty()) {
     const DrillRecord& before = *volume.holes.back();
     const DrillPose last = before.poses[before.poses.size() - 1];
     const Vec3 way = hit->point - last.place(), axis = last.direction();
@@ -126,10 +154,11 @@ std::optional<Vec3> DrillingTool::startOfFeed(const PointerEvent& event) {
         across < before.setup.tool.radius() + slack && way.dot(axis) > -before.setup.tool.reach() - slack;
     if (isInHole && before.setup.tool.radius() >= m_head.radius()) {
       m_feed->axis = axis;
+      m_feed->way = -axis;
       return last.place();
     }
   }
-  const Vec3 start = hit->point + m_head.reach() * m_feed->axis;
+  const Vec3 start = hit->point + m_head.edge() * out;
   const VolumeReader material(volume.volume);
   const double step = std::max(volume.volume.voxel(), 0.01 * m_head.length);
   for (double behind = step; m_head.shape == DrillShape::Twist && behind < m_head.length && !m_isBlocked;
@@ -251,18 +280,23 @@ ToolPreview DrillingTool::preview() const {
     volume->state = state();
     preview.ofKind = std::move(volume);
   } else if (m_hovered) {
-    preview.lines.push_back(circleAt(*m_hovered, *m_normal, m_head.radius()));
+    const Vec3 centre = *m_hovered + (m_head.shape == DrillShape::Saw ? m_head.radius() : 0.0) * *m_normal;
+    preview.lines.push_back(circleAt(centre, axisOf(m_head, *m_normal), m_head.radius()));
     preview.lines.push_back({*m_hovered, Vec3(*m_hovered + 4.0 * m_head.radius() * *m_normal)});
   }
   return preview;
 }
 
 std::vector<Property> DrillingTool::settings() const {
-  std::vector<std::string> materials;
+  std::vector<std::string> materials, heads;
+  int head = 0;
+  for (const DrillToolType& type : drillTools()) {
+    if (type.tool.shape == m_head.shape) head = static_cast<int>(heads.size());
+    heads.push_back(kHeads[static_cast<std::size_t>(type.tool.shape)]);
+  }
   for (const DrillMaterial& material : drillMaterials()) materials.push_back(material.name);
   std::vector<Property> all{
-      choiceSetting("head", QT_TRANSLATE_NOOP("Property", "Drill"), m_head.shape == DrillShape::Twist ? 1 : 0,
-                    {QT_TRANSLATE_NOOP("Property", "Ball or burr"), QT_TRANSLATE_NOOP("Property", "Twist drill")}),
+      choiceSetting("head", QT_TRANSLATE_NOOP("Property", "Drill"), head, heads),
       numberSetting("diameter", QT_TRANSLATE_NOOP("Property", "Diameter"), m_head.diameter, Quantity::Length,
                     diameterLimits(m_document.volume()->volume)),
       choiceSetting("material", QT_TRANSLATE_NOOP("Property", "Material"), static_cast<int>(m_material), materials),
@@ -271,6 +305,9 @@ std::vector<Property> DrillingTool::settings() const {
                     kSpeeds),
       numberSetting("peck", QT_TRANSLATE_NOOP("Property", "Peck by the mouse (0: none)"), m_peck, Quantity::Length,
                     kPecks)};
+  if (m_head.shape == DrillShape::Saw)
+    all.insert(all.begin() + 2, numberSetting("width", QT_TRANSLATE_NOOP("Property", "Width"), m_head.width,
+                                              Quantity::Length, widthLimits(m_document.volume()->volume, m_head)));
   for (Property& property : all) property.editable = !m_task || property.id == "feed";
   const std::shared_ptr<const DrillState> hole = this->hole();
   if (!hole) return all;
@@ -289,13 +326,18 @@ std::vector<Property> DrillingTool::settings() const {
 
 void DrillingTool::setSetting(std::string_view id, const PropertyValue& value) {
   if (m_task && id != "feed") return;
-  int shape = m_head.shape == DrillShape::Twist ? 1 : 0;
-  int material = static_cast<int>(m_material);
-  if (id == "head" && assignChoice(shape, value, 2)) m_head.shape = shape == 1 ? DrillShape::Twist : DrillShape::Ball;
+  int type = 0, material = static_cast<int>(m_material);
+  if (id == "head" && assignChoice(type, value, static_cast<int>(drillTools().size())))
+    setHead(static_cast<std::size_t>(type));
   if (id == "material" && assignChoice(material, value, static_cast<int>(drillMaterials().size())))
     m_material = static_cast<std::size_t>(material);
-  if (id == "diameter" && assignNumber(m_head.diameter, value, diameterLimits(m_document.volume()->volume)))
-    m_head.length = 10.0 * m_head.diameter;
+  const SparseVolume& volume = m_document.volume()->volume;
+  const double before = m_head.diameter;
+  if (id == "diameter" && assignNumber(m_head.diameter, value, diameterLimits(volume))) {
+    m_head.length *= m_head.diameter / before;
+    m_head.width = widthLimits(volume, m_head).bring(m_head.width);
+  }
+  if (id == "width") assignNumber(m_head.width, value, widthLimits(volume, m_head));
   if (id == "rpm") assignNumber(m_rpm, value, kSpindle);
   if (id == "feed") assignNumber(m_speed, value, kSpeeds);
   if (id == "peck") assignNumber(m_peck, value, kPecks);

@@ -8,13 +8,15 @@
 #include "simulation/drilling/DrillSimulation.h"
 #include "tools/ToolKey.h"
 #include "tools/volume/VolumeTool.h"
+#include "volume/drilling/DrillTools.h"
 
 namespace handwheel {
 
-// Tool that drills a volume. With the mouse the drill is fed along the surface's normal, or straight down the view with
-// Shift, from where it is pressed until the button is released, in pecks if that is set; a key holds it. A device
-// drills as the hand goes. A hole is one undo step, and how it was drilled is kept with it. Thrust, torque and work are
-// shown while it goes on. In work on an exercise the drill is that of its task, and is judged by the planned path.
+// Tool that drills a volume. With the mouse the drill is fed along the surface's normal (a saw stands upright on it),
+// or straight down the view with Shift, from where it is pressed until the button is released, in pecks if that is set;
+// a key holds it. A device drills as the hand goes. A hole is one undo step, and how it was drilled is kept with it.
+// Thrust, torque and work are shown while it goes on. In work on an exercise the drill is that of its task, and is
+// judged by the planned path.
 class DrillingTool : public VolumeTool {
  public:
   static constexpr double kRate = 60.0;  // steps of the simulation a second
@@ -45,6 +47,7 @@ class DrillingTool : public VolumeTool {
   std::unique_ptr<Simulation> simulation() const;
   std::shared_ptr<const DrillState> state() const;
   const char* holdText() const;
+  void setHead(std::size_t type);
   // Where a feed by the mouse begins, its head's centre; sets m_feed. None: the pointer is beside the volume, or
   // (m_isBlocked) a twist drill would stand in the material with its whole length.
   std::optional<Vec3> startOfFeed(const PointerEvent& event);
@@ -53,7 +56,7 @@ class DrillingTool : public VolumeTool {
 
   VolumeDocument& m_document;
   std::shared_ptr<const DrillingTask> m_task;
-  DrillTool m_head;
+  DrillTool m_head = drillTools().front().tool;
   std::size_t m_material = 0;       // of drillMaterials()
   double m_rpm = 1000.0;            // r/min
   double m_speed = 1.0;             // mm/s, of the feed

@@ -40,9 +40,10 @@ class HeadSweep {
         m_to((move.to - volume.origin()) / volume.voxel()),
         m_axis(move.axis),
         m_head(tool),
-        m_isBall(tool.shape != DrillShape::Twist) {
+        m_isBall(tool.shape == DrillShape::Ball || tool.shape == DrillShape::Burr) {
     m_head.diameter /= volume.voxel();
     m_head.length /= volume.voxel();
+    m_head.width /= volume.voxel();
     m_erosion = move.erosion * (m_to - m_from).norm();
     m_places = m_isBall ? 1 : 1 + static_cast<int>((m_to - m_from).norm() / kTwistStep);
   }
@@ -63,7 +64,7 @@ class HeadSweep {
   Box box() const {
     Box box(m_from.cwiseMin(m_to), m_from.cwiseMax(m_to));
     const double out = std::max(m_head.radius(), m_head.reach()) + kDepths;
-    const Vec3 shank = m_isBall ? Vec3(Vec3::Zero()) : Vec3(m_head.length * m_axis);
+    const Vec3 shank = m_head.shape == DrillShape::Twist ? Vec3(m_head.length * m_axis) : Vec3(Vec3::Zero());
     Box all(box.min() - Vec3::Constant(out), box.max() + Vec3::Constant(out));
     all.extend(all.min() + shank.cwiseMin(0.0));
     all.extend(all.max() + shank.cwiseMax(0.0));

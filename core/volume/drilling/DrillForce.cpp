@@ -15,6 +15,7 @@ DrillLoad drillLoad(const DrillMaterial& material, const DrillTool& tool, double
 }
 
 DrillLoad referenceLoad(const DrillTool& tool, double strength, double pressure, double feed) {
+  if (tool.shape == DrillShape::Saw) return {};
   const double angle = tool.shape == DrillShape::Twist ? tool.pointAngle : M_PI;
   return {strength * feed * 0.5 * tool.diameter * std::sin(0.5 * angle),
           5.0 * pressure * feed * tool.diameter * tool.diameter / 8.0};

@@ -20,7 +20,8 @@ DrillLoad drillLoad(const DrillMaterial& material, const DrillTool& tool, double
                     double spindle);
 
 // The reference of Allotta (1996), (3-22) and (3-23): strength Ks and specific cutting pressure Ru of the material,
-// N/mm²; feed: mm per revolution. Of a ball its angle is that of a hemisphere, π.
+// N/mm²; feed: mm per revolution. Of a ball its angle is that of a hemisphere, π; of a saw
+// it says nothing.
 DrillLoad referenceLoad(const DrillTool& tool, double strength, double pressure, double feed);
 
 // The voxel at which a head at this feed, mm/s, takes whole steps of density in each cycle of the servo loop, rate in

@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// The file of resources/drilling, which is built into the library.
+// The files of resources/drilling, which are built into the library.
 std::string_view drillMaterialsResource();  // materials.json
+std::string_view drillToolsResource();      // tools.json
 
 }  // namespace handwheel

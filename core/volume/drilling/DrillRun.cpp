@@ -16,6 +16,7 @@ DrillRun::DrillRun(SparseVolume& volume, const DrillSetup& setup)
 DrillTick DrillRun::move(const Vec3& place, const Vec3& axis, double time) {
   DrillTick tick{time, place};
   if (!place.allFinite() || !axis.allFinite() || !std::isfinite(time)) return tick;
+  tick.ahead = aheadOf(axis, Vec3::Zero(), false);
   const Vec3 from = m_place.value_or(place), way = place - from;
   const double dt = m_place ? time - m_time : 0.0;
   m_place = place;
@@ -40,17 +41,25 @@ DrillTick DrillRun::move(const Vec3& place, const Vec3& axis, double time) {
   m_energy -= 1e-3 * (tick.force.dot(way) + tick.torque.dot(m_setup.spindle * axis) * dt);
   m_maxThrust = std::max(m_maxThrust, load.thrust);
   m_maxTorque = std::max(m_maxTorque, load.torque);
-  watchTip(axis, way.norm(), time);
+  tick.ahead = aheadOf(axis, way, tick.removed > 0.0);
+  watchTip(tick.ahead, way.norm(), time);
   return tick;
+}
+
+Vec3 DrillRun::aheadOf(const Vec3& axis, const Vec3& way, bool isCutting) {
+  if (m_setup.tool.shape != DrillShape::Saw) return -axis;
+  const Vec3 across = way - way.dot(axis) * axis;
+  if (isCutting && !m_ahead && across.norm() > 1e-6 * way.norm()) m_ahead = across.normalized();
+  return m_ahead.value_or(-axis);
 }
 
 // A hand trembles: what counts is where the tip is, not where this cycle went. Where it has come out on the other side,
 // there is material behind it; where it is drawn back, or slips over the surface, there is none.
-void DrillRun::watchTip(const Vec3& axis, double way, double time) {
+void DrillRun::watchTip(const Vec3& ahead, double way, double time) {
   if (m_breakthrough) return;
   const VolumeReader before(m_before);
-  const Vec3 tip = *m_place - m_setup.tool.reach() * axis;
-  const auto isInside = [&](double behind) { return before.depthAt(tip + behind * axis).depth > 0.0; };
+  const Vec3 tip = *m_place + m_setup.tool.edge() * ahead;
+  const auto isInside = [&](double behind) { return before.depthAt(tip - behind * ahead).depth > 0.0; };
   const bool wasInside = std::exchange(m_isTipInside, isInside(0.0));
   if (!wasInside || m_isTipInside) return;
   const int steps = static_cast<int>(std::min(1e4, std::ceil(way / m_volume.voxel()))) + 1;

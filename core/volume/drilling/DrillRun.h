@@ -27,6 +27,9 @@ struct DrillTick {
   Vec3 torque = Vec3::Zero();  // N·mm, on it
   double thrust = 0.0;         // N, the length of force
   double removed = 0.0;        // mm³, in this cycle
+  // From the centre to the foremost point, of length 1: against the axis; of a saw where it went when it took something
+  // first.
+  Vec3 ahead = -Vec3::UnitZ();
 };
 
 // A simulation of drilling, cycle by cycle. The servo loop or a recording gives one place of the head after the other.
@@ -50,13 +53,15 @@ class DrillRun {
   std::optional<double> breakthrough() const { return m_breakthrough; }
 
  private:
-  void watchTip(const Vec3& axis, double way, double time);
+  Vec3 aheadOf(const Vec3& axis, const Vec3& way, bool isCutting);
+  void watchTip(const Vec3& ahead, double way, double time);
 
   SparseVolume& m_volume;
   const SparseVolume m_before;
   DrillSetup m_setup;
   std::optional<Vec3> m_place;
   double m_time = 0.0;
+  std::optional<Vec3> m_ahead;  // of a saw that has cut
   bool m_isTipInside = false;
   std::vector<VoxelIndex> m_changed;
   double m_removed = 0.0, m_energy = 0.0, m_maxThrust = 0.0, m_maxTorque = 0.0;

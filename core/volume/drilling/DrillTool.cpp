@@ -2,36 +2,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/drilling/DrillTool.h"
 
-#include "base/NumberText.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace handwheel {
+namespace {
+
+bool isBall(DrillShape shape) {
+  return shape == DrillShape::Ball || shape == DrillShape::Burr;
+}
+
+}  // namespace
 
 double DrillTool::reach() const {
+  if (shape == DrillShape::Saw) return 0.5 * width;
   return shape == DrillShape::Twist ? radius() / std::tan(0.5 * pointAngle) : radius();
 }
 
 double DrillTool::inside(const Vec3& from, const Vec3& axis) const {
-  if (shape != DrillShape::Twist) return radius() - from.norm();
+  if (isBall(shape)) return radius() - from.norm();
   const double up = from.dot(axis), across = (from - up * axis).norm(), half = 0.5 * pointAngle;
+  if (shape == DrillShape::Saw) return std::min(radius() - across, 0.5 * width - std::abs(up));
   const double cone = (up + reach()) * std::sin(half) - across * std::cos(half);
   return std::min({radius() - across, cone, length - up});
 }
 
 double DrillTool::signedDepth(const Vec3& from, const Vec3& axis) const {
   const double bound = inside(from, axis);
-  if (shape != DrillShape::Twist || bound >= 0.0) return bound;
-  // In the half plane through the axis: from the tip to the rim, the back and the axis again.
+  if (isBall(shape) || bound >= 0.0) return bound;
+  // In the half plane through the axis: from the front to the rim, the back and the axis again.
   using Point = Eigen::Vector2d;
   const double up = from.dot(axis);
+  const bool isSaw = shape == DrillShape::Saw;
+  const double front = isSaw ? -0.5 * width : 0.0, back = isSaw ? 0.5 * width : length;
   const Point p((from - up * axis).norm(), up);
-  const std::array<Point, 4> outline{Point(0.0, -reach()), Point(radius(), 0.0), Point(radius(), length),
-                                     Point(0.0, length)};
+  const std::array<Point, 4> outline{Point(0.0, -reach()), Point(radius(), front), Point(radius(), back),
+                                     Point(0.0, back)};
   double squared = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
     const Point along = outline[i + 1] - outline[i];
@@ -39,24 +47,6 @@ double DrillTool::signedDepth(const Vec3& from, const Vec3& axis) const {
     squared = std::min(squared, (outline[i] + t * along - p).squaredNorm());
   }
   return -std::sqrt(squared);
-}
-
-std::optional<DrillTool> drillToolOf(std::string_view word) {
-  static constexpr std::array<std::pair<std::string_view, DrillShape>, 3> kShapes{
-      {{"ball", DrillShape::Ball}, {"burr", DrillShape::Burr}, {"twist", DrillShape::Twist}}};
-  const std::size_t colon = word.find(':');
-  if (colon == std::string_view::npos) return std::nullopt;
-  const auto shape = std::find_if(kShapes.begin(), kShapes.end(),
-                                  [&](const auto& entry) { return entry.first == word.substr(0, colon); });
-  double diameter = 0.0;
-  ErrorCode why{};
-  if (shape == kShapes.end() || !parseDecimal(word.substr(colon + 1), diameter, why)) return std::nullopt;
-  if (!(diameter >= DrillTool::kLeastDiameter && diameter <= DrillTool::kLargestDiameter)) return std::nullopt;
-  DrillTool tool;
-  tool.shape = shape->second;
-  tool.diameter = diameter;
-  tool.length = 10.0 * diameter;
-  return tool;
 }
 
 }  // namespace handwheel

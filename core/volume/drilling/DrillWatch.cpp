@@ -9,6 +9,8 @@
 namespace handwheel {
 
 double DrillHeat::volume(const DrillTool& tool) {
+  if (tool.shape == DrillShape::Saw)
+    return 0.5 * M_PI * tool.width * (std::pow(tool.radius() + kLayer, 2) - std::pow(tool.radius(), 2));
   return 2.0 * M_PI / 3.0 * (std::pow(tool.radius() + kLayer, 3) - std::pow(tool.radius(), 3));
 }
 
@@ -46,28 +48,28 @@ DrillMoment DrillWatch::add(const DrillTick& tick, const Vec3& axis, bool isThro
     const double warming = DrillHeat::kShare * power / (DrillHeat::kHeat * DrillHeat::volume(m_setup.tool));
     m_temperature = m_temperature * std::exp(-dt / DrillHeat::kTime) + warming * dt;
   }
-  const Vec3 tip = tick.place - m_setup.tool.reach() * axis;
+  const Vec3 tip = tick.place + m_setup.tool.edge() * tick.ahead;
   moment.temperature = m_temperature;
   moment.depth = (tip - m_plan.entry).dot(m_plan.direction);
   if (tick.removed > 0.0 && !m_contact) m_contact = tip;
-  moment.holeDepth = m_contact ? (*m_contact - tip).dot(axis) : 0.0;
+  moment.holeDepth = m_contact ? (tip - *m_contact).dot(tick.ahead) : 0.0;
   moment.deviation = std::max(deviation(tick.place), deviation(tip));
   moment.forbidden = forbiddenDepth(tick.place, axis);
   moment.isCutting = tick.removed > 0.0;
   moment.isThrough = isThrough;
   m_place = tick.place;
   m_time = tick.time;
-  count(moment, tip, axis);
+  count(moment, tip, tick.ahead);
   return moment;
 }
 
-void DrillWatch::count(const DrillMoment& moment, const Vec3& tip, const Vec3& axis) {
+void DrillWatch::count(const DrillMoment& moment, const Vec3& tip, const Vec3& ahead) {
   DrillFigures& f = m_figures;
   if (moment.isCutting && !f.contact) f.contact = moment.time;
   if (moment.isThrough && !f.breakthrough) f.breakthrough = moment.time;
   if (moment.isThrough && !m_exit) m_exit = tip;
   if (moment.isCutting) f.deviation = std::max(f.deviation, moment.deviation);
-  if (m_exit) f.plunge = std::max(f.plunge, (*m_exit - tip).dot(axis));
+  if (m_exit) f.plunge = std::max(f.plunge, (tip - *m_exit).dot(ahead));
   f.forbidden = std::max(f.forbidden, moment.forbidden);
   f.thrust = std::max(f.thrust, moment.thrust);
   f.torque = std::max(f.torque, moment.torque);

@@ -64,9 +64,10 @@ void addEvent(ReportDetails& details, const std::vector<DrillMoment>& moments, I
 ReportCurve thrustCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments) {
   ReportCurve curve = timeCurve(QT_TRANSLATE_NOOP("Figure", "Thrust"), "N");
   curve.series = {
-      seriesOf(QT_TRANSLATE_NOOP("Figure", "Thrust"), moments, [](const DrillMoment& m) { return m.thrust; }),
-      seriesOf(QT_TRANSLATE_NOOP("Figure", "Thrust reference (He 2008)"), moments,
-               [&](const DrillMoment& m) { return referenceAt(setup, m).thrust; })};
+      seriesOf(QT_TRANSLATE_NOOP("Figure", "Thrust"), moments, [](const DrillMoment& m) { return m.thrust; })};
+  if (setup.tool.shape != DrillShape::Saw)
+    curve.series.push_back(seriesOf(QT_TRANSLATE_NOOP("Figure", "Thrust reference (He 2008)"), moments,
+                                    [&](const DrillMoment& m) { return referenceAt(setup, m).thrust; }));
   addBreakthrough(curve, moments);
   return curve;
 }
@@ -74,9 +75,10 @@ ReportCurve thrustCurve(const DrillSetup& setup, const std::vector<DrillMoment>&
 ReportCurve torqueCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments) {
   ReportCurve curve = timeCurve(QT_TRANSLATE_NOOP("Figure", "Torque"), "N·mm");
   curve.series = {
-      seriesOf(QT_TRANSLATE_NOOP("Figure", "Torque"), moments, [](const DrillMoment& m) { return m.torque; }),
-      seriesOf(QT_TRANSLATE_NOOP("Figure", "Torque reference (He 2008)"), moments,
-               [&](const DrillMoment& m) { return referenceAt(setup, m).torque; })};
+      seriesOf(QT_TRANSLATE_NOOP("Figure", "Torque"), moments, [](const DrillMoment& m) { return m.torque; })};
+  if (setup.tool.shape != DrillShape::Saw)
+    curve.series.push_back(seriesOf(QT_TRANSLATE_NOOP("Figure", "Torque reference (He 2008)"), moments,
+                                    [&](const DrillMoment& m) { return referenceAt(setup, m).torque; }));
   addBreakthrough(curve, moments);
   return curve;
 }

@@ -6,6 +6,7 @@
 #include "base/NumberText.h"
 #include "document/volume/exercise/StockText.h"
 #include "volume/Skull.h"
+#include "volume/drilling/DrillTools.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -55,10 +56,10 @@ Json numbersOf(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-// "ball:6", as drillToolOf() reads it.
-std::string wordOf(const DrillTool& tool) {
-  static constexpr std::array<const char*, 3> kWords = {"ball", "burr", "twist"};
-  return std::string(kWords[static_cast<std::size_t>(tool.shape)]) + ":" + shortestText(tool.diameter);
+// A saw goes across its axis, which no planned path tells.
+std::optional<DrillTool> drillIn(const std::string& word) {
+  const std::optional<DrillTool> tool = drillToolOf(word);
+  return tool && tool->shape != DrillShape::Saw ? tool : std::nullopt;
 }
 
 std::optional<Vec3> placeIn(const std::vector<double>& numbers) {
@@ -137,7 +138,7 @@ Error outOfRange(const TaskNumber& number, double value) {
 
 Result<DrillingTask> withText(DrillingTask task, const std::string& id, const std::string& text) {
   if (id == kDrill) {
-    const std::optional<DrillTool> tool = drillToolOf(text);
+    const std::optional<DrillTool> tool = drillIn(text);
     if (!tool) return malformed(id, "a drill was expected, such as ball:6, burr:4 or twist:3");
     task.tool = *tool;
     return task;
@@ -223,7 +224,7 @@ Json toJson(const DrillingTask& task) {
   json[kForbidden] = Json::array();
   for (const SolidBall& ball : task.plan.forbidden)
     json[kForbidden].push_back({ball.centre.x(), ball.centre.y(), ball.centre.z(), ball.radius});
-  json[kDrill] = wordOf(task.tool);
+  json[kDrill] = drillWordOf(task.tool);
   json[kMaterial] = task.material;
   return json;
 }
@@ -251,7 +252,7 @@ DrillingTask drillingTaskFrom(const Json& json, std::vector<Error>& damage) {
   } else {
     damage.push_back(malformed(kMaterial, "it is not known"));
   }
-  if (const auto tool = drillToolOf(stringAt(json, kDrill, wordOf(task.tool)))) {
+  if (const auto tool = drillIn(stringAt(json, kDrill, drillWordOf(task.tool)))) {
     task.tool = *tool;
   } else {
     damage.push_back(malformed(kDrill, "it is no drill"));
@@ -282,7 +283,7 @@ std::vector<Property> propertiesOf(const DrillingTask& task) {
                           QT_TRANSLATE_NOOP("Property", "Forbidden balls (mm): x; y; z; radius, with | between"),
                           forbiddenText(task)));
   all.push_back(textProperty(kDrill, drillGroup(), QT_TRANSLATE_NOOP("Property", "Drill: ball:6, burr:4 or twist:3"),
-                             wordOf(task.tool)));
+                             drillWordOf(task.tool)));
   Property material;
   material.id = kMaterial;
   material.group = drillGroup();

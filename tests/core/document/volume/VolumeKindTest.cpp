@@ -11,6 +11,7 @@
 #include "mesh/structure/Weld.h"
 #include "volume/ClayDab.h"
 #include "volume/SurfaceToVolume.h"
+#include "volume/drilling/DrillTools.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <rapidcheck.h>
@@ -122,7 +123,7 @@ class VolumeKindTest : public QObject {
   // How holes were drilled comes back to the last bit; without one of its arrays there are no holes, and that is said.
   void drilledHoles() {
     const auto value = snapshotOf(moved(cube(4.0), Vec3::Zero()), 0.5);
-    for (const char* const tool : {"twist:2", "burr:1.5"}) {
+    for (const char* const tool : {"twist:2", "burr:1.5", "saw:3:0.7"}) {
       auto hole = std::make_shared<DrillRecord>();
       hole->setup.tool = *drillToolOf(tool);
       hole->setup.material = *drillMaterial("beech");
@@ -138,10 +139,11 @@ class VolumeKindTest : public QObject {
     const auto loaded = m_kind.load(container, damage, {});
     QVERIFY(loaded.hasValue() && damage.empty());
     const DrilledHoles& holes = static_cast<const VolumeSnapshot&>(**loaded).holes;
-    QCOMPARE(holes.size(), std::size_t{2});
-    for (std::size_t k = 0; k < 2; ++k) {
+    QCOMPARE(holes.size(), std::size_t{3});
+    for (std::size_t k = 0; k < 3; ++k) {
       const DrillSetup &read = holes[k]->setup, &written = value->holes[k]->setup;
       QVERIFY(read.tool.shape == written.tool.shape && read.tool.length == written.tool.length);
+      QCOMPARE(read.tool.width, written.tool.width);
       QVERIFY(read.material.id == "beech" && read.material.energy == written.material.energy);
       QVERIFY(read.spindle == written.spindle && read.erosion == written.erosion);
       QCOMPARE(holes[k]->poses.size(), std::size_t{5000});

@@ -149,6 +149,29 @@ class DrillingToolTest : public QObject {
     bench.runner.perform("revert");
   }
 
+  // A saw stands upright on the surface and goes straight in: the slot is as wide as the saw. It has a width that
+  // others have not, never more than its radius.
+  void aSaw() {
+    DrillBench bench;
+    QCOMPARE(bench.setting("width"), -1.0);
+    bench.runner.setSetting("head", PropertyValue(3.0));
+    QVERIFY(bench.tool->setup().tool.shape == DrillShape::Saw);
+    bench.runner.setSetting("width", PropertyValue(100.0));
+    QCOMPARE(bench.setting("width"), bench.tool->setup().tool.radius());
+    bench.runner.setSetting("diameter", PropertyValue(16.0));
+    QCOMPARE(bench.setting("width"), 8.0);
+    bench.runner.setSetting("width", PropertyValue(2.0));
+    bench.runner.setSetting("feed", PropertyValue(20.0));
+    bench.event(PointerEvent::Kind::Press, 0.0, 0.0);
+    QVERIFY(QTest::qWaitFor([&] { return bench.setting("removed") > 30.0; }, 20'000));
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    // From above it cuts across x, along y.
+    QVERIFY(bench.depthAt({0.0, 0.0, 19.0}) < 0.0 && bench.depthAt({0.0, 2.5, 19.3}) < 0.0);
+    QVERIFY(bench.depthAt({1.6, 0.0, 19.0}) > 0.0 && bench.depthAt({-1.6, 0.0, 19.0}) > 0.0);
+    const auto hole = bench.document.volume()->holes.front();
+    QVERIFY(hole->setup.tool.shape == DrillShape::Saw && hole->setup.tool.width == 2.0);
+  }
+
   // A key holds the feed and lets it go on; there is none to hold before. Pecks are a setting.
   void theFeedIsHeld() {
     DrillBench bench;

@@ -9,6 +9,7 @@
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeReader.h"
 #include "volume/VolumeShapes.h"
+#include "volume/drilling/DrillTools.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <rapidcheck.h>
@@ -82,6 +83,37 @@ class DrillRunTest : public QObject {
     const TriangleSoup surface = surfaceOf(volume);
     QVERIFY(isClosedManifold(surface));
     QCOMPARE(selfIntersections(surface.points, surface.triangles)->size(), std::size_t{0});
+  }
+
+  // A saw that goes once over a block, 2 mm below its top and across its axis, leaves a slot as wide as the saw: from
+  // edge to edge, with a round end where it has not come out. What it took is the work; where the rim came out of the
+  // far side, it is through.
+  void aSlot() {
+    constexpr double kBlock = 8.0, kDown = 2.0, kFeed = 20.0;  // mm, mm, mm/s
+    SparseVolume volume = plate(kBlock, 0.2);
+    DrillSetup setup;
+    setup.tool = *drillToolOf("saw:10:1.5");
+    DrillRun run(volume, setup);
+    const double from = -0.5 * kBlock - 6.0, height = 0.5 * setup.tool.diameter - kDown;
+    std::vector<DrillTick> ticks;
+    for (int i = 0; i <= 1000; ++i)
+      ticks.push_back(run.move({from + 1e-3 * kFeed * i, 0.03, height}, Vec3::UnitY(), 1e-3 * i));
+    const double exact = kBlock * kDown * setup.tool.width;
+    QVERIFY2(std::abs(run.removed() / exact - 1.0) < 0.02, qPrintable(QString::number(run.removed() / exact)));
+    QVERIFY(run.energy() > 0.0);
+    const VolumeReader reader(volume);
+    QVERIFY(reader.depthAt({0.0, 0.03, -1.0}).depth < 0.0 && reader.depthAt({0.0, 1.0, -1.0}).depth > 0.0);
+    QVERIFY(reader.depthAt({0.0, 0.03, -2.3}).depth > 0.0);
+    QVERIFY(isClosedManifold(surfaceOf(volume)));
+    // The rim is above the block where it is foremost: nothing comes out. 1 mm deep in the block it does, by (3-24).
+    QVERIFY(!run.breakthrough());
+    SparseVolume other = plate(kBlock, 0.2);
+    DrillRun within(other, setup);
+    for (int i = 0; i <= 1000; ++i) within.move({from + 1e-3 * kFeed * i, 0.03, -1.0}, Vec3::UnitY(), 1e-3 * i);
+    const double through = (0.5 * kBlock - 5.0 - from) / kFeed;
+    QVERIFY(within.breakthrough());
+    QVERIFY2(std::abs(*within.breakthrough() - through) < 0.015, qPrintable(QString::number(*within.breakthrough())));
+    QCOMPARE(ticks.back().ahead, Vec3(Vec3::UnitX()));
   }
 
   // Force is linear in the radius and in the feed below 6 mm/s, torque quadratic in the radius and linear in the feed.
@@ -190,11 +222,45 @@ class DrillRunTest : public QObject {
     QCOMPARE(drillToolOf("ball:6")->diameter, 6.0);
     QVERIFY(drillToolOf("twist:2.5")->shape == DrillShape::Twist);
     QVERIFY(drillToolOf("burr:4")->shape == DrillShape::Burr);
-    for (const char* const bad : {"", "ball", "ball:", "ball:x", "ball:-1", "ball:1e9", "saw:3", "ball:nan", ":3"})
+    QVERIFY(drillToolOf("saw:20")->shape == DrillShape::Saw && drillToolOf("saw:20")->diameter == 20.0);
+    QCOMPARE(drillToolOf("saw:20:0.8")->width, 0.8);
+    for (const char* const word : {"ball:6", "twist:2.5", "burr:4", "saw:20:0.8"})
+      QCOMPARE(drillWordOf(*drillToolOf(word)), std::string(word));
+    for (const char* const bad : {"", "ball", "ball:", "ball:x", "ball:-1", "ball:1e9", "ball:nan", ":3", "chisel:3",
+                                  "ball:3:1", "saw", "saw:20:", "saw:20:0", "saw:20:21", "saw:20:1:1", "saw:20:nan"})
       QVERIFY2(!drillToolOf(bad), bad);
     // 118° between the sides of the cone.
     const DrillTool tool = *drillToolOf("twist:2");
     QVERIFY(std::abs(std::atan(tool.radius() / tool.reach()) - 59.0 * M_PI / 180.0) < 1e-3);
+  }
+
+  // What ships has one of each shape; nothing impossible is taken, and what is wrong with which drill is said.
+  void tables() {
+    std::vector<DrillShape> shapes;
+    for (const DrillToolType& type : drillTools()) shapes.push_back(type.tool.shape);
+    std::sort(shapes.begin(), shapes.end());
+    QVERIFY((shapes == std::vector{DrillShape::Ball, DrillShape::Burr, DrillShape::Twist, DrillShape::Saw}));
+    const auto with = [](const std::string& row) { return drillToolsFromJson("{\"tools\":[" + row + "]}"); };
+    const std::string twist = R"({"id":"t","shape":"twist","diameter":4,"point_angle":90,"length":40})";
+    QVERIFY(with(twist).hasValue());
+    QVERIFY(std::abs(with(twist)->front().tool.pointAngle - 0.5 * M_PI) < 1e-12);
+    std::string many = twist;
+    for (int i = 0; i < 101; ++i) many += R"(,{"id":")" + std::to_string(i) + R"(","shape":"ball","diameter":4})";
+    for (const std::string& bad :
+         {std::string(), many, twist + "," + twist, std::string("7"), std::string(R"({"id":"x"})"),
+          std::string(R"({"id":"x","shape":"chisel","diameter":4})"),
+          std::string(R"({"id":"","shape":"ball","diameter":4})"),
+          std::string(R"({"id":"a:b","shape":"ball","diameter":4})"),
+          std::string(R"({"id":"x","shape":"ball","diameter":1e300})"),
+          std::string(R"({"id":"x","shape":"ball","diameter":"4"})"),
+          std::string(R"({"id":"x","shape":"twist","diameter":4,"point_angle":0,"length":40})"),
+          std::string(R"({"id":"x","shape":"twist","diameter":4,"point_angle":118,"length":1e9})"),
+          std::string(R"({"id":"x","shape":"saw","diameter":4,"width":5})"),
+          std::string(R"({"id":"x","shape":"saw","diameter":4})")})
+      QVERIFY2(!with(bad), bad.c_str());
+    const Error error = with(R"({"id":"flat","shape":"saw","diameter":4,"width":0})").error();
+    QVERIFY(error.code == ErrorCode::ElementMalformed && error.arguments.at(1).find("flat") == 0);
+    QVERIFY(!drillToolsFromJson("") && !drillToolsFromJson("[]"));
   }
 
   void materials() {

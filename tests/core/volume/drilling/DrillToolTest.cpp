@@ -3,6 +3,7 @@
 #include "volume/drilling/DrillTool.h"
 
 #include "TestClass.h"
+#include "volume/drilling/DrillTools.h"
 
 #include <rapidcheck.h>
 
@@ -43,6 +44,18 @@ class DrillToolTest : public QObject {
       const bool isInside = across < tool.radius() && up < tool.length && across < (up + reach) / reach * tool.radius();
       RC_ASSERT(std::abs(tool.signedDepth(from, axis) - (isInside ? nearest : -nearest)) < 1e-2);
     }));
+  }
+
+  // A disc: to its rim across the axis, to its faces along it, to its edge aslant.
+  void distanceFromASaw() {
+    const DrillTool tool = *drillToolOf("saw:20:2");
+    const Vec3 axis = Vec3::UnitX();
+    QCOMPARE(tool.signedDepth(Vec3(0.5, 0.0, 12.0), axis), -2.0);
+    QCOMPARE(tool.signedDepth(Vec3(4.0, 3.0, 0.0), axis), -3.0);
+    QVERIFY(std::abs(tool.signedDepth(Vec3(-4.0, 14.0, 0.0), axis) + 5.0) < 1e-12);
+    QCOMPARE(tool.signedDepth(Vec3(0.25, 0.0, 5.0), axis), 0.75);
+    QCOMPARE(tool.edge(), 10.0);
+    QCOMPARE(tool.reach(), 1.0);
   }
 
   void distanceFromABall() {
