@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowDriver.h"
 #include "../WindowTestMain.h"
+#include "SimulatedHand.h"
 #include "document/volume/VolumeDocument.h"
 #include "volume/VolumeReader.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
-#include "window/haptics/HapticSession.h"
 #include "window/tools/ToolHost.h"
 
 using namespace handwheel;
@@ -61,13 +61,7 @@ struct ClayWindow {
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(view, &leave);
   }
-  void leadTo(const Vec3& place, std::uint32_t buttons) {
-    const WorkspaceMapping mapping = session.mappingInScene();
-    HandPose pose;
-    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
-    pose.buttons = buttons;
-    session.simulatedHand()->setTarget(pose);
-  }
+  void leadTo(const Vec3& place, std::uint32_t buttons) { leadHandTo(session, place, buttons); }
 };
 
 }  // namespace
