@@ -18,6 +18,7 @@ namespace {
 constexpr double kDepths = DepthWindow::kMargin;  // voxels from the surface that depths reach
 constexpr double kInflation = 0.5;                // voxels that a dab of full strength moves the surface by
 constexpr double kLargestShift = 0.25;            // of the radius that material goes in a dab
+constexpr double kSmudging = 0.3;                 // of what Smooth does, that Smudge does
 
 bool isShapeAction(ClayAction action) {
   return action == ClayAction::Add || action == ClayAction::Carve;
@@ -43,10 +44,15 @@ struct VoxelDab : SweptBall {
         mask(protecting) {
     // The height is that of a stamp to either side.
     if (stamp) strength = std::copysign(strength, dab.action == ClayAction::Add ? 1.0 : -1.0);
-    if (action == ClayAction::Move && way.norm() > kLargestShift * radius) way *= kLargestShift * radius / way.norm();
+    if (action == ClayAction::Smudge) {
+      strength = std::abs(strength);
+      way -= way.dot(direction) * direction;
+    }
+    if (isWay() && way.norm() > kLargestShift * radius) way *= kLargestShift * radius / way.norm();
   }
 
   bool isBall() const { return isShapeAction(action) && !stamp; }
+  bool isWay() const { return action == ClayAction::Move || action == ClayAction::Smudge; }
   // How far from the middle something may be affected: a stamp works in a cylinder.
   double reach() const { return stamp ? std::sqrt(2.0) * radius : radius; }
 
@@ -62,13 +68,13 @@ struct VoxelDab : SweptBall {
   Vec3 source(const Vec3& p) const {
     const Vec3 from = p - centre;
     if (stamp) return -ClayDab::kStampHeight * radius * direction;
-    if (action == ClayAction::Move) return -way;
+    if (isWay()) return -way;
     if (action == ClayAction::Attract) return kLargestShift * from;
     return kLargestShift * (from - direction.dot(from) * direction);
   }
   // The longest of those.
   double longestShift() const {
-    if (action == ClayAction::Move) return std::abs(strength) * way.norm();
+    if (isWay()) return std::max(1.0, std::abs(strength) * way.norm());
     if (stamp) return std::abs(strength) * ClayDab::kStampHeight * radius;
     const bool isShift = action == ClayAction::Attract || action == ClayAction::Pinch;
     return isShift ? std::abs(strength) * kLargestShift * radius : 1.0;
@@ -242,7 +248,7 @@ class Reshaping {
     const std::shared_ptr<VolumeBlock> samples = samplesOf(old);
     const VolumeReader reader(m_volume);
     std::optional<DepthWindow> means;
-    if (m_dab.action == ClayAction::Smooth) {
+    if (m_dab.action == ClayAction::Smooth || m_dab.action == ClayAction::Smudge) {
       means.emplace(m_volume, block);
       means->average(smoothingReach());
     }
@@ -255,15 +261,16 @@ class Reshaping {
       std::int16_t& sample = samples->depths[static_cast<std::size_t>(i)];
       const double before = sample / VolumeBlock::kUnit;
       double depth = before;
-      if (means) {
-        depth += std::abs(strength) * (static_cast<double>(means->at(in.x(), in.y(), in.z())) - before);
+      const double smoothing = means ? static_cast<double>(means->at(in.x(), in.y(), in.z())) - before : 0.0;
+      if (m_dab.action == ClayAction::Smooth) {
+        depth += std::abs(strength) * smoothing;
       } else if (m_dab.action == ClayAction::Inflate) {
         depth += kInflation * strength;
       } else if (m_dab.action == ClayAction::Flatten) {
         if (m_plane.isKnown) depth += std::abs(strength) * (std::clamp(m_plane.depth(p), -kDepths, kDepths) - before);
       } else {
         const Vec3 from = m_volume.origin() + m_volume.voxel() * (p + strength * m_dab.source(p));
-        depth = reader.depthAt(from).depth / m_volume.voxel();
+        depth = reader.depthAt(from).depth / m_volume.voxel() + kSmudging * strength * smoothing;
       }
       sample = depthSample(depth);
     }

@@ -18,6 +18,8 @@ enum class ClayAction {
   Smooth,   // each depth becomes the mean of those around it
   Flatten,  // towards the plane of the surface around, from both sides
   Move,     // material goes along with the tool
+  Smudge,   // the surface is drawn out along itself: the tool takes it along and smooths it, whatever the strength's
+            // sign
   Attract,  // material goes towards the middle of the tool; with a strength below 0 away from it
   Pinch,    // towards the line through the middle of the tool along its direction; below 0 away from it
   Mask,     // protects what is there, ClayMask::paint(); below 0 frees it. No volume is changed.
@@ -33,10 +35,10 @@ struct ClayDab {
   double radius = 5.0;         // mm
   double strength = 1.0;       // -1 to 1, a share of what the action can do at most; not of balls
   double falloff = 1.0;        // 0: the same within the radius; 1: smoothly less towards it; not of balls and stamps
-  // mm. Add, Carve, Mask: where the tool comes from; the ball is swept along it. Move: where it goes, at most a quarter
-  // of the radius of it counts.
+  // mm. Add, Carve, Mask: where the tool comes from; the ball is swept along it. Move, Smudge: where it goes, at most a
+  // quarter of the radius of it counts; of Smudge what of it is across the direction.
   Vec3 way = Vec3::Zero();
-  Vec3 direction = Vec3::UnitZ();  // of Pinch, and of a stamp out of the material; of length 1
+  Vec3 direction = Vec3::UnitZ();  // of Pinch; of Smudge and of a stamp out of the material; of length 1
   // Add, Carve: the surface goes out or in along the direction, by the heights of the stamp. Those of 1 are
   // kStampHeight of the radius at full strength. The stamp lies in the square within the circle of the radius. Null: a
   // ball.

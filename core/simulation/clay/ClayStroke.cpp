@@ -23,7 +23,7 @@ ClayBrush ClayBrush::at(double share) const {
 void ClayStroke::move(const Vec3& place, double time, const Vec3& normal, double pressure) {
   if (!place.allFinite() || !std::isfinite(time)) return;
   const ClayBrush brush = m_brush.at(pressure);
-  const bool isMove = brush.action == ClayAction::Move;
+  const bool isMove = brush.action == ClayAction::Move || brush.action == ClayAction::Smudge;
   const bool isShape = brush.action == ClayAction::Add || brush.action == ClayAction::Carve;
   const bool isStamp = isShape && brush.stamp, isSwept = (isShape && !isStamp) || brush.action == ClayAction::Mask;
   if (!m_last) {

@@ -36,6 +36,8 @@ const char* historyText(const ClayBrush& brush) {
       return QT_TRANSLATE_NOOP("Tool", "Flatten clay");
     case ClayAction::Move:
       return QT_TRANSLATE_NOOP("Tool", "Move clay");
+    case ClayAction::Smudge:
+      return QT_TRANSLATE_NOOP("Tool", "Smudge clay");
     case ClayAction::Attract:
       return QT_TRANSLATE_NOOP("Tool", "Attract clay");
     case ClayAction::Pinch:

@@ -33,12 +33,12 @@ constexpr ToolKey kKeys[] = {
 };
 
 // In the order of ClayAction.
-constexpr std::array<const char*, 9> kActionNames = {
+constexpr std::array<const char*, 10> kActionNames = {
     QT_TRANSLATE_NOOP("Property", "Add"),     QT_TRANSLATE_NOOP("Property", "Carve"),
     QT_TRANSLATE_NOOP("Property", "Inflate"), QT_TRANSLATE_NOOP("Property", "Smooth"),
     QT_TRANSLATE_NOOP("Property", "Flatten"), QT_TRANSLATE_NOOP("Property", "Move"),
-    QT_TRANSLATE_NOOP("Property", "Attract"), QT_TRANSLATE_NOOP("Property", "Pinch"),
-    QT_TRANSLATE_NOOP("Property", "Mask"),
+    QT_TRANSLATE_NOOP("Property", "Smudge"),  QT_TRANSLATE_NOOP("Property", "Attract"),
+    QT_TRANSLATE_NOOP("Property", "Pinch"),   QT_TRANSLATE_NOOP("Property", "Mask"),
 };
 
 // In the order of ClayPressure.

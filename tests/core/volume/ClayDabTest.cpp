@@ -3,8 +3,10 @@
 #include "volume/ClayDab.h"
 
 #include "ClosedSurface.h"
+#include "MeshShapes.h"
 #include "TestClass.h"
 #include "proximity/SelfIntersection.h"
+#include "volume/SurfaceToVolume.h"
 #include "volume/VolumeReader.h"
 #include "volume/VolumeShapes.h"
 #include "volume/surface/VolumeToSurface.h"
@@ -139,6 +141,62 @@ class ClayDabTest : public QObject {
                     0.3));
   }
 
+  // On a cube, smudged over the middle of its top: where that is even, nothing changes, whatever way the tool goes. A
+  // bump there is drawn out along the way: its middle goes along, its top sinks, and its material stays, to some per
+  // cent.
+  void smudgeKeepsMaterial() {
+    SparseVolume even = volumeOfSurface(moved(cube(16.0), Vec3(-8.0, -8.0, -16.0)), kVoxel)->volume, bumpy = even;
+    const double material = even.material();
+    const auto smudge = [](SparseVolume& volume, const Vec3& way) {
+      ClayDab dab = dabOf(ClayAction::Smudge, {-3.0, 0.0, 0.0}, 4.0);
+      dab.falloff = 1.0;
+      dab.way = way;
+      for (int i = 0; i < 30; ++i) {
+        applyDab(volume, dab);
+        dab.centre.x() += way.x();
+      }
+    };
+    smudge(even, {0.2, 0.0, 0.3});
+    smudge(even, {0.0, 0.0, -0.5});
+    const VolumeReader flat(even);
+    for (int i = 0; i < 100; ++i)
+      QVERIFY(std::abs(flat.depthAt({6.0 * std::sin(i), 6.0 * std::cos(3.0 * i), -0.1}).depth - 0.1) < 0.1 * kVoxel);
+    QVERIFY(isBelow(std::abs(even.material() / material - 1.0), 1e-4));
+
+    applyDab(bumpy, dabOf(ClayAction::Add, {-2.0, 0.0, -2.4}, 3.2));  // a cap of 0.8 mm
+    struct Bump {
+      double material = 0.0, middle = 0.0, top = 0.0;  // mm³, mm along x, mm
+    };
+    const auto bumpOf = [&](const SparseVolume& volume) {
+      Bump bump;
+      const VoxelIndex zero = (-volume.origin() / volume.voxel()).array().round().cast<int>().matrix();
+      for (int z = -2; z <= 12; ++z)
+        for (int y = -28; y <= 28; ++y)
+          for (int x = -28; x <= 28; ++x) {
+            const VoxelIndex at = zero + VoxelIndex(x, y, z);
+            const Vec3 p = volume.centre(at);
+            const double share = std::clamp(0.5 + volume.sample(at) / VolumeBlock::kUnit, 0.0, 1.0);
+            const double before = std::clamp(0.5 - p.z() / kVoxel, 0.0, 1.0),
+                         more = (share - before) * std::pow(kVoxel, 3);
+            bump.material += more;
+            bump.middle += more * p.x();
+            if (share > 0.5) bump.top = std::max(bump.top, p.z());
+          }
+      bump.middle /= bump.material;
+      return bump;
+    };
+    const Bump made = bumpOf(bumpy);
+    const double cap = M_PI * 0.64 * (3.0 * 3.2 - 0.8) / 3.0;
+    QVERIFY(isBelow(std::abs(made.material / cap - 1.0), 0.05));
+    smudge(bumpy, {0.2, 0.0, 0.0});
+    const Bump drawn = bumpOf(bumpy);
+    QVERIFY(isBelow(made.middle + 0.5, drawn.middle));
+    QVERIFY(isBelow(drawn.top, 0.9 * made.top));
+    QVERIFY2(std::abs(drawn.material / made.material - 1.0) < 0.1,
+             qPrintable(QString("%1 of %2").arg(drawn.material).arg(made.material)));
+    QVERIFY(isClosedManifold(surfaceOf(bumpy)));
+  }
+
   // A quarter of the way to the middle is 1 / 1.25 of the radius.
   void attractIsAScaling() {
     SparseVolume ball = ballOfVoxels(5.0, kVoxel);
@@ -205,7 +263,7 @@ class ClayDabTest : public QObject {
       const auto number = [](double most) { return *rc::gen::inRange(-1000, 1001) / 1000.0 * most; };
       for (int i = 0; i < 6; ++i) {
         ClayDab dab;
-        dab.action = static_cast<ClayAction>(*rc::gen::inRange(0, 8));
+        dab.action = static_cast<ClayAction>(*rc::gen::inRange(0, static_cast<int>(ClayAction::Mask)));
         dab.centre = Vec3(number(2.0), number(2.0), number(2.0));
         dab.radius = 0.3 + std::abs(number(1.5));
         dab.strength = number(1.0);
@@ -235,7 +293,7 @@ class ClayDabTest : public QObject {
   // The mirror image of a dab does the mirror image of what it does.
   void mirrorImage() {
     const auto reversed = [](const Vec3& p) { return Vec3(-p.x(), p.y(), p.z()); };
-    for (int action = 0; action < 8; ++action) {
+    for (int action = 0; action < static_cast<int>(ClayAction::Mask); ++action) {
       SparseVolume one = ballOfVoxels(4.0, kVoxel), other = one;
       ClayDab dab = dabOf(static_cast<ClayAction>(action), {3.0, 1.0, 1.5}, 2.0);
       dab.way = Vec3(0.3, 0.2, -0.1);
