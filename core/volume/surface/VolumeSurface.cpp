@@ -178,11 +178,16 @@ std::size_t VolumeSurface::triangleCount() const {
   return count;
 }
 
+std::size_t VolumePiece::bytes() const {
+  std::size_t sum = 0;
+  for (const VolumeTriangles* t : {&fine, &coarse})
+    sum += 2 * sizeof(float) * t->points.size() + sizeof(std::int32_t) * t->corners.size();
+  return sum;
+}
+
 std::size_t VolumeSurface::bytes() const {
   std::size_t sum = 0;
-  for (const auto& [key, piece] : m_pieces)
-    for (const VolumeTriangles* t : {&piece->fine, &piece->coarse})
-      sum += 2 * sizeof(float) * t->points.size() + sizeof(std::int32_t) * t->corners.size();
+  for (const auto& [key, piece] : m_pieces) sum += piece->bytes();
   return sum;
 }
 

@@ -25,6 +25,8 @@ struct VolumePiece {
   VolumeTriangles fine;          // of marching cubes, as surfaceOf() makes them
   VolumeTriangles coarse;        // of every fourth sample: for views that move
   std::vector<BlockPart> parts;  // of the fine ones, by block
+
+  std::size_t bytes() const;  // of the triangles
 };
 
 // The surface of a volume for its display, in pieces. Only those are made anew that an edit touches. Normals are those
