@@ -3,6 +3,7 @@
 #include "Program.h"
 #include "TestClass.h"
 
+#include <QImage>
 #include <QTest>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,19 @@ nlohmann::json solutionOfShaft() {
   QFile file(kShaft);
   if (!file.open(QIODevice::ReadOnly)) qFatal("an exercise is missing");
   return nlohmann::json::parse(file.readAll().toStdString())["solution"];
+}
+
+// The share of blue pixels of a picture in a report.
+double blueShare(const QByteArray& html, const QByteArray& name) {
+  const auto begin = html.indexOf("base64,", html.indexOf("alt=\"" + name + "\"")) + 7;
+  const QImage picture =
+      QImage::fromData(QByteArray::fromBase64(html.mid(begin, html.indexOf('"', begin) - begin)), "PNG");
+  if (picture.isNull()) qFatal("there is no %s", name.constData());
+  int blue = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x)
+      if (qBlue(picture.pixel(x, y)) > qRed(picture.pixel(x, y)) + 50) ++blue;
+  return static_cast<double>(blue) / (picture.width() * picture.height());
 }
 
 }  // namespace
@@ -56,7 +70,17 @@ class ExerciseTest : public QObject {
     const QByteArray csv = bench.content("class.csv");
     QVERIFY2(csv.count('\n') == 3 && csv.contains("'=Bob"), csv);
     const QByteArray html = bench.content("class.html");
-    QVERIFY(html.contains("Ada") && html.contains("=Bob") && html.contains("data:image/png;base64,"));
+    QVERIFY(html.contains("Ada") && html.contains("=Bob"));
+    // Seven curves of a part that was turned, one of an untouched bar, and a picture of each.
+    QCOMPARE(html.count("data:image/png;base64,"), 7 + 1 + 2);
+    QVERIFY2(blueShare(html, "work0-picture-0") < 0.01, "what is left of the model solution");
+    QVERIFY2(blueShare(html, "work1-picture-0") > 0.1, "what is left of the bar");
+    // Force and power are told as numbers: those that the marks have.
+    QCOMPARE(ada["figures"].size(), std::size_t{2});
+    for (const nlohmann::json& figure : ada["figures"])
+      for (const nlohmann::json& mark : ada["marks"])
+        if (mark["figure"] == figure["figure"]) QCOMPARE(figure["measured"], mark["measured"]);
+    QVERIFY(html.contains("Largest cutting force: ") && html.contains("Largest power: "));
     // The drawing of the target is the target of an exercise again.
     QCOMPARE(ran({"exercise", "shaft.handwheel", "-o", "shaft.dxf"}), 0);
     QCOMPARE(ran({"exercise", "shaft.handwheel", "--import-target", "shaft.dxf", "-o", "drawn.handwheel"}), 0);

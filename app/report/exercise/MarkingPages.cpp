@@ -87,6 +87,14 @@ std::string nameOf(const ReportedWork& work) {
   return work.row.attempt.student.empty() ? work.row.file : work.row.attempt.student;
 }
 
+std::string figureLine(const ClassReport& report, const ReportFigure& each) {
+  const FigureType* const type = figureType(report.figures, each.figure);
+  if (!type) return {};
+  const QString label = QCoreApplication::translate("Figure", type->label.c_str());
+  return "<p>" + escaped(label.toStdString() + ": " + measuredText(each.value, type->unit) + " " + type->unit) +
+         "</p>\n";
+}
+
 std::string workSection(const ClassReport& report, const ReportedWork& work, const std::string& name,
                         const ImageElement& image) {
   const ClassRow& row = work.row;
@@ -113,11 +121,17 @@ std::string workSection(const ClassReport& report, const ReportedWork& work, con
     html += "</tr>\n";
   }
   html += "</table>\n";
+  for (const ReportFigure& each : work.details.figures) html += figureLine(report, each);
   if (!work.details.events.empty()) {
     html += "<h3>" + said(QT_TRANSLATE_NOOP("Note", "Events")) + "</h3>\n<ul>\n";
     for (const ReportEvent& event : work.details.events)
       html += "<li>" + minutesText(event.seconds) + ": " + escaped(translatedText(event.text)) + "</li>\n";
     html += "</ul>\n";
+  }
+  for (std::size_t i = 0; i < work.details.pictures.size(); ++i) {
+    const ReportPicture& picture = work.details.pictures[i];
+    html += "<p>" + image(picture.image, name + "-picture-" + std::to_string(i)) + "<br/>" +
+            escaped(translatedText(picture.caption)) + "</p>\n";
   }
   for (std::size_t i = 0; i < work.details.curves.size(); ++i) {
     const Plot plot = plotOf(work.details.curves[i]);

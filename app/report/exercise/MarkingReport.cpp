@@ -51,6 +51,11 @@ Json jsonOf(const ClassReport& report, const Mark& mark) {
           {"remark", mark.remark.inEnglish()}};
 }
 
+Json jsonOf(const ClassReport& report, const ReportFigure& each) {
+  const FigureType* const type = figureType(report.figures, each.figure);
+  return {{"figure", each.figure}, {"unit", type ? type->unit : std::string()}, {"measured", each.value}};
+}
+
 // What is broken in a file that was handed in: the teacher is to know before giving no points.
 std::vector<std::string> damageRemarks(const DocumentFile& file, std::string (*describe)(const Error&)) {
   std::vector<std::string> remarks;
@@ -127,6 +132,8 @@ Json toJson(const ClassReport& report) {
     json["of"] = row.marking.of;
     json["marks"] = Json::array();
     for (const Mark& mark : row.marking.marks) json["marks"].push_back(jsonOf(report, mark));
+    json["figures"] = Json::array();
+    for (const ReportFigure& each : work.details.figures) json["figures"].push_back(jsonOf(report, each));
     json["events"] = Json::array();
     for (const ReportEvent& event : work.details.events)
       json["events"].push_back({{"time_s", event.seconds}, {"text", event.text.inEnglish()}});

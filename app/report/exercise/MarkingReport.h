@@ -30,14 +30,14 @@ ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::pat
 // Adds a remark to works that have the same recording as another one: nobody moves twice alike. O(works² · points).
 void remarkEqualWorks(std::vector<ReportedWork>& works);
 
-// All figures, marks and reasons as JSON, without curves.
+// All figures, marks and reasons as JSON, without pictures and curves.
 nlohmann::ordered_json toJson(const ClassReport& report);
 
 // The marks for people: for each student a table of sizes, limits, points and reasons.
 std::string readableText(const ClassReport& report);
 
-// The report as a self-contained HTML page with the class as a table, then each student with marks, events and
-// plots. Needs fonts, so a QGuiApplication.
+// The report as a self-contained HTML page with the class as a table, then each student with marks, events, pictures
+// and plots. Needs fonts, so a QGuiApplication.
 std::string htmlOf(const ClassReport& report, Progress progress = {});
 // The same as PDF (A4).
 std::string pdfOf(const ClassReport& report, Progress progress = {});

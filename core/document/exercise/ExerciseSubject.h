@@ -6,6 +6,8 @@
 #include "document/Property.h"
 #include "exercise/Marking.h"
 
+#include <QImage>
+
 namespace handwheel {
 
 // A figure that a kind of work can measure of a student's result.
@@ -43,8 +45,22 @@ struct ReportEvent {
   ExerciseText text;
 };
 
+// What the work looks like in the end.
+struct ReportPicture {
+  QImage image;
+  ExerciseText caption;
+};
+
+// A figure that is told whether or not a mark is given for it.
+struct ReportFigure {
+  std::string figure;  // id of its type: "force"
+  double value = 0.0;
+};
+
 // What a report shows of a student's work besides the marks.
 struct ReportDetails {
+  std::vector<ReportPicture> pictures;
+  std::vector<ReportFigure> figures;
   std::vector<ReportCurve> curves;
   std::vector<ReportEvent> events;
   double seconds = 0.0;  // that the recorded work took

@@ -3,6 +3,7 @@
 #include "document/workpiece/exercise/TurningDetails.h"
 
 #include "base/NumberText.h"
+#include "document/workpiece/exercise/SectionPicture.h"
 #include "document/workpiece/exercise/TurningFigures.h"
 #include "machining/force/ForcePeaks.h"
 
@@ -107,6 +108,15 @@ ReportCurve pathCurve(const TurningTask& task, const WorkpieceSnapshot& workpiec
   return curve;
 }
 
+ReportPicture pictureOf(const TurningTask& task, const TurnedProfile& profile) {
+  if (!task.target) return {sectionPicture(profile, {}), {QT_TRANSLATE_NOOP("Note", "The part in section.")}};
+  return {
+      sectionPicture(profile, lineOf(*task.target)),
+      {QT_TRANSLATE_NOOP("Note",
+                         "The part in section, with the outline of the target. Blue: material left over the target. "
+                         "Red: cut too deep.")}};
+}
+
 ReportCurve loadCurve(const char* title, const char* unit, const std::vector<MeasuredPart::Load>& loads,
                       double MeasuredPart::Load::*which) {
   ReportCurve curve{title, QT_TRANSLATE_NOOP("Figure", "Time"), "s", title, unit, {}};
@@ -180,12 +190,14 @@ ReportEvent eventOf(const LatheCollision& crash, double zero) {
   return {crash.time, {kTexts[static_cast<std::size_t>(crash.cause)], place}};
 }
 
-// The heaviest cut, where the lathe has not what it takes; it is told whether or not a mark is given for it.
-void addOverload(ReportDetails& details, const std::vector<MeasuredPart::Load>& loads,
-                 double MeasuredPart::Load::*which, double limit, const char* text, int digits) {
+// The heaviest cut, and an event where the lathe has not what it takes.
+void addPeak(ReportDetails& details, const char* figure, const std::vector<MeasuredPart::Load>& loads,
+             double MeasuredPart::Load::*which, double limit, const char* text, int digits) {
   const auto largest =
       std::max_element(loads.begin(), loads.end(), [&](const auto& a, const auto& b) { return a.*which < b.*which; });
-  if (largest == loads.end() || !((*largest).*which > limit)) return;
+  if (largest == loads.end()) return;
+  details.figures.push_back({figure, (*largest).*which});
+  if (!((*largest).*which > limit)) return;
   details.events.push_back({largest->time, {text, {roundedText((*largest).*which, digits), roundedText(limit, 4)}}});
 }
 
@@ -194,6 +206,7 @@ void addOverload(ReportDetails& details, const std::vector<MeasuredPart::Load>& 
 ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& work, Progress progress) {
   const MeasuredPart part(task, work, progress);
   ReportDetails details;
+  details.pictures.push_back(pictureOf(task, part.profile()));
   details.curves.push_back(shapeCurve(task, part.profile()));
   if (!work.part || !part.review()) return details;
   details.curves.push_back(pathCurve(task, work));
@@ -206,11 +219,10 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
   for (const CrashMoment& crash : part.unrecordedCrashes())
     details.events.push_back(eventOf(crash, task.lathe, part.zero()));
   for (const LatheCollision& crash : part.crashes()) details.events.push_back(eventOf(crash, part.zero()));
-  addOverload(details, loads, &MeasuredPart::Load::force, task.forceLimit,
-              QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a cutting force of %1 N, where the lathe takes %2 N."),
-              4);
-  addOverload(details, loads, &MeasuredPart::Load::power, task.powerLimit,
-              QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a power of %1 kW, where the lathe has %2 kW."), 3);
+  addPeak(details, "force", loads, &MeasuredPart::Load::force, task.forceLimit,
+          QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a cutting force of %1 N, where the lathe takes %2 N."), 4);
+  addPeak(details, "power", loads, &MeasuredPart::Load::power, task.powerLimit,
+          QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a power of %1 kW, where the lathe has %2 kW."), 3);
   details.seconds = part.review()->seconds();
   return details;
 }

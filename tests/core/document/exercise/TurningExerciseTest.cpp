@@ -407,6 +407,46 @@ class TurningExerciseTest : public QObject {
     const ReportDetails none =
         shoulder()->subject->details(*shoulder()->task, *shoulder()->subject->start(*shoulder()->task), {});
     QCOMPARE(none.curves.size(), std::size_t{1});
+    QVERIFY(none.pictures.size() == 1 && none.figures.empty());
+  }
+
+  // The bar of ⌀40 × 100 mm over its target, a shoulder of ⌀30 × 40 mm: to scale, and in the colours of what is left,
+  // right and cut too deep.
+  void thePictureOfThePart() {
+    const auto pictureOf = [](const SnapshotPointer& work) {
+      return shoulder()->subject->details(*shoulder()->task, *work, {}).pictures.at(0).image;
+    };
+    enum { White, Grey, Blue, Red };
+    const auto colour = [](QRgb p) {
+      if (qBlue(p) > qRed(p) + 50) return Blue;
+      if (qRed(p) > qBlue(p) + 50) return Red;
+      return qRed(p) > 250 ? White : Grey;
+    };
+    const QImage bar = pictureOf(shoulder()->subject->start(*shoulder()->task));
+    QRect box;
+    for (int y = 0; y < bar.height(); ++y)
+      for (int x = 0; x < bar.width(); ++x)
+        if (colour(bar.pixel(x, y)) != White) box |= QRect(x, y, 1, 1);
+    const double scale = box.width() / 100.0;
+    QVERIFY(std::abs(box.height() - 40.0 * scale) < 4.0);  // pixels: lines are two wide
+    const auto at = [&](const QImage& picture, double r, double z) {
+      return int(colour(picture.pixel(box.left() + int(scale * z), (box.top() + box.bottom()) / 2 - int(scale * r))));
+    };
+    for (const double side : {1.0, -1.0}) {
+      QCOMPARE(at(bar, side * 17.0, 80.0), int(Blue));
+      QCOMPARE(at(bar, side * 17.0, 30.0), int(Grey));
+      QCOMPARE(at(bar, side * 12.0, 80.0), int(Grey));
+    }
+    const QImage deep = pictureOf(workFrom(*shoulder(), shoulderWork(26.0)));
+    QCOMPARE(at(deep, 17.0, 80.0), int(White));
+    QCOMPARE(at(deep, 14.0, 80.0), int(Red));
+    QCOMPARE(at(deep, 12.0, 80.0), int(Grey));
+    QCOMPARE(at(deep, 17.0, 30.0), int(Grey));
+    // The area of the red rectangles, on both sides of the axis: 2 mm by 40 mm, but for half of the line around them.
+    int red = 0;
+    for (int y = 0; y < deep.height(); ++y)
+      for (int x = 0; x < deep.width(); ++x) red += colour(deep.pixel(x, y)) == Red ? 1 : 0;
+    QVERIFY2(std::abs(red / (scale * scale) / 160.0 - 1.0) < 0.1, qPrintable(QString::number(red / (scale * scale))));
   }
 };
 

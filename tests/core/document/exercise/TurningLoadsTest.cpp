@@ -123,6 +123,10 @@ class TurningLoadsTest : public QObject {
     };
     // The law says 1173 N and 1.47 kW: forceAndPower().
     QCOMPARE(events(1300.0, 1.6), std::string());
+    const auto figures = loadedShoulder()->subject->details(task, *snapshot, {}).figures;
+    QCOMPARE(figures.size(), std::size_t{2});
+    QVERIFY(figures[0].figure == "force" && std::abs(figures[0].value / 1173.0 - 1.0) < 0.05);
+    QVERIFY(figures[1].figure == "power" && std::abs(figures[1].value / 1.474 - 1.0) < 0.05);
     QVERIFY(events(1100.0, 1.6).find("where the lathe takes 1100 N") != std::string::npos);
     QVERIFY(events(1300.0, 1.4).find("where the lathe has 1.4 kW") != std::string::npos);
   }
