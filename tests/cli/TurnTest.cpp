@@ -5,6 +5,7 @@
 
 #include <QTest>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 using namespace handwheel;
@@ -160,6 +161,38 @@ class TurnTest : public QObject {
     const Ran inspected = bench.run({"inspect", "part.handwheel", "--json"});
     QVERIFY(reported(inspected)["document"]["finish"]["outside"] == outside);
     QVERIFY(bench.run({"inspect", "part.handwheel"}).out.contains("outside Ra 0.31"));
+  }
+
+  // By control points a taper comes near to what the nose sweeps, the nearer the closer they are: PoleCutTest. The
+  // method is kept with the pass, so that it is replayed as it was.
+  void byControlPoints() {
+    const Bench bench;
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,27,0,10\n10,20,0,80\n11,28,0,80\n");
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    const QStringList words = {"turn", "bar.handwheel", "--recording", "p.csv", "--nose", "4", "--json"};
+    QCOMPARE(bench.run(words + QStringList{"-o", "exact.handwheel"}).code, 0);
+    double last = std::numeric_limits<double>::infinity();
+    for (const char* resolution : {"4", "1", "0.25"}) {
+      const Ran ran = bench.run(words + QStringList{"--method", "poles", "--resolution", resolution, "--target",
+                                                    "exact.handwheel", "-o", "near.handwheel"});
+      QVERIFY2(ran.code == 0, ran.err);
+      const double error = reported(ran)["profile_error_mm"].get<double>();
+      QVERIFY2(error > 1e-6 && error < last, ran.out);
+      last = error;
+      QVERIFY(reported(bench.run({"turn", "near.handwheel", "--replay", "--json"}))["same"].get<bool>());
+    }
+    const auto refuses = [&](const QStringList& more, const char* part) {
+      const Ran ran = bench.run(words + QStringList{"-o", "x.handwheel"} + more);
+      return ran.code == 1 && ran.err.contains(part) && !bench.names().contains("x.handwheel");
+    };
+    QVERIFY(refuses({"--method", "spoon"}, "--method is trim or poles."));
+    QVERIFY(refuses({"--resolution", "1"}, "--resolution is of --method poles."));
+    for (const char* resolution : {"0", "0.049", "10.1", "nan"})
+      QVERIFY(refuses({"--method", "poles", "--resolution", resolution}, "from 0.05 to 10."));
+    bench.put("p.ngc", "G21 G18 G7 S500 M3\nF100\nG0 X44 Z2\nM2\n");
+    const Ran program =
+        bench.run({"turn", "bar.handwheel", "--program", "p.ngc", "--method", "poles", "-o", "x.handwheel"});
+    QVERIFY2(program.code == 1 && program.err.contains("--method is of --recording R."), program.err);
   }
 
   // A path beside the part is no pass, of a bar and of a part.

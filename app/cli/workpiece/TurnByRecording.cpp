@@ -102,6 +102,8 @@ Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, co
   figures.force = peaks->force;
   figures.power = peaks->power;
   for (TurningPass& pass : *passes) {
+    pass.method = request.method;
+    pass.resolution = request.resolution;
     figures.time += pass.times.empty() ? 0.0 : pass.times.back();
     if (pass.speeds.empty()) pass.speeds.assign(pass.path.size(), request.spindle);
   }

@@ -192,6 +192,10 @@ std::vector<Command> workpieceCommands() {
              "Material of the work, for the forces (default medium-carbon-steel, or that of the exercise)"},
             {"spindle", 0, "RPM",
              "Speed of the spindle of a recording, for forces and roughness (default 500, or that of the exercise)"},
+            {"method", 0, "NAME",
+             "How a recording cuts: trim (default), exactly what the nose sweeps; or poles, by moving the control "
+             "points of a smooth curve"},
+            {"resolution", 0, "MM", "Distance of these control points, 0.05 to 10 (default 0.5)"},
             {"target", 0, "FILE", "A drawing (.dxf, .svg) or workpiece to compare with, upper end at upper end"},
             {"spacing", 0, "MM", "Sample spacing of the profile, for a bar that was not cut yet"},
             {"replay", 0, "", "Replay the passes of STOCK on its bar and compare the result, bit for bit"},

@@ -4,7 +4,6 @@
 
 #include "base/NumberText.h"
 #include "cli/workpiece/BarWord.h"
-#include "machining/TurningPass.h"
 #include "machining/program/ToolPath.h"
 
 namespace handwheel {
@@ -39,6 +38,18 @@ std::string readDialect(const Arguments& arguments, TurnRequest& request) {
   return {};
 }
 
+// Programs cut exactly.
+std::string readMethod(const Arguments& arguments, TurnRequest& request) {
+  for (const char* const each : {"method", "resolution"})
+    if (arguments.has(each) && !arguments.has("recording")) return std::string("--") + each + " is of --recording R.";
+  const std::string method = arguments.has("method") ? arguments.valueOf("method") : "trim";
+  if (method != "trim" && method != "poles") return "--method is trim or poles.";
+  if (method == "poles") request.method = TurningMethod::Poles;
+  if (arguments.has("resolution") && method != "poles") return "--resolution is of --method poles.";
+  const FidelitySetting setting = turnResolutionSetting();
+  return readLength(arguments, "resolution", setting.least, setting.largest, request.resolution);
+}
+
 std::string readNose(const Arguments& arguments, TurnRequest& request) {
   if (!arguments.has("nose")) return {};
   double nose = 0.0;
@@ -67,7 +78,7 @@ std::string readTurnRequest(const Arguments& arguments, TurnRequest& request) {
   if (ways != 1) return "Give one of --program P.ngc, --recording R and --replay.";
   if (!request.isReplay && !arguments.has("output")) return "The option -o OUT is missing.";
   if (request.isReplay && arguments.has("output")) return "--replay writes nothing: leave out -o.";
-  for (const auto read : {readNose, readDialect, readMaterial})
+  for (const auto read : {readNose, readMethod, readDialect, readMaterial})
     if (std::string problem = read(arguments, request); !problem.empty()) return problem;
   if (arguments.has("spindle") && !(readNumber(arguments.valueOf("spindle"), request.spindle) &&
                                     request.spindle > 0.0 && request.spindle <= kMostSpindle))

@@ -4,6 +4,7 @@
 
 #include "cli/Arguments.h"
 #include "machining/TurningFidelity.h"
+#include "machining/TurningPass.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/program/ProgramSetup.h"
 #include "nurbs/StockCylinder.h"
@@ -21,7 +22,9 @@ struct TurnRequest {
   std::filesystem::path recording, program, tools, target, output;
   std::optional<double> noseRadius;  // mm
   double spacing = turnSpacingSetting().standard;
-  double spindle = 500.0;  // r/min, of a recording
+  double spindle = 500.0;                                // r/min, of a recording
+  TurningMethod method = TurningMethod::Trim;            // of a recording
+  double resolution = turnResolutionSetting().standard;  // mm, of TurningMethod::Poles
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
   WorkMaterial material;
   bool isReplay = false;
