@@ -7,9 +7,13 @@
 #include "machining/target/TargetErrors.h"
 #include "nurbs/StepFile.h"
 
+#include <Eigen/Geometry>
+
 #include <QFile>
 #include <QtTest>
+#include <cstdio>
 #include <random>
+#include <regex>
 
 using namespace handwheel;
 
@@ -22,6 +26,24 @@ ErrorCode answerCode(std::string_view answer) {
 
 Result<TurnedStep> written(const ProfileCurve& curve) {
   return readTurnedStep(writeStep(curve).value(), UnturnedFaces::Refuse);
+}
+
+// A STEP file whose points and directions are turned and then moved.
+std::string elsewhere(const std::string& step, const Eigen::Matrix3d& turn, const Eigen::Vector3d& by) {
+  static const std::regex kTriple(
+      R"((CARTESIAN_POINT|DIRECTION)(\s*\(\s*'[^']*'\s*,\s*\()([^,()]+),([^,()]+),([^,()]+)\))");
+  std::string text;
+  auto from = step.cbegin();
+  for (std::sregex_iterator each(step.begin(), step.end(), kTriple), end; each != end; ++each) {
+    const std::smatch& found = *each;
+    Eigen::Vector3d v = turn * Eigen::Vector3d(std::stod(found[3]), std::stod(found[4]), std::stod(found[5]));
+    if (found[1] == "CARTESIAN_POINT") v += by;
+    char numbers[120];
+    std::snprintf(numbers, sizeof numbers, "%.16E,%.16E,%.16E)", v.x(), v.y(), v.z());
+    text.append(from, found[0].first).append(found[1]).append(found[2]).append(numbers);
+    from = found[0].second;
+  }
+  return text.append(from, step.cend());
 }
 
 std::string dataFile(const char* name) {
@@ -77,6 +99,37 @@ class TurnedStepTest : public QObject {
     const auto ball = written(ProfileCurve::make(half).value());
     QVERIFY(ball.hasValue());
     QVERIFY(std::abs(ball->target.volume() / (4.0 / 3.0 * M_PI * 125.0) - 1.0) < 1e-6);
+  }
+
+  // Wherever a part lies in its file, it is the same part; its z counts from where the axis is nearest to the origin.
+  void anyAxisIsFound_data() {
+    QTest::addColumn<double>("tilt");
+    QTest::addColumn<double>("about");
+    for (const auto& [tilt, about] : {std::pair(30.0, 40.0), std::pair(60.0, -130.0), std::pair(90.0, 0.0),
+                                      std::pair(90.0, 90.0), std::pair(180.0, 15.0)})
+      QTest::addRow("%g about %g", tilt, about) << tilt << about;
+  }
+  void anyAxisIsFound() {
+    QFETCH(double, tilt);
+    QFETCH(double, about);
+    const auto shaft = ProfileCurve::polyline({{0, 3}, {10, 3}, {10, 20}, {15, 20}, {12, 40}, {0, 40}});
+    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(about * M_PI / 180.0, Eigen::Vector3d::UnitZ()) *
+                                  Eigen::AngleAxisd(tilt * M_PI / 180.0, Eigen::Vector3d::UnitX()))
+                                     .toRotationMatrix();
+    const Eigen::Vector3d by(100.0, -50.0, 20.0), axis = turn.col(2);
+    const auto read = readTurnedStep(elsewhere(writeStep(shaft.value()).value(), turn, by), UnturnedFaces::Refuse);
+    QVERIFY(read.hasValue());
+    const TargetProfile& part = read->target;
+    const double volume = M_PI * (100.0 * 17.0 + 20.0 / 3.0 * (15.0 * 15.0 + 15.0 * 12.0 + 12.0 * 12.0));
+    QVERIFY(std::abs(part.volume() / volume - 1.0) < 1e-6);
+    QVERIFY(std::abs(part.length() - 37.0) < 1e-6 && std::abs(part.largestRadius() - 15.0) < 1e-6);
+    // Which of its ends is the upper one is not told by the axis.
+    const double zero = axis.dot(by);
+    const bool isUp = std::abs(part.lowerEnd() - (zero + 3.0)) < 1e-6;
+    const auto placed = [&](double r, double z) { return ProfilePoint(r, isUp ? zero + z : -(zero + z)); };
+    QVERIFY(isUp || std::abs(part.upperEnd() + (zero + 3.0)) < 1e-6);
+    for (const auto& [r, z] : {std::pair(10.0, 10.0), std::pair(15.0, 20.0), std::pair(13.5, 30.0)})
+      QVERIFY(std::abs(part.distance(placed(r, z))) < 1e-6);
   }
 
   void notAStepFile() {
