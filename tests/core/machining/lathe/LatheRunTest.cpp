@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/lathe/LatheRun.h"
 
+#include "LatheAtWork.h"
 #include "TestClass.h"
 #include "machining/lathe/LatheJson.h"
 
@@ -13,56 +14,14 @@
 #include <nlohmann/json.hpp>
 
 using namespace handwheel;
+using namespace handwheel::test;
 
 namespace {
 
-using CommandKind = LatheCommand::Kind;
+using CommandKind = Lathe::CommandKind;
 
-constexpr StockCylinder kBlank{40.0, 100.0, 0.0};
-constexpr double kStep = 0.001;  // s
-
-// A lathe whose tools are where the read-out would have them, with a bar of 40 mm by 100 mm.
-class Lathe {
- public:
-  explicit Lathe(LatheSetup setup = exactSetup(), double spacing = 0.02)
-      : run(setup, shippedLatheTools(), TurnedProfile(kBlank, spacing), LatheMachine::initialState(setup, kBlank)) {}
-
-  static LatheSetup exactSetup() {
-    LatheSetup setup = defaultLatheSetup(kBlank);
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
-    return setup;
-  }
-
-  LatheStep once(std::initializer_list<LatheCommand> commands = {}) {
-    return run.step(kStep, std::vector<LatheCommand>(commands));
-  }
-  void pass(double seconds) {
-    for (int i = 0; i < static_cast<int>(std::lround(seconds / kStep)); ++i) {
-      const LatheStep step = once();
-      removed += step.cut.volume;
-      deepest = std::max(deepest, step.cut.depth);
-    }
-  }
-  // Without the part in the way, and with nothing that would hold it.
-  void go(double r, double z) {
-    once({{CommandKind::Place, LatheAxis::Carriage, r, z}});
-    for (int i = 0; i < 20000 && (run.machine().tip() - ProfilePoint(r, z)).norm() > 1e-9; ++i)
-      removed += once().cut.volume;
-  }
-  void spindle(double speed) {
-    once({{CommandKind::Spindle, LatheAxis::Carriage, 1.0}, {CommandKind::Speed, LatheAxis::Carriage, speed}});
-    pass(speed / run.machine().setup().spindle.acceleration + 0.01);
-  }
-  double radiusAt(double z) const {
-    return run.profile().radius(static_cast<std::size_t>(std::lround(z / run.profile().spacing())));
-  }
-  double innerAt(double z) const {
-    return run.profile().inner(static_cast<std::size_t>(std::lround(z / run.profile().spacing())));
-  }
-
-  LatheRun run;
-  double removed = 0.0, deepest = 0.0;
-};
+constexpr StockCylinder kBlank = Lathe::kBlank;
+constexpr double kStep = Lathe::kStep;
 
 }  // namespace
 
@@ -294,6 +253,39 @@ class LatheRunTest : public QObject {
     lathe.pass(1.0);
     QCOMPARE(lathe.run.collisions().size(), count);
     QVERIFY(lathe.run.machine().tip().x() > r + 5.0);
+  }
+
+  // A tube of 40 mm with a bore of 24 mm on jaws that press outward: its outside is free all the way to the chuck, and
+  // the jaws are in the bore up to z = 20.
+  void jawsGripInside() {
+    LatheSetup setup = Lathe::exactSetup();
+    setup.chuck.gripsInside = true;
+    setup.stations[1].tool = "boring-12";
+    const TurnedProfile tube =
+        TurnedProfile::fromRadii(std::vector<double>(5001, 20.0), std::vector<double>(5001, 12.0), 100.0);
+    Lathe lathe(setup, tube);
+    QCOMPARE(lathe.run.gripped(), 12.0);
+    lathe.spindle(600.0);
+    lathe.go(21.0, 10.0);
+    lathe.once({{CommandKind::Feed, LatheAxis::Cross, -0.1}});
+    lathe.pass(2.0);  // 20 turns: 2 mm
+    QVERIFY(lathe.run.collisions().empty());
+    QVERIFY(std::abs(lathe.radiusAt(10.8) - 19.0) < 0.03);  // the middle of the nose
+    lathe.once({{CommandKind::Feed, LatheAxis::Cross, 0.0}});
+    lathe.go(40.0, 10.0);
+    lathe.go(40.0, 130.0);
+    lathe.once({{CommandKind::Tool, LatheAxis::Carriage, 1.0}});
+    lathe.go(11.0, 110.0);
+    const TurnedProfile before = lathe.run.profile();
+    lathe.once({{CommandKind::Turn, LatheAxis::Carriage, -100.0}});
+    lathe.pass(4.0);
+    QCOMPARE(lathe.run.collisions().size(), std::size_t{1});
+    const LatheCollision& crash = lathe.run.collisions().front();
+    QVERIFY(crash.cause == CrashCause::Contact && crash.moving == LathePart::CuttingEdge);
+    QVERIFY(crash.struck == LathePart::Jaws);
+    const double z = lathe.run.machine().tip().y();
+    QVERIFY2(z > 20.0 - 1e-6 && z < 20.5, qPrintable(QString::number(z)));
+    QVERIFY(lathe.run.profile() == before);
   }
 
   void theDepthLimitHolds() {
