@@ -9,6 +9,7 @@
 #include "cli/ReportJson.h"
 #include "document/FileBytes.h"
 #include "machining/force/ForceErrors.h"
+#include "machining/force/ForceFidelity.h"
 #include "machining/force/TrainedForceModel.h"
 #include "tools/workpiece/ForceOperations.h"
 
@@ -42,6 +43,7 @@ LawForces forcesBy(const CuttingForceModel& model, const CutReport& report, cons
   LawForces result{std::move(law), std::move(source), {}};
   result.forces = worn(model.at(report.cut), values.number("wear"));
   result.isCovered = model.covers(report.cut);
+  result.isVerified = lawInUse(model, report.material).isVerified;
   return result;
 }
 
@@ -54,7 +56,6 @@ void addKosilova(CutReport& report, const OperationValues& values) {
   if (!model) return;
   const KosilovaRow& row = *kosilovaRowFor(tables, material, edge.material);
   report.laws.push_back(forcesBy(*model, report, values, "kosilova", row.source + ", row " + row.id));
-  report.laws.back().isVerified = model->isVerified() && !model->hasThrustLaws();
   report.uncorrected = model->at(report.cut).cutting / model->correction();
 }
 
@@ -92,7 +93,6 @@ Result<CutReport> reportOn(const OperationValues& values, const std::string& mod
   addKosilova(report, values);
   const auto kienzle = kienzleModel(*material, edgeOf(values), thrustOf(values));
   report.laws.push_back(forcesBy(*kienzle, report, values, "kienzle", material->source));
-  report.laws.back().isVerified = material->isVerified;
   const Status network = addNetwork(report, values, modelPath);
   if (!network) return network.error();
   // Rules are judged by the law that asks for most.

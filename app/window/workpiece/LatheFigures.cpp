@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -104,15 +105,40 @@ void LatheFigures::show(const ManualLatheTool& tool, double forceLimit) {
   m_feed->setText(load.isCutting ? tr("%1 mm/rev").arg(figure(load.cut.feed, 3)) : none);
   const std::optional<double> rough = tool.roughnessHere();
   m_roughness->setText(rough && std::isfinite(*rough) ? tr("%1 µm").arg(figure(*rough, 2)) : none);
-  m_law->setText(nameOf(tool.material()->law));
-  setWarning(*m_law, load.isOutsideModel);
-  const WorkMaterial& known = WorkMaterials::standard().called(tool.material()->id);
-  const QString material = QCoreApplication::translate("Property", known.name.c_str());
-  m_law->setToolTip(load.isOutsideModel
-                        ? tr("The law of the cutting force is not valid for such a cut of %1.").arg(material)
-                        : tr("Law of the cutting force for %1. It is chosen among the settings of speed and "
-                             "accuracy; the material is a property of the workpiece.")
-                              .arg(material));
+  showLaw(tool, *now);
+}
+
+// The law that gives the force, which may be another one than was chosen; the tool tip says why.
+void LatheFigures::showLaw(const ManualLatheTool& tool, const LatheMoment& now) {
+  const LatheMaterial& material = *tool.material();
+  const auto place = std::find(tool.tools().begin(), tool.tools().end(), now.tool) - tool.tools().begin();
+  const CuttingForceModel* const model = material.lawOf(static_cast<std::size_t>(place));
+  setWarning(*m_law, model && now.load.isOutsideModel);
+  if (!model) {
+    m_law->setText(QStringLiteral("–"));
+    return m_law->setToolTip(QString());
+  }
+  const WorkMaterial& known = WorkMaterials::standard().called(material.id);
+  const QString name = QCoreApplication::translate("Property", known.name.c_str());
+  const LawInUse used = lawInUse(*model, known);
+  QStringList tip{tr("Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the "
+                     "material is a property of the workpiece.")
+                      .arg(name)};
+  QString text = nameOf(used.law);
+  if (used.law != material.law)
+    tip += tr("%1 has no data for this material, so Kienzle is used.").arg(nameOf(material.law));
+  if (!used.isVerified) {
+    text = tr("%1, unverified").arg(text);
+    tip += tr("Not all numbers of its table were compared with the handbook.");
+  }
+  if (now.load.isOutsideModel && used.law == ForceLaw::Network) {
+    text = tr("Power law");
+    tip += tr("The cut is outside the range of the network, so the power law fitted to the same data is used.");
+  } else if (now.load.isOutsideModel) {
+    tip += tr("The law of the cutting force is not valid for such a cut of %1.").arg(name);
+  }
+  m_law->setText(text);
+  m_law->setToolTip(tip.join(QLatin1Char('\n')));
 }
 
 }  // namespace handwheel

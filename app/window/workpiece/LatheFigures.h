@@ -24,6 +24,7 @@ class LatheFigures : public QWidget {
 
  private:
   QLabel* cell(QHBoxLayout& line, const QString& name, const char* id, const QString& widest, const QString& tip);
+  void showLaw(const ManualLatheTool& tool, const LatheMoment& now);
   void showLimited(QLabel& label, double value, double limit, int digits, const QString& unit);
 
   QLabel* m_force;

@@ -32,4 +32,11 @@ std::unique_ptr<CuttingForceModel> forceModelFor(ForceLaw law, const WorkMateria
   return kienzleModel(material, edge, thrust);
 }
 
+LawInUse lawInUse(const CuttingForceModel& model, const WorkMaterial& material) {
+  if (const auto* handbook = dynamic_cast<const KosilovaModel*>(&model))
+    return {ForceLaw::Kosilova, handbook->isVerified() && !handbook->hasThrustLaws()};
+  if (dynamic_cast<const TrainedForceModel*>(&model)) return {ForceLaw::Network, true};
+  return {ForceLaw::Kienzle, material.isVerified};
+}
+
 }  // namespace handwheel

@@ -18,4 +18,12 @@ FidelitySetting forceModelSetting();
 std::unique_ptr<CuttingForceModel> forceModelFor(ForceLaw law, const WorkMaterial& material, const CuttingEdge& edge,
                                                  const ThrustSettings& thrust = {});
 
+// The law that a force is from.
+struct LawInUse {
+  ForceLaw law = ForceLaw::Kienzle;
+  bool isVerified = true;  // all that it comes from was compared with its source
+};
+// Of a model that forceModelFor() made for this material.
+LawInUse lawInUse(const CuttingForceModel& model, const WorkMaterial& material);
+
 }  // namespace handwheel

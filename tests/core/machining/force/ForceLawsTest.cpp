@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "machining/force/ForceFidelity.h"
 #include "machining/force/MaterialNames.h"
 #include "machining/force/WorkMaterials.h"
 
@@ -98,6 +99,32 @@ class ForceLawsTest : public QObject {
     }
     QCOMPARE(verified, 1);
     QVERIFY(!KosilovaModel(tables, *tables.find("steel-hss"), 0.0, {}).isVerified());
+  }
+
+  // The law that is chosen is not there for every material; of Kosilova's table one row is verified, with the entries
+  // of the corrections that docs/forces.md names.
+  void theLawInUse() {
+    const WorkMaterials& all = WorkMaterials::standard();
+    const auto inUse = [&](ForceLaw chosen, const char* material, const CuttingEdge& edge = {}) {
+      return lawInUse(*forceModelFor(chosen, *all.find(material), edge), *all.find(material));
+    };
+    QVERIFY(inUse(ForceLaw::Network, kUsualMaterial).law == ForceLaw::Network);
+    QVERIFY(inUse(ForceLaw::Network, "brass").law == ForceLaw::Kienzle);
+    QVERIFY(inUse(ForceLaw::Kosilova, "titanium").law == ForceLaw::Kienzle);
+    QVERIFY(inUse(ForceLaw::Kienzle, kUsualMaterial).law == ForceLaw::Kienzle);
+    const CuttingEdge verified{ToolMaterial::Carbide, 90 * kDegree, 10 * kDegree, {}, 0.8};
+    const LawInUse handbook = inUse(ForceLaw::Kosilova, kUsualMaterial, verified);
+    QVERIFY(handbook.law == ForceLaw::Kosilova && handbook.isVerified);
+    const CuttingEdge between{ToolMaterial::Carbide, 90 * kDegree, 5 * kDegree, {}, 0.8};
+    QVERIFY(!inUse(ForceLaw::Kosilova, kUsualMaterial, between).isVerified);
+    QVERIFY(!inUse(ForceLaw::Kosilova, kUsualMaterial, {ToolMaterial::HighSpeedSteel, {}, {}, {}, {}}).isVerified);
+    ThrustSettings table;
+    table.law = ThrustLaw::Table;  // whose rows are all unverified
+    const WorkMaterial& usual = *all.find(kUsualMaterial);
+    QVERIFY(!lawInUse(*forceModelFor(ForceLaw::Kosilova, usual, verified, table), usual).isVerified);
+    WorkMaterial remembered = usual;
+    remembered.isVerified = false;
+    QVERIFY(!lawInUse(*forceModelFor(ForceLaw::Kienzle, remembered, {}), remembered).isVerified);
   }
 
   // The table's own laws of feed and radial force, at the example.

@@ -10,6 +10,7 @@
 #include "tools/workpiece/TurnTool.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/tools/ToolHost.h"
 
 #include <QComboBox>
@@ -201,6 +202,33 @@ class LatheWindowTest : public QObject {
     emit post->activated(0);
     QTest::qWait(100);
     QTRY_COMPARE(x->text(), QStringLiteral("X not touched off"));
+  }
+
+  // The panel names the law that gives the force: not the one that was chosen where that has no data, the power law
+  // outside the range of the network, and what was not compared with the handbook.
+  void theLawInUse() {
+    {
+      LatheWindow window;
+      window.driver.window().findChild<FidelityChoice*>()->set("turn.force_model", double(ForceLaw::Network));
+      QVERIFY(window.beginLathe());
+      auto* law = window.driver.find<QLabel>("latheLaw");
+      QTRY_COMPARE(law->text(), QStringLiteral("Network"));
+      QVERIFY(!law->toolTip().contains("Kienzle"));
+      window.driver.find<NumberField>("latheFeed")->setValue(0.5);  // mm in a turn; it was trained on 0.4 at most
+      QVERIFY(window.turnEnd());
+      QTRY_COMPARE(law->text(), QStringLiteral("Power law"));
+      QVERIFY(law->toolTip().contains("outside the range of the network"));
+      window.driver.click("latheFeedOff");
+      QVERIFY(bool(window.document().setProperty("material", std::string("Brass"))));
+      QTRY_COMPARE(law->text(), QStringLiteral("Kienzle"));
+      QVERIFY(law->toolTip().contains("Network has no data"));
+    }
+    LatheWindow window;  // with a rake of -6°, between two entries of the table
+    window.driver.window().findChild<FidelityChoice*>()->set("turn.force_model", double(ForceLaw::Kosilova));
+    QVERIFY(window.beginLathe());
+    auto* law = window.driver.find<QLabel>("latheLaw");
+    QTRY_COMPARE(law->text(), QStringLiteral("Kosilova, unverified"));
+    QVERIFY(law->toolTip().contains("compared with the handbook"));
   }
 
   void rapidWhileHeld() {
