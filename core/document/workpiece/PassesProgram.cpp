@@ -12,7 +12,6 @@ Result<PassesProgram> passesProgram(const WorkpieceSnapshot& workpiece, ProgramD
   if (!workpiece.part || workpiece.part->passes.empty()) return Error{WorkpieceError::NoPasses, {}, {}, {}};
   std::vector<TurningPass> passes;
   for (const auto& pass : workpiece.part->passes) {
-    if (pass->side == TurningSide::Bore) return Error{WorkpieceError::BoredPasses, {}, {}, {}};
     if (!isProgrammable(*pass)) return Error{WorkpieceError::OtherTools, {std::to_string(passes.size() + 1)}, {}, {}};
     passes.push_back(*pass);
   }
@@ -24,7 +23,7 @@ Result<PassesProgram> passesProgram(const WorkpieceSnapshot& workpiece, ProgramD
   }
   const StockCylinder& stock = workpiece.stock;
   const double zero = programZero(workpiece) - stock.position;
-  const auto moves = movesOf(passes, 0.5 * stock.diameter, zero, how);
+  const auto moves = movesOf(passes, stock, zero, how);
   program.text = programText(moves, dialect, "recorded passes", comments);
   return program;
 }

@@ -13,7 +13,7 @@ struct PassesProgram {
   ProgramTools tools;  // T1 is that of the first pass
 };
 
-// Writes them. Errors: NoPasses, BoredPasses, OtherTools.
+// Writes them. Errors: NoPasses, OtherTools.
 Result<PassesProgram> passesProgram(const WorkpieceSnapshot& workpiece, ProgramDialect dialect, const PassProgram& how);
 
 }  // namespace handwheel

@@ -29,15 +29,9 @@ const ErrorDescription WorkpieceError::NoPasses{
     .sentences = {translatable("ErrorText", "nothing was cut yet, so there are no passes to write")},
     .advice = {translatable("ErrorText", "Cut the part by hand first, or make cycles for a target.")}};
 
-const ErrorDescription WorkpieceError::BoredPasses{
-    .id = "BoredPasses",
-    .sentences = {translatable("ErrorText", "passes in a bore cannot be written as a program")},
-    .advice = {translatable("ErrorText", "Write a program of your own for the bore.")}};
-
 const ErrorDescription WorkpieceError::OtherTools{
     .id = "OtherTools",
-    .sentences = {translatable("ErrorText",
-                               "pass %1 was made with a tool that no program moves: a drill, a file, paper or a disk")},
-    .advice = {translatable("ErrorText", "Write passes that were made with turning tools.")}};
+    .sentences = {translatable("ErrorText", "pass %1 was made with a file, paper or a disk, or is a thread in a bore")},
+    .advice = {translatable("ErrorText", "Write passes of tools that turn, bore or drill.")}};
 
 }  // namespace handwheel

@@ -12,8 +12,7 @@ extern const ErrorDescription BarOfExercise;  // the bar is work on an exercise,
 extern const ErrorDescription SeveralPieces;  // {pieces} a file of this format holds one solid
 extern const ErrorDescription ClosedHollow;   // {hollows} a solid of this format has none
 
-extern const ErrorDescription NoPasses;     // nothing was cut yet that could be written as a program
-extern const ErrorDescription BoredPasses;  // passes in a bore cannot be written as a program
-extern const ErrorDescription OtherTools;   // {pass} it was made with a tool that no program moves
+extern const ErrorDescription NoPasses;    // nothing was cut yet that could be written as a program
+extern const ErrorDescription OtherTools;  // {pass} it was made with a tool that no program moves
 
 }  // namespace handwheel::WorkpieceError

@@ -96,6 +96,10 @@ int outsideOrientation(ProgramDialect dialect) {
   return dialect == ProgramDialect::Fanuc ? 3 : 2;
 }
 
+int boreOrientation(ProgramDialect dialect) {
+  return dialect == ProgramDialect::Fanuc ? 2 : 3;
+}
+
 // Tools have the numbers of ISO, which are those of Fanuc.
 int orientationOf(const LatheTool& tool, ProgramDialect dialect) {
   const ProfilePoint way = tipDirection(ProgramDialect::Fanuc, tool.orientation);

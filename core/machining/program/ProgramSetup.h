@@ -40,6 +40,8 @@ struct ProgramLathe {
 ProfilePoint tipDirection(ProgramDialect dialect, int orientation);
 // The orientation of a tool that turns the outside towards the chuck.
 int outsideOrientation(ProgramDialect dialect);
+// Of one that bores towards the chuck.
+int boreOrientation(ProgramDialect dialect);
 // That of a tool of the lathe.
 int orientationOf(const LatheTool& tool, ProgramDialect dialect);
 // A tool of the lathe as the table of a machine has it; of a drill the nose has its diameter.

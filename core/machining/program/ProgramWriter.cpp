@@ -13,8 +13,10 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kWritten = 1e-4;  // mm, of a coordinate
-constexpr double kSlowest = 1.0;   // mm/min
+constexpr double kWritten = 1e-4;     // mm, of a coordinate
+constexpr double kSlowest = 1.0;      // mm/min
+constexpr double kUsualFeed = 100.0;  // mm/min, where the times are not known
+constexpr double kClearOfWall = 0.2;  // mm, of a tool that goes into a bore or out of it
 
 // With four decimals and always a point: for Fanuc a number without one is in thousandths.
 std::string decimal(double value) {
@@ -135,7 +137,8 @@ int toolNumberIn(const std::vector<PassTool>& tools, const TurningPass& pass) {
   for (const PassTool& known : tools) {
     const bool isBoth = known.tool && pass.tool;
     const bool isSame =
-        isBoth ? *known.tool == *pass.tool : !known.tool && !pass.tool && known.noseRadius == pass.noseRadius;
+        isBoth ? *known.tool == *pass.tool
+               : !known.tool && !pass.tool && known.noseRadius == pass.noseRadius && known.side == pass.side;
     if (isSame) return known.number;
   }
   return 0;
@@ -179,18 +182,115 @@ std::vector<ProfilePoint> threadTips(const TurningPass& pass, const ProfilePoint
   return tips;
 }
 
+// mm/min: the mean along the pass.
+double feedOf(const TurningPass& pass) {
+  double way = 0.0;
+  for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();
+  const double seconds = pass.times.empty() ? 0.0 : pass.times.back() - pass.times.front();
+  return seconds > 0.0 ? std::max(kSlowest, 60.0 * way / seconds) : kUsualFeed;
+}
+
+bool isDrilled(const TurningPass& pass) {
+  return pass.tool && pass.tool->kind == LatheToolKind::Drill;
+}
+
+// The moves that repeat recorded passes, one pass after another. Between them the tool is above the part, and before
+// and after one in a bore in front of it.
+class PassMoves {
+ public:
+  PassMoves(const StockCylinder& stock, double zero, const PassProgram& how, std::uint16_t tool)
+      : m_above(0.5 * stock.diameter + how.clearance),
+        m_front(stock.length - zero + how.clearance),
+        m_zero(zero),
+        m_tolerance(how.tolerance) {
+    m_move.tool = tool;
+    m_move.spin = 1;
+    m_move.spindle = how.spindle;
+    m_move.from = m_move.to = {m_above, m_front};
+    go(ToolMove::Kind::Rapid, m_move.to);
+  }
+
+  void add(const TurningPass& pass, std::uint16_t tool) {
+    const bool isBored = pass.side == TurningSide::Bore;
+    if (isBored)
+      go(ToolMove::Kind::Rapid, {m_above, m_front});  // with the tool before: what bores has no room elsewhere
+    m_move.tool = tool;
+    const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
+    const ProfilePoint toTip(isBored ? nose : -nose, -nose - m_zero);
+    if (pass.thread) return cutThread(pass, toTip);
+    std::vector<ProfilePoint> path = thinned(pass.path, m_tolerance);
+    for (ProfilePoint& point : path) point += toTip;
+    m_move.feed = feedOf(pass);
+    if (isBored)
+      bore(path, isDrilled(pass));
+    else
+      turn(path);
+  }
+
+  std::vector<ToolMove> take() { return std::move(m_moves); }
+
+ private:
+  void go(ToolMove::Kind kind, const ProfilePoint& to) {
+    m_move.kind = kind;
+    m_move.from = m_move.to;
+    m_move.to = to;
+    m_moves.push_back(m_move);
+  }
+
+  void turn(const std::vector<ProfilePoint>& path) {
+    go(ToolMove::Kind::Rapid, {m_above, m_move.to.y()});
+    go(ToolMove::Kind::Rapid, {m_above, path.front().y()});
+    for (const ProfilePoint& point : path) go(ToolMove::Kind::Feed, point);
+    go(ToolMove::Kind::Feed, {std::max(m_above, m_move.to.x()), m_move.to.y()});
+  }
+
+  // In and out along the axis, clear of what it cuts. A drill feeds all the way in: a rapid move does not drill.
+  void bore(const std::vector<ProfilePoint>& path, bool isDrill) {
+    double inner = path.front().x();
+    for (const ProfilePoint& point : path) inner = std::min(inner, point.x());
+    inner = isDrill ? 0.0 : std::max(0.0, inner - kClearOfWall);
+    go(ToolMove::Kind::Rapid, {inner, m_front});
+    if (!isDrill) go(ToolMove::Kind::Rapid, {inner, std::min(m_front, path.front().y() + kClearOfWall)});
+    for (const ProfilePoint& point : path) go(ToolMove::Kind::Feed, point);
+    go(ToolMove::Kind::Feed, {inner, m_move.to.y()});
+    go(ToolMove::Kind::Rapid, {inner, std::max(m_front, m_move.to.y())});
+    go(ToolMove::Kind::Rapid, {m_above, m_move.to.y()});
+  }
+
+  void cutThread(const TurningPass& pass, const ProfilePoint& toTip) {
+    const std::vector<ProfilePoint> tips = threadTips(pass, toTip);
+    m_move.feed = kUsualFeed;
+    go(ToolMove::Kind::Rapid, {m_above, m_move.to.y()});
+    go(ToolMove::Kind::Rapid, {m_above, tips.front().y()});
+    go(ToolMove::Kind::Rapid, tips.front());
+    for (std::size_t i = 1; i < tips.size(); ++i) {
+      const ProfilePoint way = tips[i] - tips[i - 1];
+      if (way.y() == 0.0) continue;
+      m_move.feed = pass.thread->lead() * way.norm() / std::abs(way.y());
+      go(ToolMove::Kind::Thread, tips[i]);
+    }
+    go(ToolMove::Kind::Rapid, {m_above, m_move.to.y()});
+  }
+
+  double m_above, m_front, m_zero, m_tolerance;  // mm, in the coordinates of the program
+  ToolMove m_move;
+  std::vector<ToolMove> m_moves;
+};
+
 }  // namespace
 
 int PassTool::orientationIn(ProgramDialect dialect) const {
-  return tool ? handwheel::orientationOf(*tool, dialect) : outsideOrientation(dialect);
+  if (tool) return handwheel::orientationOf(*tool, dialect);
+  return side == TurningSide::Bore ? boreOrientation(dialect) : outsideOrientation(dialect);
 }
 
 std::vector<PassTool> toolsOf(std::span<const TurningPass> passes) {
   std::vector<PassTool> tools;
   for (const TurningPass& pass : passes) {
     if (toolNumberIn(tools, pass) != 0) continue;
-    tools.push_back(
-        {static_cast<int>(tools.size()) + 1, pass.tool ? pass.tool->noseRadius : pass.noseRadius, pass.tool});
+    const double nose =
+        pass.tool ? programToolOf(pass.tool, ProgramDialect::LinuxCnc).noseRadius : pass.noseRadius;  // in any dialect
+    tools.push_back({static_cast<int>(tools.size()) + 1, nose, pass.tool, pass.side});
   }
   return tools;
 }
@@ -201,8 +301,9 @@ std::string descriptionOf(const PassTool& tool, ProgramDialect dialect) {
 }
 
 bool isProgrammable(const TurningPass& pass) {
-  if (pass.side == TurningSide::Bore) return false;
-  if (!pass.tool || pass.thread) return true;
+  const bool isBored = pass.side == TurningSide::Bore;
+  if (pass.thread) return !isBored;
+  if (!pass.tool) return true;
   switch (pass.tool->kind) {
     case LatheToolKind::RightTurning:
     case LatheToolKind::LeftTurning:
@@ -210,9 +311,12 @@ bool isProgrammable(const TurningPass& pass) {
     case LatheToolKind::Parting:
     case LatheToolKind::Grooving:
     case LatheToolKind::Form:
-      return true;
+      return !isBored;
+    case LatheToolKind::BoringBar:
+    case LatheToolKind::Drill:
+      return isBored;
     default:
-      return false;  // bores and drills; file, paper and disk follow the hand
+      return false;  // file, paper and disk follow the hand
   }
 }
 
@@ -223,55 +327,15 @@ std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect,
   return writer.finish();
 }
 
-std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius, double zero, const PassProgram& how) {
-  std::vector<ToolMove> moves;
-  if (passes.empty()) return moves;
+std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, const StockCylinder& stock, double zero,
+                              const PassProgram& how) {
+  if (passes.empty()) return {};
   const std::vector<PassTool> tools = toolsOf(passes);
-  const double above = radius + how.clearance;
-  ToolMove move;
-  move.tool = static_cast<std::uint16_t>(toolNumberIn(tools, passes.front()));
-  move.spin = 1;
-  move.spindle = how.spindle;
-  move.from = move.to = {above, how.clearance};
-  const auto go = [&](ToolMove::Kind kind, const ProfilePoint& to) {
-    move.kind = kind;
-    move.from = move.to;
-    move.to = to;
-    moves.push_back(move);
-  };
-  go(ToolMove::Kind::Rapid, move.to);
+  PassMoves moves(stock, zero, how, static_cast<std::uint16_t>(toolNumberIn(tools, passes.front())));
   for (const TurningPass& pass : passes) {
-    if (pass.path.empty()) continue;
-    const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
-    const ProfilePoint toTip(-nose, -nose - zero);
-    move.tool = static_cast<std::uint16_t>(toolNumberIn(tools, pass));
-    if (pass.thread) {
-      const std::vector<ProfilePoint> tips = threadTips(pass, toTip);
-      move.feed = 100.0;
-      go(ToolMove::Kind::Rapid, {above, move.to.y()});
-      go(ToolMove::Kind::Rapid, {above, tips.front().y()});
-      go(ToolMove::Kind::Rapid, tips.front());
-      for (std::size_t i = 1; i < tips.size(); ++i) {
-        const ProfilePoint way = tips[i] - tips[i - 1];
-        if (way.y() == 0.0) continue;
-        move.feed = pass.thread->lead() * way.norm() / std::abs(way.y());
-        go(ToolMove::Kind::Thread, tips[i]);
-      }
-      go(ToolMove::Kind::Rapid, {above, move.to.y()});
-      continue;
-    }
-    const std::vector<ProfilePoint> path = thinned(pass.path, how.tolerance);
-    double way = 0.0;
-    for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();
-    const double seconds = pass.times.empty() ? 0.0 : pass.times.back() - pass.times.front();
-    move.feed = seconds > 0.0 ? std::max(kSlowest, 60.0 * way / seconds) : 100.0;
-    const ProfilePoint first = path.front() + toTip;
-    go(ToolMove::Kind::Rapid, {above, move.to.y()});
-    go(ToolMove::Kind::Rapid, {above, first.y()});
-    for (const ProfilePoint& point : path) go(ToolMove::Kind::Feed, point + toTip);
-    go(ToolMove::Kind::Feed, {std::max(above, move.to.x()), move.to.y()});
+    if (!pass.path.empty()) moves.add(pass, static_cast<std::uint16_t>(toolNumberIn(tools, pass)));
   }
-  return moves;
+  return moves.take();
 }
 
 }  // namespace handwheel

@@ -29,6 +29,7 @@ struct PassTool {
   int number = 1;                              // T
   double noseRadius = 0.0;                     // mm
   std::shared_ptr<const LatheTool> tool = {};  // null: a round nose alone
+  TurningSide side = TurningSide::Outside;     // that it cuts
   int orientationIn(ProgramDialect dialect) const;
 };
 
@@ -36,13 +37,14 @@ struct PassTool {
 std::vector<PassTool> toolsOf(std::span<const TurningPass> passes);
 // For the head of a program: "T2: CNMG 120408, nose 0.8, orientation 2".
 std::string descriptionOf(const PassTool& tool, ProgramDialect dialect);
-// Whether a program can repeat what the tool does: it cuts the outside, with the work free to turn under it.
+// Whether a program can repeat what the tool does: it turns, bores or drills, or cuts a thread on the outside.
 bool isProgrammable(const TurningPass& pass);
 
-// The moves that repeat recorded passes on the outside, each with its tool of toolsOf(): to each pass from above, along
-// it at its mean speed, and away. A program moves the tip of a tool; of a round nose alone the corner of its tangents
-// towards the axis and the chuck. zero: mm, height of z = 0 above the lower
-// end of the part.
-std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, double radius, double zero, const PassProgram& how);
+// The moves that repeat recorded passes, each with its tool of toolsOf(): to each pass from above, of a bore from in
+// front, along it at its mean speed, and away. A program moves the tip of a tool; of a round nose alone the corner of
+// its tangents towards the chuck and the axis, in a bore away from the axis. stock: that the first pass cuts; its
+// place does not count. zero: mm, height of z = 0 above the lower end of the part.
+std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, const StockCylinder& stock, double zero,
+                              const PassProgram& how);
 
 }  // namespace handwheel

@@ -207,6 +207,26 @@ class ProgramTrialTest : public QObject {
       QVERIFY2(isShoulder || std::abs(a.radius(i) - b.radius(i)) < 2e-3, qPrintable(QString::number(a.z(i))));
     }
   }
+
+  // Those of a bore, too, with the tools that come with the program: a hole of 10 mm, 20 mm deep.
+  void boredPassesAsAProgram() {
+    WorkpieceSnapshot workpiece = freshBar();
+    const auto drilled = tried("G7 G21 G97 S600 M3\nG0 X0 Z2\nG1 Z-20 F100\nG0 Z2\nM2\n", workpiece, 5.0);
+    QVERIFY(drilled && drilled->part());
+    workpiece.part = drilled->part();
+    for (const ProgramDialect dialect : {ProgramDialect::LinuxCnc, ProgramDialect::Fanuc}) {
+      const auto program = passesProgram(workpiece, dialect, {});
+      QVERIFY(bool(program));
+      ProgramSetup setup = usualSetup(dialect, workpiece.stock, 20.0, 0.0);
+      setup.tools = program->tools;
+      const auto again = ProgramTrial::run(freshBar(), program->text, setup, kSpacing, nullptr);
+      QVERIFY(again && again.value()->part());
+      QCOMPARE(again.value()->collisionCount(), std::size_t(0));
+      const TurnedProfile& part = again.value()->part()->profile;
+      QVERIFY(std::abs(part.inner(static_cast<std::size_t>(std::lround(90.0 / kSpacing))) - 5.0) < 2e-3);
+      QCOMPARE(part.inner(static_cast<std::size_t>(std::lround(79.9 / kSpacing))), 0.0);
+    }
+  }
 };
 
 HANDWHEEL_TEST(ProgramTrialTest)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/program/ProgramInterpreter.h"
 
+#include "BushPasses.h"
 #include "TestClass.h"
 
 #include <QDirIterator>
@@ -206,6 +207,14 @@ class ProgramOracleTest : public QObject {
   void ownPrograms() {
     QFETCH(QByteArray, program);
     const QString problem = difference(program + "M2\n");
+    QVERIFY2(problem.isEmpty(), qPrintable(problem));
+  }
+
+  // What is written for recorded passes, of bores, too.
+  void writtenPasses() {
+    const std::string text =
+        programText(movesOf(test::bushPasses(), test::kBushBar, 100.0, {}), ProgramDialect::LinuxCnc, "bush");
+    const QString problem = difference(QByteArray::fromStdString(text));
     QVERIFY2(problem.isEmpty(), qPrintable(problem));
   }
 

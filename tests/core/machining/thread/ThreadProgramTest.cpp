@@ -84,7 +84,7 @@ class ThreadProgramTest : public QObject {
         passesOfProgram("G21 G18 G8 G97 S300 M3\nG0 X8.5 Z5.3\nG33 Z-40 K2.5\nG0 X15\nM2\n", ProgramDialect::LinuxCnc);
     QVERIFY(!passes.empty());
     for (const ProgramDialect dialect : {ProgramDialect::LinuxCnc, ProgramDialect::Fanuc}) {
-      const std::string text = programText(movesOf(passes, 10.0, 60.0, {}), dialect, "thread");
+      const std::string text = programText(movesOf(passes, kThreadedBar, 60.0, {}), dialect, "thread");
       const auto again = threadsIn(passesOfProgram(text, dialect));
       QVERIFY2(again, text.c_str());
       const auto before = threadsIn(passes);

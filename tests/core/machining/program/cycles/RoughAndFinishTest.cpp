@@ -20,6 +20,7 @@ using namespace handwheel;
 namespace {
 
 constexpr double kBarRadius = 20.0, kBarLength = 100.0, kFine = 0.013;  // mm
+constexpr StockCylinder kBar{2.0 * kBarRadius, kBarLength, 0.0};
 
 ProfileSegment arcOf(const ProfilePoint& a, const ProfilePoint& m, const ProfilePoint& b) {
   return *arcThrough(a, m, b);
@@ -360,7 +361,7 @@ class RoughAndFinishTest : public QObject {
     const TurnedProfile bar = expected;
     cut(expected, pass);
     const std::vector<TurningPass> passes{pass};
-    const std::vector<ToolMove> moves = movesOf(passes, kBarRadius, kBarLength, {});
+    const std::vector<ToolMove> moves = movesOf(passes, kBar, kBarLength, {});
     QVERIFY(moves.size() < 300);  // thinned
     const ProgramSetup setup = setupFor(ProgramDialect::Fanuc, 1.0);
     const auto path = runProgram(programText(moves, ProgramDialect::Fanuc, "pass"), setup);
@@ -395,7 +396,7 @@ class RoughAndFinishTest : public QObject {
     for (const ProgramDialect dialect : {ProgramDialect::LinuxCnc, ProgramDialect::Fanuc}) {
       QVERIFY(tipDirection(dialect, tools[0].orientationIn(dialect)) == ProfilePoint(-1, -1));
       const std::vector<std::string> comments{descriptionOf(tools[0], dialect)};
-      const std::string text = programText(movesOf(passes, kBarRadius, kBarLength, {}), dialect, "two", comments);
+      const std::string text = programText(movesOf(passes, kBar, kBarLength, {}), dialect, "two", comments);
       QVERIFY(text.find(turning.tool->designation) != std::string::npos);
       const auto path = runProgram(text, setupFor(dialect, 0.0));
       QVERIFY(bool(path));
@@ -413,7 +414,7 @@ class RoughAndFinishTest : public QObject {
     setup.tools[1] = {tools[0].noseRadius, tools[0].orientationIn(setup.dialect), {0, 0}};
     const std::vector<TurningPass> first{turning};
     const TurnedProfile bar({2.0 * kBarRadius, kBarLength, 0.0}, 0.05);
-    const auto path = runProgram(programText(movesOf(first, kBarRadius, kBarLength, {}), setup.dialect, "one"), setup);
+    const auto path = runProgram(programText(movesOf(first, kBar, kBarLength, {}), setup.dialect, "one"), setup);
     QVERIFY(bool(path));
     ProgramSimulation simulation(bar, *path, setup);
     QVERIFY(simulation.run({}));
@@ -430,9 +431,15 @@ class RoughAndFinishTest : public QObject {
       TurningPass pass;
       pass.tool = tool;
       pass.side = tool->side;
-      const bool isTurning = tool->kind <= LatheToolKind::Form;
-      QVERIFY2(isProgrammable(pass) == (isTurning && tool->side == TurningSide::Outside), tool->id.c_str());
+      const bool isTurning = tool->kind <= LatheToolKind::Form && tool->side == TurningSide::Outside;
+      const bool isBoring = tool->kind == LatheToolKind::BoringBar || tool->kind == LatheToolKind::Drill;
+      QVERIFY2(isProgrammable(pass) == (isTurning || isBoring), tool->id.c_str());
     }
+    TurningPass thread;
+    thread.thread = ThreadCut();
+    QVERIFY(isProgrammable(thread));
+    thread.side = TurningSide::Bore;
+    QVERIFY(!isProgrammable(thread));
   }
 
   // Of an ideal point: the volume between two cylinders and a cone, by formula.

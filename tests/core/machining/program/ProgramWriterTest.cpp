@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/ProgramWriter.h"
+
+#include "BushPasses.h"
+#include "TestClass.h"
+#include "machining/program/ProgramInterpreter.h"
+#include "machining/program/ProgramSimulation.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// The machine of the bar with the tools of the passes, whose bodies must meet nothing.
+ProgramSetup bushSetup(std::span<const TurningPass> passes, ProgramDialect dialect) {
+  ProgramSetup setup = usualSetup(dialect, kBushBar, 20.0, 0.0);
+  for (const PassTool& tool : toolsOf(passes))
+    setup.tools[tool.number] = {tool.noseRadius, tool.orientationIn(dialect), {0, 0}, tool.tool};
+  const LatheSetup lathe = defaultLatheSetup(kBushBar);
+  setup.lathe = ProgramLathe{lathe.chuck, lathe.tailstock, nullptr};
+  return setup;
+}
+
+}  // namespace
+
+// Recorded passes in a bore, written as a program. Those on the outside: RoughAndFinishTest.
+class ProgramWriterTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The program leaves the bush that its passes leave, its radii are those of the paths, and nothing collides.
+  void aBushIsRepeated_data() {
+    QTest::addColumn<bool>("isFanuc");
+    QTest::newRow("LinuxCNC") << false;
+    QTest::newRow("Fanuc") << true;
+  }
+  void aBushIsRepeated() {
+    QFETCH(bool, isFanuc);
+    const ProgramDialect dialect = isFanuc ? ProgramDialect::Fanuc : ProgramDialect::LinuxCnc;
+    const std::vector<TurningPass> passes = bushPasses();
+    const TurnedProfile bar(kBushBar, 0.05);
+    TurnedProfile expected = bar;
+    for (const TurningPass& pass : passes) {
+      QVERIFY(isProgrammable(pass));
+      cut(expected, pass);
+    }
+    const ProgramSetup setup = bushSetup(passes, dialect);
+    QCOMPARE(setup.tools.size(), std::size_t{4});
+    QCOMPARE(setup.tools.at(1).noseRadius, 10.0);  // of a drill half its diameter
+    QVERIFY(tipDirection(dialect, setup.tools.at(2).orientation) == ProfilePoint(1, -1));
+    QVERIFY(tipDirection(dialect, setup.tools.at(4).orientation) == ProfilePoint(1, -1));
+    const std::string text = programText(movesOf(passes, kBushBar, 100.0, {}), dialect, "bush");
+    const auto path = runProgram(text, setup);
+    QVERIFY2(bool(path), text.c_str());
+    ProgramSimulation simulation(bar, *path, setup);
+    QVERIFY(simulation.run({}));
+    for (const ProgramCollision& each : simulation.collisions()) qWarning("collision in line %u", each.line);
+    QVERIFY2(simulation.collisionCount() == 0, text.c_str());
+    const TurnedProfile& part = simulation.part();
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const auto near = [&](double z) { return std::abs(part.z(i) - z) < 2.0; };
+      if (near(80.0) || near(60.0) || near(50.0) || near(91.0))
+        continue;  // the back of an insert is not that of a nose
+      QVERIFY2(std::abs(part.inner(i) - expected.inner(i)) < 2e-3, qPrintable(QString::number(part.z(i))));
+      QVERIFY2(std::abs(part.radius(i) - expected.radius(i)) < 2e-3, qPrintable(QString::number(part.z(i))));
+    }
+    for (const auto& [z, r] : {std::pair(54.0, 10.0), {70.0, 11.5}, {86.0, 14.0}, {96.0, 15.5}})
+      QVERIFY(std::abs(part.inner(static_cast<std::size_t>(std::lround(z / 0.05))) - r) < 2e-3);
+  }
+
+  // Not even a drill of a file's making that is beside the axis, or a pass of one point, is a move that is no number.
+  void strangePasses() {
+    TurningPass beside = bushPasses().front(), point = bushPasses()[1], none = point;
+    beside.path = {{3, 101}, {3, 60}};
+    point.path = {{11.5, 70}};
+    point.times = {0.0};
+    none.path.clear();
+    const std::vector<TurningPass> passes{none, beside, point};
+    for (const ToolMove& move : movesOf(passes, kBushBar, 100.0, {}))
+      QVERIFY(move.to.allFinite() && std::isfinite(move.feed) && move.feed > 0.0);
+    QVERIFY(movesOf({}, kBushBar, 100.0, {}).empty());
+  }
+};
+
+HANDWHEEL_TEST(ProgramWriterTest)
+#include "ProgramWriterTest.moc"
