@@ -139,11 +139,11 @@ QWidget* LathePanel::makeReadout() {
 
 QWidget* LathePanel::makeTouchingOff() {
   m_touch = field(tr("Value for touching off, mm"), "latheTouchValue", 0.0, -1e4, 1e4);
-  auto* const offX = button(tr("Touch off &X"), "latheTouchX", tr("The read-out shows this value for X here"));
+  m_touchX = button(tr("Touch off &X"), "latheTouchX", tr("The read-out shows this value for X here"));
   auto* const offZ = button(tr("Touch off &Z"), "latheTouchZ", tr("The read-out shows this value for Z here"));
-  connect(offX, &QPushButton::clicked, this, [this] { emit touchOffRequested(true, m_touch->value()); });
+  connect(m_touchX, &QPushButton::clicked, this, [this] { emit touchOffRequested(true, m_touch->value()); });
   connect(offZ, &QPushButton::clicked, this, [this] { emit touchOffRequested(false, m_touch->value()); });
-  return rowOf({m_touch, new QLabel(tr("mm")), offX, offZ});
+  return rowOf({m_touch, new QLabel(tr("mm")), m_touchX, offZ});
 }
 
 QWidget* LathePanel::makeSpindle() {
@@ -255,6 +255,7 @@ void LathePanel::show(const ManualLatheTool& tool) {
   const auto now = tool.moment();
   const ProfilePoint read = tool.readout();
   const QString badge = tool.setup().showsDiameter ? QStringLiteral("⌀") : QStringLiteral("R");
+  m_touchX->setText(tr("Touch off &X") + QLatin1Char(' ') + badge);
   const auto [hasX, hasZ] = tool.isTouchedOff();
   showAxis(
       *m_x, QStringLiteral("X"), hasX ? QStringLiteral("X %1 %2 mm").arg(badge, number(read.x(), 3)) : QString(),

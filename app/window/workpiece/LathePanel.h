@@ -57,6 +57,7 @@ class LathePanel : public QWidget {
   QLabel* m_x;
   QLabel* m_z;
   NumberField* m_touch;
+  QPushButton* m_touchX;
   QButtonGroup* m_spindle;
   NumberField* m_speed;
   QCheckBox* m_isConstant;

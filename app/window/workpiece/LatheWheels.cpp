@@ -15,6 +15,7 @@ namespace {
 // The way of a slide along its axis for a wheel turned clockwise, by LatheAxis. So it is in the manuals of engine
 // lathes: OTMT SC4, page 9 (carriage), Grizzly G4002, page 22 (cross slide).
 constexpr std::array<double, kLatheAxes> kClockwise{1.0, -1.0, -1.0, 1.0};
+constexpr QChar kTravel(u'Δ');
 
 }  // namespace
 
@@ -39,7 +40,9 @@ LatheWheels::LatheWheels(QWidget* parent) : QWidget(parent) {
     dial->setObjectName(QString::fromLatin1(wheels[i].id));
     dial->setLabel(wheels[i].name);
     dial->setMouseFirst();
-    dial->setToolTip(wheels[i].way + QLatin1Char('\n') + dial->toolTip());
+    dial->setPrefix(kTravel);
+    dial->setToolTip(tr("Δ: travel since the ring was at zero; it is not a size of the part") + QLatin1Char('\n') +
+                     wheels[i].way + QLatin1Char('\n') + dial->toolTip());
     auto* const caption = m_captions[i] = new QLabel(wheels[i].name);
     caption->setAlignment(Qt::AlignHCenter);
     grid->addWidget(dial, 0, static_cast<int>(i));
@@ -57,7 +60,7 @@ void LatheWheels::countOnDiameter(bool isDiameter) {
   constexpr auto kCross = static_cast<std::size_t>(LatheAxis::Cross);
   const double before = std::exchange(m_scales[kCross], isDiameter ? 2.0 : 1.0);
   HandwheelDial& dial = *m_dials[kCross];
-  dial.setPrefix(isDiameter ? QStringLiteral("⌀") : QStringLiteral("R"));
+  dial.setPrefix(kTravel + (isDiameter ? QStringLiteral("⌀") : QStringLiteral("R")));
   if (before != m_scales[kCross]) dial.setZero(dial.zero() * m_scales[kCross] / before);
 }
 

@@ -29,6 +29,11 @@ QString titleFor(const LatheTool& tool) {
          QString::fromStdString(tool.designation);
 }
 
+// On the radius, whatever X of the program is.
+QString offsetX() {
+  return ToolTableDialog::tr("Offset X") + QStringLiteral(" R");
+}
+
 NumberField* lengthField(double value, double least, double largest, const QString& label) {
   auto* field = new NumberField;
   field->setQuantity(Quantity::Length, LengthUnit::Millimetre);
@@ -74,7 +79,7 @@ ToolTableDialog::ToolTableDialog(const ProgramTools& tools, LatheTools bodies, L
   m_table->setObjectName(QStringLiteral("toolTable"));
   m_table->setAccessibleName(windowTitle());
   m_table->setHorizontalHeaderLabels(
-      {tr("T"), tr("Tool"), tr("Nose radius"), tr("Orientation"), tr("Offset X"), tr("Offset Z")});
+      {tr("T"), tr("Tool"), tr("Nose radius"), tr("Orientation"), offsetX(), tr("Offset Z")});
   m_table->horizontalHeader()->setSectionResizeMode(kBody, QHeaderView::Stretch);
   m_table->verticalHeader()->hide();
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -118,7 +123,7 @@ void ToolTableDialog::addRow(int number, const ProgramTool& tool) {
   m_table->setCellWidget(row, kBody, bodies);
   m_table->setCellWidget(row, kNose, lengthField(tool.noseRadius, 0.0, TurningPass::kLargestNose, tr("Nose radius")));
   m_table->setCellWidget(row, kOrientation, countBox(tool.orientation, 0, 9, tr("Orientation")));
-  m_table->setCellWidget(row, kOffsetX, lengthField(tool.offset.x(), -kMostOffset, kMostOffset, tr("Offset X")));
+  m_table->setCellWidget(row, kOffsetX, lengthField(tool.offset.x(), -kMostOffset, kMostOffset, offsetX()));
   m_table->setCellWidget(row, kOffsetZ, lengthField(tool.offset.y(), -kMostOffset, kMostOffset, tr("Offset Z")));
   connect(bodies, &QComboBox::activated, this, [this, bodies] {
     for (int i = 0; i < m_table->rowCount(); ++i)

@@ -132,11 +132,15 @@ class LatheWindowTest : public QObject {
     // The read-out is in diameters, and so is the dial.
     const auto counted = [&] { return window.dial("latheCross").value() - window.dial("latheCross").zero(); };
     QTRY_VERIFY(std::abs(counted() - 8.0) < 0.1);
-    QVERIFY(window.dial("latheCross").numberText().startsWith(QStringLiteral("⌀")));
+    QVERIFY(window.dial("latheCross").numberText().startsWith(QStringLiteral("Δ⌀")));  // no size: travel
+    QVERIFY(window.dial("latheCarriage").numberText().startsWith(QStringLiteral("Δ ")));
+    const auto* const touchOff = window.driver.find<QPushButton>("latheTouchX");
+    QVERIFY(touchOff->text().endsWith(QStringLiteral("X ⌀")));
     auto setup = std::make_shared<LatheSetup>(latheOf(window.workpiece()));
     setup->showsDiameter = false;
     window.document().commit(QStringLiteral("Set up"), std::make_unique<LatheSetupEdit>(setup));
-    QTRY_VERIFY(window.dial("latheCross").numberText().startsWith(QStringLiteral("R")));
+    QTRY_VERIFY(window.dial("latheCross").numberText().startsWith(QStringLiteral("ΔR")));
+    QTRY_VERIFY(touchOff->text().endsWith(QStringLiteral("X R")));
     QVERIFY(std::abs(counted() - 4.0) < 0.05);
     window.document().history()->undo();
     QTRY_VERIFY(std::abs(counted() - 8.0) < 0.1);

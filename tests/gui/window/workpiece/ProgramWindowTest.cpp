@@ -305,7 +305,9 @@ class ProgramWindowTest : public QObject {
     QVERIFY(window.begin());
     window.driver.click("programTools");
     window.driver.click("toolTablePost");
-    const int rows = window.driver.find<QTableWidget>("toolTable")->rowCount();
+    const auto* const table = window.driver.find<QTableWidget>("toolTable");
+    QCOMPARE(table->horizontalHeaderItem(4)->text(), QStringLiteral("Offset X R"));  // on the radius
+    const int rows = table->rowCount();
     QVERIFY(rows > 0);  // without file, paper and disk
     window.driver.click("toolTableAccept");
     QTRY_VERIFY(window.driver.find<QPushButton>("programTools")->text().contains(QString::number(rows)));
