@@ -160,7 +160,7 @@ ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString
   rows.properties = new PropertyList(rows.page);
   column->addLayout(buttons);
   column->addWidget(rows.list, 1);
-  column->addWidget(rows.properties, 1);
+  column->addWidget(rows.properties, 2);
   setUpAdding(add);
   connectEdits(
       *rows.properties, [this]() -> Document* { return m_document; }, this);

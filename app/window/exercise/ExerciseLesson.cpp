@@ -12,6 +12,8 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
+#include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -125,7 +127,8 @@ ExerciseLesson::ExerciseLesson(QWidget* parent)
   reading->addWidget(m_steps, 1);
   reading->addWidget(m_sizes);
   auto* column = new QVBoxLayout(this);
-  column->addWidget(new ScrolledPanel(page, ScrolledPanel::Ways::Vertical, this), 1);
+  m_reading = new ScrolledPanel(page, ScrolledPanel::Ways::Vertical, this);
+  column->addWidget(m_reading, 1);
   for (QWidget* each : std::initializer_list<QWidget*>{m_measure, m_name, m_handIn}) column->addWidget(each);
   connect(m_begin, &QPushButton::clicked, this, &ExerciseLesson::begun);
   connect(m_measure, &QPushButton::clicked, this, &ExerciseLesson::measuringRequested);
@@ -165,6 +168,8 @@ void ExerciseLesson::setMeasured(const ExerciseSnapshot& measured, const Marking
   const Exercise exercise = inLanguage(measured);
   m_sizes->setText(measuredText(exercise, marking));
   setMet(measured, marking);
+  // They may be below what is in view. Once they are laid out.
+  QTimer::singleShot(0, this, [this] { m_reading->verticalScrollBar()->setValue(m_sizes->y()); });
 }
 
 void ExerciseLesson::setMet(const ExerciseSnapshot& measured, const Marking& marking) {

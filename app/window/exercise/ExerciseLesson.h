@@ -13,6 +13,7 @@ class QPushButton;
 namespace handwheel {
 
 class LessonPanel;
+class ScrolledPanel;
 
 // The panel with which a student works on an exercise. It has the task, sizes of the drawing, steps with their hints,
 // time, sizes as measured, handing in.
@@ -44,6 +45,7 @@ class ExerciseLesson : public QWidget {
   QLabel* m_text;
   QPushButton* m_begin;
   LessonPanel* m_steps;
+  ScrolledPanel* m_reading;
   QLabel* m_sizes;
   QPushButton* m_measure;
   QLineEdit* m_name;

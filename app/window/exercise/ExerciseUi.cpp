@@ -18,6 +18,7 @@
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseLesson.h"
 #include "window/exercise/RunningAttempt.h"
+#include "window/exercise/SuggestedName.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -238,8 +239,16 @@ QString ExerciseUi::openedText(const DocumentTab& opened) const {
   return tr("Opened %1: exercise “%2”").arg(opened.document.name(), QString::fromStdString(inLanguage(exercise).title));
 }
 
+QString ExerciseUi::suggestedName(const DocumentTab& document) const {
+  const ExerciseSnapshot& exercise = static_cast<const ExerciseDocument&>(document.document).exercise();
+  const QString title = QString::fromStdString(inLanguage(exercise).title);
+  if (title.isEmpty() || !document.document.path().isEmpty()) return KindUi::suggestedName(document);
+  return fileNameOf({title}, QStringLiteral("handwheel"));
+}
+
 void ExerciseUi::openContent(const ExerciseSnapshot& content) {
   OpenedFile opened = DocumentKinds::blank(current()->kind());
+  opened.file.title = inLanguage(content).title;
   opened.content = std::make_shared<const ExerciseSnapshot>(content);
   parts().openDocument(std::move(opened));
 }

@@ -39,6 +39,7 @@ class ExerciseUi : public RigidPartsUi {
   NextStep nextStep() override;
   std::optional<Ray> sectionAxis() const override { return Ray{Vec3::Zero(), Vec3::UnitZ()}; }  // of turning
   QString openedText(const DocumentTab& document) const override;
+  QString suggestedName(const DocumentTab& document) const override;
 
  protected:
   DisplayModel displayed(const Document& document) const override;

@@ -15,6 +15,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -137,6 +138,26 @@ class PropertyListTest : public QObject {
   }
   void aLimitThatIsNear();
   void strangeValues();
+
+  // Who compares one field of several things need not look for it anew.
+  void otherPropertiesStayScrolled() {
+    PropertyListBench bench;
+    const auto form = [](const std::string& of) {
+      std::vector<Property> all;
+      for (int i = 0; i < 40; ++i)
+        all.push_back({.id = of + std::to_string(i), .group = "Mark", .label = "Limit", .value = 1.0});
+      return all;
+    };
+    bench.list.resize(280, 300);
+    bench.list.setProperties(form("a"));
+    QScrollBar* const bar = bench.list.verticalScrollBar();
+    QTRY_VERIFY(bar->maximum() > 500);
+    bar->setValue(400);
+    bench.list.setProperties(form("b"));
+    QTest::qWait(50);
+    QVERIFY(bench.list.findChild<QWidget*>("property/b0") && !bench.list.findChild<QWidget*>("property/a0"));
+    QCOMPARE(bar->value(), 400);
+  }
 };
 
 void PropertyListTest::editsOfEachKind() {

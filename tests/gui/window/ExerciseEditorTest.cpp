@@ -4,6 +4,8 @@
 #include "WindowTestMain.h"
 #include "document/exercise/ExerciseDocument.h"
 #include "document/workpiece/exercise/TurningTask.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
 
 #include <QDockWidget>
 #include <QListWidget>
@@ -130,6 +132,13 @@ class ExerciseEditorTest : public QObject {
     QCOMPARE(driver.tabs(), 2);
     QVERIFY(driver.find<QWidget>("exercisePage")->isVisible());
     QVERIFY(!editor->isVisible());
+    // It is called by its title, and so is its file.
+    QCOMPARE(driver.find<DocumentTabs>("tabRow")->current()->document.name(), QStringLiteral("Bolt"));
+    driver.choose("saveFile");
+    auto* dialog = driver.find<QFileDialog>("saveDialog");
+    QTRY_VERIFY(dialog->isVisible());
+    QCOMPARE(QFileInfo(dialog->selectedFiles().value(0)).fileName(), QStringLiteral("Bolt.handwheel"));
+    dialog->reject();
   }
 };
 

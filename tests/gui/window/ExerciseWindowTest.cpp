@@ -94,6 +94,9 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(driver.settle());
     QTRY_VERIFY(labelsOf(lesson).contains(QStringLiteral("✗")));
     QVERIFY2(labelsOf(lesson).contains("above the upper limit"), qPrintable(labelsOf(lesson)));
+    const auto* const sizes = partOfLesson<QLabel>(driver, "exerciseLesson", "lesson/sizes");
+    QTRY_VERIFY(sizes->visibleRegion().boundingRect().height() > sizes->fontMetrics().height());
+    QTRY_VERIFY(sizes->visibleRegion().contains(QPoint(2, 2)));  // the first of them is in view
 
     QVERIFY(!partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->isEnabled());
   }

@@ -91,6 +91,7 @@ void PropertyList::rebuild() {
     }
     m_rows.push_back(row);
     m_column->addWidget(row);
+    row->show();  // at once: the page must not be short in between, which would scroll it up
   }
   m_column->addStretch();
   for (PropertyRow* row : old) {  // one of them may be the sender of what led here
