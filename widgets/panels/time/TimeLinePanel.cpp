@@ -22,7 +22,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0};
-constexpr int kFrameMs = 40;               // while playing
+constexpr int kFrameMs = 16;               // while playing: 60 Hz, and 30 Hz where drawing takes as long again
 constexpr double kLongestStep = 0.5;       // s: after a pause of the window it goes on, and does not leap
 constexpr std::size_t kMostShown = 2;      // recordings
 constexpr std::size_t kMostPoints = 2000;  // of a curve
@@ -49,6 +49,7 @@ QComboBox* timeChoice(const char* name, const QString& label, QWidget* parent) {
 
 TimeLinePanel::TimeLinePanel(QWidget* parent)
     : QWidget(parent),
+      m_timer(this),
       m_plot(new TimePlot(this)),
       m_track(new TimeTrack(
           {[this](double p) { return m_plot->screenX(p); }, [this](double x) { return m_plot->positionAt(x); }}, this)),
@@ -66,6 +67,8 @@ TimeLinePanel::TimeLinePanel(QWidget* parent)
   column->addWidget(m_track);
   column->addWidget(m_text);
   column->addWidget(controls());
+  m_timer.setObjectName(QStringLiteral("timeTimer"));
+  m_timer.setTimerType(Qt::PreciseTimer);
   m_timer.setInterval(kFrameMs);
   connect(&m_timer, &QTimer::timeout, this, [this] { advance(1e-3 * static_cast<double>(m_clock.restart())); });
   connect(m_plot, &TimePlot::positionWanted, this, &TimeLinePanel::goTo);

@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QHelpEvent>
 #include <QSignalSpy>
+#include <QTimer>
 #include <QToolButton>
 #include <QToolTip>
 #include <cmath>
@@ -72,6 +73,7 @@ class TimeLinePanelTest : public QObject {
   void whatIsSetIsNotSaid();
   void plays();
   void playsOnItsOwn();
+  void playsSmoothly();
   void speeds();
   void jumpsToMarkers();
   void keys();
@@ -142,6 +144,31 @@ void TimeLinePanelTest::playsOnItsOwn() {
   QVERIFY(bench.panel.isPlaying());
   QTRY_COMPARE(bench.panel.time(), 0.3);
   QVERIFY(!bench.panel.isPlaying());
+}
+
+// At 30 Hz or more: its frames are counted beside a clock of 30 Hz in the same loop of events, which a busy machine
+// holds up by as much.
+void TimeLinePanelTest::playsSmoothly() {
+  TimeBench bench({passOf("pass", 100.0, 2.0)});
+  const auto* own = bench.part<QTimer>("timeTimer");
+  QVERIFY(own->interval() * 30 <= 1000);
+  QCOMPARE(own->timerType(), Qt::PreciseTimer);
+  int ticks = 0;
+  QTimer clock;
+  clock.setTimerType(Qt::PreciseTimer);
+  clock.setInterval(1000 / 30);
+  connect(&clock, &QTimer::timeout, this, [&ticks] { ++ticks; });
+  QSignalSpy frames(&bench.panel, &TimeLinePanel::timeChanged);
+  bench.panel.setPlaying(true);
+  clock.start();
+  QTRY_VERIFY_WITH_TIMEOUT(ticks >= 30, 60'000);
+  bench.panel.setPlaying(false);
+  QVERIFY2(frames.size() >= ticks - 1, qPrintable(QString::number(frames.size())));
+  double before = 0.0;  // each shows a later time
+  for (const auto& frame : frames) {
+    QVERIFY(frame[0].toDouble() > before);
+    before = frame[0].toDouble();
+  }
 }
 
 void TimeLinePanelTest::speeds() {
