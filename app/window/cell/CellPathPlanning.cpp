@@ -143,15 +143,16 @@ void CellPaths::startPlanning(Planning planning, PlanRequest request) {
       if (!isUnchanged(tab, *scene, *content)) return reportChanged(tab, request.name, request.again);
       if (!planned) return report(&tab, planned.error(), title);
       planned->path.name = request.name;
-      takePlanned(tab, std::move(planned->path), before, request.text);
+      takePlanned(tab, std::move(planned).value(), before, request.text);
     };
   };
   m_parts.jobs.start(std::move(job));
 }
 
 // before: the path of this name when planning began. What was changed by hand since then stays.
-void CellPaths::takePlanned(DocumentTab& tab, RobotPath planned, const std::optional<RobotPath>& before,
+void CellPaths::takePlanned(DocumentTab& tab, PlannedPath made, const std::optional<RobotPath>& before,
                             const QString& text) {
+  RobotPath& planned = made.path;
   const std::string wanted = planned.name;
   CellPlans changed = *cellIn(tab).plans();
   const auto old = std::find_if(changed.paths.begin(), changed.paths.end(),
@@ -167,9 +168,14 @@ void CellPaths::takePlanned(DocumentTab& tab, RobotPath planned, const std::opti
     *old = std::move(planned);
   if (!commit(tab, text.arg(name), std::move(changed))) return;
   select(tab, entry);
-  if (!wasEdited)
-    return reportStored(tab, tr("%1 was planned").arg(name),
-                        tr("It has %Ln place(s), and is selected in the list.", nullptr, count));
+  if (!wasEdited) {
+    QString detail = tr("It has %Ln place(s), and is selected in the list.", nullptr, count);
+    if (made.keptLegs > 0) {
+      detail += QLatin1Char(' ') + tr("%Ln leg(s) with unchanged ends, still proven free, were kept.", nullptr,
+                                      static_cast<int>(made.keptLegs));
+    }
+    return reportStored(tab, tr("%1 was planned").arg(name), detail);
+  }
   emit message({Message::Weight::Info,
                 tr("%1 was changed while it was planned").arg(QString::fromStdString(wanted)),
                 tr("Your changes were kept; the planned path is %1.").arg(name),

@@ -119,7 +119,7 @@ class CellPaths : public QObject {
   };
   const WantedProcess* wanted(const std::string& path) const;  // of the document in view; null: none is
   void remakeProcess(const std::string& name, const OperationValues& values);
-  void takePlanned(DocumentTab& tab, RobotPath planned, const std::optional<RobotPath>& before, const QString& text);
+  void takePlanned(DocumentTab& tab, PlannedPath made, const std::optional<RobotPath>& before, const QString& text);
   void reportChanged(DocumentTab& tab, const std::string& path, const std::function<void()>& again);
   void insertHere();
   void insertAt(std::size_t behind);  // in the present path

@@ -67,6 +67,11 @@ double numberAt(const Json& json, const char* key, double otherwise, double leas
   return std::isfinite(value) ? std::clamp(value, least, largest) : otherwise;
 }
 
+bool isAt(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_boolean() && found->get<bool>();
+}
+
 Result<Waypoint> placeFrom(const Json& json, const std::string& element, const RobotModel& robot,
                            const JointValues& others) {
   if (!json.is_object()) return malformedPath(element, "an object was expected");
@@ -174,6 +179,7 @@ Result<JointValues> jointsFrom(const Json& json, const RobotModel& robot, const 
 
 Json toJson(const RobotModel& robot, const RobotPath& path) {
   Json places = Json::array();
+  const Waypoint* begin = nullptr;  // of the leg
   for (const Waypoint& place : path.places) {
     places.push_back({{"joints", toJson(robot, place.joints)},
                       {"name", place.name},
@@ -181,6 +187,8 @@ Json toJson(const RobotModel& robot, const RobotPath& path) {
                       {"motion", place.motion == ProgramMotion::Kind::Linear ? "linear" : "joint"},
                       {"speed", place.speed},
                       {"blend_mm", place.blend}});
+    if (begin && place.isPlannedFrom(*begin)) places.back()["planned"] = true;
+    if (!begin || place.isCritical) begin = &place;
   }
   Json json = {{"name", path.name}, {"places", places}};
   if (!path.arm.empty()) json["arm"] = path.arm;
@@ -215,11 +223,16 @@ Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const Join
   Result<std::vector<std::uint32_t>> columns = std::vector<std::uint32_t>();
   if (!isDetailed) columns = columnsOf(json, robot, std::move(usual));
   if (!columns) return columns.error();
+  std::size_t begin = 0;  // of the leg
   for (std::size_t i = 0; i < list->size(); ++i) {
     const std::string at = element + "[" + std::to_string(i) + "]";
     if (isDetailed) {
       Result<Waypoint> place = placeFrom((*list)[i], at, robot, others);
       if (!place) return place.error();
+      if (i > 0 && isAt((*list)[i], "planned"))
+        place->plannedBetween = std::make_shared<const std::array<JointValues, 2>>(
+            std::array<JointValues, 2>{path.places[begin].joints, place->joints});
+      if (place->isCritical) begin = i;
       path.places.push_back(std::move(place).value());
       continue;
     }

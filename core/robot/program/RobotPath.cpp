@@ -33,6 +33,12 @@ std::string FreeNames::take(const std::string& wish) {
   return name;
 }
 
+bool Waypoint::isPlannedFrom(const Waypoint& begin) const {
+  const auto isSame = [](const JointValues& a, const JointValues& b) { return a.size() == b.size() && a == b; };
+  return plannedBetween && motion == ProgramMotion::Kind::Joint && isSame((*plannedBetween)[0], begin.joints) &&
+         isSame((*plannedBetween)[1], joints);
+}
+
 bool Waypoint::operator==(const Waypoint& other) const {
   return joints.size() == other.joints.size() && joints == other.joints && name == other.name &&
          isCritical == other.isCritical && motion == other.motion && speed == other.speed && blend == other.blend;

@@ -5,7 +5,9 @@
 #include "robot/RobotModel.h"
 #include "robot/program/RobotProgram.h"
 
+#include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -25,7 +27,12 @@ struct Waypoint {
   ProgramMotion::Kind motion = ProgramMotion::Kind::Joint;
   double speed = 0.25;  // as in ProgramMotion
   double blend = 0.0;   // mm
+  // The ends between which the planner made the joint motions to this place: those of the critical place before and its
+  // own. As long as they are the same, planning again may keep these motions. Null: it did not. Not compared.
+  std::shared_ptr<const std::array<JointValues, 2>> plannedBetween = {};
 
+  // Whether the planner made the motions that lead from this critical place to it.
+  bool isPlannedFrom(const Waypoint& begin) const;
   bool operator==(const Waypoint& other) const;  // also of cells with other robots
 };
 

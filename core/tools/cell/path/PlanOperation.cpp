@@ -64,6 +64,10 @@ std::string nameOf(const Waypoint& place, std::size_t number) {
   return place.name.empty() ? "place " + std::to_string(number + 1) : place.name;
 }
 
+std::shared_ptr<const std::array<JointValues, 2>> planEnds(const JointValues& from, const JointValues& to) {
+  return std::make_shared<const std::array<JointValues, 2>>(std::array<JointValues, 2>{from, to});
+}
+
 // Plans between two places of a path.
 class LegPlanning {
  public:
@@ -73,6 +77,22 @@ class LegPlanning {
   }
 
   std::uint64_t steps() const { return m_steps; }
+
+  // Adds the places of a leg after its begin, if its motions were planned between its ends and are still proven free.
+  bool keep(std::span<const Waypoint> leg, RobotPath& path, const Progress& progress) {
+    if (!leg.back().isPlannedFrom(leg.front())) return false;
+    for (std::size_t i = 1; i < leg.size(); ++i) {
+      if (leg[i].motion != ProgramMotion::Kind::Joint || !m_scene.ownStandAs(leg[i].joints)) return false;
+      const ArmValues begin = m_scene.planned(leg[i - 1].joints), end = m_scene.planned(leg[i].joints);
+      if (!m_scene.scene.isWithinLimits(begin) || !m_scene.scene.isWithinLimits(end)) return false;
+      MotionCheck check(m_scene.scene, begin, end, m_settings.plan.check);
+      const bool isFree = check.run(progress) == MotionCheck::State::Free;
+      m_steps += check.steps();
+      if (!isFree) return false;
+    }
+    path.places.insert(path.places.end(), leg.begin() + 1, leg.end());
+    return true;
+  }
 
   // Adds the places after `from`, up to `to`. names: of both, for errors.
   Status plan(const Waypoint& from, const Waypoint& to, const std::array<std::string, 2>& names, RobotPath& path,
@@ -89,6 +109,7 @@ class LegPlanning {
       path.places.push_back(std::move(between));
     }
     path.places.push_back(to);
+    path.places.back().plannedBetween = planEnds(from.joints, to.joints);
     return Done{};
   }
 
@@ -106,6 +127,7 @@ class LegPlanning {
       return Error{CellError::LineCollides, {name, link, other}, {}, {}};
     }
     path.places.push_back(to);
+    path.places.back().plannedBetween.reset();
     return Done{};
   }
 
@@ -277,9 +299,14 @@ Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plan
     if (place.isCritical || isEnd) kept.push_back(&place);
   }
   PlannedPath planned;
-  // Other robots are where they stand now.
+  // Other robots are where they stand now; whether a leg can be kept is judged with them there.
+  const auto present = [&](const JointValues& joints) {
+    return withJointsOf(*scene.robot, scene.armNumber, scene.others, joints);
+  };
   const auto standing = [&](Waypoint place) {
-    place.joints = withJointsOf(*scene.robot, scene.armNumber, scene.others, place.joints);
+    place.joints = present(place.joints);
+    if (place.plannedBetween && (*place.plannedBetween)[0].size() == place.joints.size())
+      place.plannedBetween = planEnds(present((*place.plannedBetween)[0]), present((*place.plannedBetween)[1]));
     return place;
   };
   if (kept.size() < 2) return Error{CellError::PathTooShort, {planned.path.name}, {}, {}};
@@ -291,9 +318,14 @@ Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plan
     const std::array<std::string, 2> names{nameOf(*kept[i - 1], i - 1), nameOf(*kept[i], i)};
     if (!scene.ownStandAs(kept[i]->joints)) return Error{CellError::OthersMoved, {names[1]}, {}, {}};
     const double done = share * static_cast<double>(i - 1);
-    const Status leg =
-        legs.plan(*kept[i - 1], standing(*kept[i]), names, planned.path, progress.part(done, done + share));
-    if (!leg) return leg.error();
+    const Progress part = progress.part(done, done + share);
+    std::vector<Waypoint> leg;
+    for (const Waypoint& place : std::span(kept[i - 1], kept[i] + 1)) leg.push_back(standing(place));
+    if (legs.keep(leg, planned.path, part)) {
+      ++planned.keptLegs;
+    } else if (const Status made = legs.plan(leg.front(), leg.back(), names, planned.path, part); !made) {
+      return made.error();
+    }
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   }
   planned.steps = legs.steps();

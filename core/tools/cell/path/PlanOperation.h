@@ -36,11 +36,13 @@ PathCheckSettings checkSettingsOf(const OperationValues& values, const CellPlans
 struct PlannedPath {
   RobotPath path;
   double seconds = 0.0;
-  std::uint64_t steps = 0;  // points that were looked at
+  std::uint64_t steps = 0;   // points that were looked at
+  std::size_t keptLegs = 0;  // as they were
 };
 
-// Plans through these places, at least two. Those that are not critical are left out; straight lines to a place stay
-// lines. Errors: PlaceCollides, PlaceBeyondLimits, OthersMoved, RouteNotFound, LineUnreachable, LineCollides,
+// Plans through these places, at least two. A leg between critical places that was planned between the same ends, and
+// is still proven free, is kept; of others the places that are not critical are left out. Straight lines to a place
+// stay lines. Errors: PlaceCollides, PlaceBeyondLimits, OthersMoved, RouteNotFound, LineUnreachable, LineCollides,
 // PathTooShort, Cancelled.
 Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const Waypoint> places,
                                    const RouteSettings& settings, Progress progress = {});

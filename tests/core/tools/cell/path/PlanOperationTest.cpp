@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/PlanOperation.h"
+
+#include "../ArmCell.h"
+#include "TestClass.h"
+#include "robot/program/PathFile.h"
+#include "tools/cell/path/PathCheck.h"
+
+#include <QTest>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+JointValues turnedTo(double first, double second) {
+  JointValues joints = JointValues::Zero(6);
+  joints[0] = first;
+  joints[1] = second;
+  joints[4] = 0.6;  // no straight wrist
+  return joints;
+}
+
+}  // namespace
+
+// Plans a path through several places, once and again.
+class PlanOperationTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Three legs; a box stands in the first and one in the last of them.
+  void init() {
+    m_cell = std::make_unique<ArmCell>();
+    m_cell->addBox({100, 200, 800}, {450, 0, 400});
+    m_cell->addBox({200, 100, 800}, {0, 450, 400});
+    const std::vector<Waypoint> places{{.joints = turnedTo(-1.2, 0.5)},
+                                       {.joints = turnedTo(0.7, 0.5)},
+                                       {.joints = turnedTo(0.75, 0.3)},
+                                       {.joints = turnedTo(2.3, 0.5)}};
+    m_path = planned(places).path;
+    QVERIFY(m_path.places.size() > places.size());
+    QCOMPARE(criticals(m_path), places.size());
+  }
+
+  // Nothing has changed: all is proven and kept, and no planner looks at anything else.
+  void nothingToPlan() {
+    const PlannedPath again = planned(m_path.places);
+    QCOMPARE(again.keptLegs, std::size_t{3});
+    QVERIFY(again.path.places == m_path.places);
+  }
+
+  // Only the legs beside a place that was changed are planned; the others stay bit for bit.
+  void besideAChangedPlace() {
+    std::vector<Waypoint> places = m_path.places;
+    const std::size_t third = placeOf(m_path, 2);
+    places[third].joints = turnedTo(0.72, 0.2);
+    const PlannedPath again = planned(places);
+    QCOMPARE(again.keptLegs, std::size_t{1});
+    const std::size_t second = placeOf(m_path, 1);
+    for (std::size_t i = 0; i <= second; ++i) QVERIFY(again.path.places[i] == m_path.places[i]);
+    QVERIFY(isFree(again.path));
+    QCOMPARE(planned(again.path.places).keptLegs, std::size_t{3});  // from now on
+  }
+
+  // A place that is inserted or removed makes other legs.
+  void insertedAndRemoved() {
+    std::vector<Waypoint> places = m_path.places;
+    places.insert(places.begin() + static_cast<std::ptrdiff_t>(placeOf(m_path, 1)) + 1, {.joints = turnedTo(0.8, 0.1)});
+    const PlannedPath more = planned(places);
+    QCOMPARE(more.keptLegs, std::size_t{2});
+    QCOMPARE(criticals(more.path), std::size_t{5});
+    places = m_path.places;
+    places.erase(places.begin() + static_cast<std::ptrdiff_t>(placeOf(m_path, 1)));
+    const PlannedPath less = planned(places);
+    QCOMPARE(less.keptLegs, std::size_t{1});
+    QCOMPARE(criticals(less.path), std::size_t{3});
+    QVERIFY(isFree(less.path));
+  }
+
+  // What is in the way of a leg has it planned anew; the clearance counts, too.
+  void notProvenAnyMore() {
+    m_cell->addBox({60, 60, 60}, toolAt(m_path.places[1].joints));
+    QVERIFY(m_path.places.size() > 2 && !m_path.places[1].isCritical);
+    const PlannedPath again = planned(m_path.places);
+    QCOMPARE(again.keptLegs, std::size_t{2});
+    QVERIFY(isFree(again.path));
+  }
+
+  // A straight line of the tool is looked at again always; made a joint motion, it is planned.
+  void anotherMotion() {
+    std::vector<Waypoint> places = m_path.places;
+    places[placeOf(m_path, 2)].motion = ProgramMotion::Kind::Linear;
+    places[placeOf(m_path, 2)].speed = 100.0;
+    const PlannedPath straight = planned(places);
+    QCOMPARE(straight.keptLegs, std::size_t{2});
+    QCOMPARE(planned(straight.path.places).keptLegs, std::size_t{2});
+  }
+
+  // Which legs were planned is in the file, too.
+  void writtenAndRead() {
+    const RobotModel& robot = m_cell->document().robot().model;
+    const auto read = pathFrom(toJson(robot, m_path), robot, m_cell->document().joints());
+    QVERIFY(read.hasValue());
+    QCOMPARE(planned(read->places).keptLegs, std::size_t{3});
+    nlohmann::json without = toJson(robot, m_path);
+    for (nlohmann::json& place : without["places"]) place.erase("planned");
+    QCOMPARE(planned(pathFrom(without, robot, m_cell->document().joints())->places).keptLegs, std::size_t{0});
+  }
+
+ private:
+  PlannedPath planned(const std::vector<Waypoint>& places) {
+    const auto scene = m_cell->scene();
+    RouteSettings settings;
+    settings.plan.seconds = 60.0;
+    Result<PlannedPath> made = plannedThrough(*scene, *m_cell->content().plans, places, settings);
+    if (!made) qFatal("not planned: %s", made.error().code->id);
+    return std::move(made).value();
+  }
+  bool isFree(const RobotPath& path) {
+    const auto checked = checkPath(*m_cell->scene(), *m_cell->content().plans, path, {});
+    return checked && checked->isCertified();
+  }
+  Vec3 toolAt(const JointValues& joints) {
+    const auto scene = m_cell->scene();
+    return scene->arm.tipPose(scene->planned(joints)).translation();
+  }
+  static std::size_t criticals(const RobotPath& path) {
+    return static_cast<std::size_t>(
+        std::count_if(path.places.begin(), path.places.end(), [](const Waypoint& each) { return each.isCritical; }));
+  }
+  // Where the critical place of this number is among all.
+  static std::size_t placeOf(const RobotPath& path, std::size_t critical) {
+    std::size_t at = 0;
+    for (std::size_t found = 0; at < path.places.size(); ++at) {
+      if (path.places[at].isCritical && found++ == critical) break;
+    }
+    return at;
+  }
+
+  std::unique_ptr<ArmCell> m_cell;
+  RobotPath m_path;
+};
+
+HANDWHEEL_TEST(PlanOperationTest)
+#include "PlanOperationTest.moc"
