@@ -64,42 +64,53 @@ std::optional<CollisionPiece> obstacleFrom(const Json& json) {
   return std::nullopt;
 }
 
+// element: its name in errors.
+Result<PlanningProblem> problemFrom(const Json& json, const std::string& element, std::size_t joints) {
+  if (!json.is_object()) return malformedSet(element, "an object was expected");
+  PlanningProblem problem;
+  problem.name = "_" + std::to_string(countAt(json, "index"));
+  const auto start = numbersOf(json, "start", joints), goal = numbersOf(json, "goal", joints);
+  if (!start || !goal) return malformedSet(element, "start and goal need a number for each joint");
+  problem.start = *start;
+  problem.goal = *goal;
+  const auto objects = json.find("objects");
+  if (objects == json.end() || !objects->is_array() || objects->size() > kMostObstacles)
+    return malformedSet(element + ".objects", "a list was expected");
+  for (const Json& object : *objects) {
+    auto piece = obstacleFrom(object);
+    if (!piece) return malformedSet(element + ".objects", "one of them is not a box, cylinder or sphere");
+    problem.obstacles.push_back(std::move(*piece));
+    problem.names.push_back(stringAt(object, "name"));
+  }
+  return problem;
+}
+
 }  // namespace
 
 Result<PlanningSet> readPlanningSet(std::string_view text) {
   const Result<Json> json = parseJson(text, "problems");
-  if (!json) return json.error();
-  if (!json->is_object()) return malformedSet("problems", "an object was expected");
+  return json ? planningSetFrom(*json) : Result<PlanningSet>(json.error());
+}
+
+Result<PlanningSet> planningSetFrom(const Json& json) {
+  if (!json.is_object()) return malformedSet("problems", "an object was expected");
   PlanningSet set;
-  set.name = stringAt(*json, "scene", "problems");
-  const auto joints = json->find("joints"), problems = json->find("problems");
-  if (joints == json->end() || !joints->is_array() || joints->size() > static_cast<std::size_t>(kMostArmJoints))
+  set.name = stringAt(json, "scene", "problems");
+  const auto joints = json.find("joints"), problems = json.find("problems");
+  if (joints == json.end() || !joints->is_array() || joints->size() > static_cast<std::size_t>(kMostArmJoints))
     return malformedSet("joints", "a list was expected");
   for (const Json& joint : *joints) {
     if (!joint.is_string()) return malformedSet("joints", "names were expected");
     set.joints.push_back(joint.get<std::string>());
   }
-  if (problems == json->end() || !problems->is_array() || problems->size() > kMostProblems)
+  if (problems == json.end() || !problems->is_array() || problems->size() > kMostProblems)
     return malformedSet("problems", "a list was expected");
   for (std::size_t i = 0; i < problems->size(); ++i) {
-    const Json& each = (*problems)[i];
-    const std::string element = "problems[" + std::to_string(i) + "]";
-    if (!each.is_object()) return malformedSet(element, "an object was expected");
-    PlanningProblem problem;
-    problem.name = set.name + "_" + std::to_string(countAt(each, "index"));
-    const auto start = numbersOf(each, "start", set.joints.size()), goal = numbersOf(each, "goal", set.joints.size());
-    if (!start || !goal) return malformedSet(element, "start and goal need a number for each joint");
-    problem.start = *start;
-    problem.goal = *goal;
-    const auto objects = each.find("objects");
-    if (objects == each.end() || !objects->is_array() || objects->size() > kMostObstacles)
-      return malformedSet(element + ".objects", "a list was expected");
-    for (const Json& object : *objects) {
-      auto piece = obstacleFrom(object);
-      if (!piece) return malformedSet(element + ".objects", "one of them is not a box, cylinder or sphere");
-      problem.obstacles.push_back(std::move(*piece));
-    }
-    set.problems.push_back(std::move(problem));
+    Result<PlanningProblem> problem =
+        problemFrom((*problems)[i], "problems[" + std::to_string(i) + "]", set.joints.size());
+    if (!problem) return problem.error();
+    problem->name = set.name + problem->name;
+    set.problems.push_back(std::move(problem).value());
   }
   return set;
 }

@@ -4,13 +4,19 @@
 
 #include "planning/planners/SblPlanner.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace handwheel {
+
+using NamePair = std::pair<std::string, std::string>;
 
 // Planning problems to compare planners with: a robot from start to goal among obstacles.
 struct PlanningProblem {
   std::string name;                       // of the set, and its number
   std::vector<double> start, goal;        // rad, in the order of the set's joints
   std::vector<CollisionPiece> obstacles;  // in the frame of the robot's root; mm
+  std::vector<std::string> names;         // of the obstacles; those of one object have the same
+  std::vector<NamePair> allowed;          // names of links or obstacles whose collisions do not count
 };
 
 struct PlanningSet {
@@ -24,6 +30,8 @@ struct PlanningSet {
 // "object_pose": the frame that these are in, if any}…]}…]}, in metres. Dimensions are those of MoveIt: of a cylinder
 // its height, then its radius. Errors: ElementMalformed, those of parseJson().
 Result<PlanningSet> readPlanningSet(std::string_view json);
+// The same of one that is parsed already, with bounded depth.
+Result<PlanningSet> planningSetFrom(const nlohmann::json& json);
 
 // The shape that the collisions of each link have, as far as it is made of primitives; link by link. Meshes are given
 // by the caller, by the number of the shape; null: not there.

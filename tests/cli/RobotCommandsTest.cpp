@@ -50,6 +50,18 @@ QByteArray planarSet() {
       .toUtf8();
 }
 
+// The first of these problems as MotionBenchMaker writes it.
+constexpr const char* kPlanarScene = R"(world:
+  collision_objects:
+    - id: ball
+      primitives: [{type: sphere, dimensions: [0.1]}]
+      primitive_poses: [{position: [0.8, 0, 0], orientation: [0, 0, 0, 1]}]
+)";
+constexpr const char* kPlanarRequest = R"(start_state: {joint_state: {name: [j2, j1], position: [-0.2, -0.9]}}
+goal_constraints:
+  - joint_constraints: [{joint_name: j1, position: 0.9}, {joint_name: j2, position: 0.2}]
+)";
+
 }  // namespace
 
 // Robots on the command line: inverse kinematics, and planning for comparison.
@@ -163,6 +175,35 @@ class RobotCommandsTest : public QObject {
     QVERIFY(other["planner"] == "rrtconnect" && other["certified"] == 1);
     QVERIFY(other["checks_mean"].get<double>() > 0.0);
     QCOMPARE(bench.run({"benchmark-planning", "set.json"}).code, 1);
+  }
+
+  // The same problem as a pair of YAML files, by either of them, and in a folder of pairs.
+  void aBenchmarkOfPairs() {
+    const Bench bench;
+    bench.put("arm.urdf", planarUrdf());
+    bench.put("set.json", planarSet());
+    QVERIFY(QDir(bench.path()).mkpath("folder"));
+    for (const QString place : {"", "folder/"}) {
+      bench.put(place + "ball_scene0001.yaml", kPlanarScene);
+      bench.put(place + "ball_request0001.yaml", kPlanarRequest);
+    }
+    const auto planned = [&](const QString& set) {
+      return reportOf(bench.run({"benchmark-planning", set, "--robot", "arm.urdf", "--json", "--time", "60"}));
+    };
+    const nlohmann::json expected = planned("set.json")["results"][0];
+    for (const QString set : {"ball_scene0001.yaml", "ball_request0001.yaml", "folder"}) {
+      const nlohmann::json json = planned(set);
+      QCOMPARE(json["problems"].get<int>(), 1);
+      for (const char* key : {"name", "outcome", "certified", "length_rad", "checks"})
+        QVERIFY2(json["results"][0][key] == expected[key], json.dump().c_str());
+    }
+    bench.put("lonely_request7.yaml", kPlanarRequest);
+    const Ran lonely = bench.run({"benchmark-planning", "lonely_request7.yaml", "--robot", "arm.urdf"});
+    QVERIFY2(lonely.code == 1 && lonely.err.contains("lonely_scene7.yaml"), lonely.err);
+    bench.put("bad_scene.yaml", "a: &a [*a]");
+    bench.put("bad_request.yaml", kPlanarRequest);
+    const Ran bad = bench.run({"benchmark-planning", "bad_request.yaml", "--robot", "arm.urdf"});
+    QVERIFY2(bad.code == 1 && bad.err.contains("bad_scene.yaml") && bad.err.contains("alias"), bad.err);
   }
 };
 

@@ -7,10 +7,10 @@
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/ReportJson.h"
+#include "cli/cell/PlanningFiles.h"
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "planning/PathShortcuts.h"
-#include "planning/PlanningSet.h"
 #include "planning/planners/Planners.h"
 #include "robot/UrdfReader.h"
 
@@ -144,6 +144,21 @@ ArmValues valuesOf(const std::vector<double>& numbers) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
+// Leaves out what a scene of MoveIt allows to touch. What is not in the robot, as its gripper, counts for nothing.
+void allowNamed(RobotScene& scene, const RobotModel& model, const PlanningProblem& problem) {
+  std::set<LinkPair> pairs;
+  for (const auto& [first, second] : problem.allowed) {
+    const std::uint32_t a = linkNamed(model, first), b = linkNamed(model, second);
+    if (a != kNone && b != kNone) pairs.insert(std::minmax(a, b));
+    if ((a == kNone) == (b == kNone)) continue;
+    for (std::size_t i = 0; i < problem.names.size(); ++i) {
+      if (problem.names[i] == (a == kNone ? first : second))
+        scene.allow(a == kNone ? b : a, static_cast<std::uint32_t>(i));
+    }
+  }
+  scene.allowPairs(pairs);
+}
+
 bool isCertified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check,
                  const Progress& progress) {
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -157,6 +172,7 @@ PlannedProblem planned(const PlanningProblem& problem, const BenchmarkRobot& rob
   RobotScene scene = robot.scene();
   for (std::size_t i = 0; i < problem.obstacles.size(); ++i)
     scene.addObstacle(CollisionBody({problem.obstacles[i]}), Pose::Identity(), static_cast<std::uint32_t>(i));
+  allowNamed(scene, robot.model, problem);
   PlanSettings settings;
   settings.seconds = values.number("time");
   settings.seed = values.whole("seed");
@@ -264,13 +280,8 @@ int runBenchmark(const Arguments& arguments, const DocumentKinds&) {
   const std::string& id = benchmarkOperation().id;
   if (const std::string problem = readOptions(arguments, values); !problem.empty()) return failUsage(problem, id);
   if (!values.isSet("robot")) return failUsage("The option --robot URDF is missing.", id);
-  const Result<std::string> text = readFileBytes(arguments.operands[0]);
-  const Result<PlanningSet> set = text ? readPlanningSet(*text) : Result<PlanningSet>(text.error());
-  if (!set) {
-    Error error = set.error();
-    error.subject = arguments.operands[0];
-    return fail(error);
-  }
+  const Result<PlanningSet> set = readPlanningFiles(arguments.operands[0]);
+  if (!set) return fail(set.error());
   const Result<BenchmarkRobot> robot = readRobot(values, *set);
   if (!robot) return fail(robot.error());
   std::vector<PlannedProblem> all;
@@ -291,11 +302,13 @@ int runBenchmark(const Arguments& arguments, const DocumentKinds&) {
 }  // namespace
 
 Command planningBenchmarkCommand() {
-  CommandSpec spec = {benchmarkOperation().id,
-                      "SET.json",
-                      "Plans the paths of a set of problems, proves them free of collisions, and measures them.\n"
-                      "The set is one of MotionBenchMaker in JSON; docs/robots.md has its keys.",
-                      {}};
+  CommandSpec spec = {
+      benchmarkOperation().id,
+      "SET",
+      "Plans the paths of a set of problems, proves them free of collisions, and measures them.\n"
+      "The set is one of MotionBenchMaker: in JSON (docs/robots.md has its keys), a scene or a request\n"
+      "in YAML with the other one beside it, or a folder of such pairs.",
+      {}};
   spec.options = optionsOf(benchmarkOperation());
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
