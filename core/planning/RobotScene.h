@@ -64,6 +64,8 @@ class RobotScene {
   bool isFree(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts = nullptr) const;
   // All that is: each link with each owner of obstacles, and each pair of links.
   std::vector<Nearest> allTooNear(const ArmValues& values, double clearance, double ownClearance) const;
+  // All pairs of links that meet, with the depth as a distance below 0 (see ClosestPoints).
+  std::vector<Nearest> overlappingLinks(const ArmValues& values) const;
   // What meets obstacles with the robot moved as a whole, its base, too, while these stand. Parts that stand and meet
   // an obstacle where they are, as a foot its floor, may go on meeting it. isOver: asked before each part, ends the
   // search; what was found by then is returned.

@@ -234,6 +234,22 @@ void RobotScene::listNear(const Part& part, const Pose& pose, double clearance, 
   }
 }
 
+std::vector<RobotScene::Nearest> RobotScene::overlappingLinks(const ArmValues& values) const {
+  Places places;
+  placesAt(values, places);
+  std::vector<Nearest> all;
+  for (const Pair& pair : m_pairs) {
+    if (pairDistance(pair, places, kTouching, nullptr) >= kTouching) continue;
+    const Part &first = m_parts[pair.first], &second = m_parts[pair.second];
+    ProximityQuery query({first.body, second.body}, {{0, 1}});
+    query.place(0, places.of(first.joint));
+    query.place(1, places.of(second.joint));
+    const std::optional<NearPair> deepest = query.closest();
+    all.push_back({deepest ? std::min(deepest->points.distance, 0.0) : 0.0, first.link, second.link});
+  }
+  return all;
+}
+
 std::vector<RobotScene::Nearest> RobotScene::metWhenMoved(const ArmValues& values, const Pose& way,
                                                           const std::function<bool()>& isOver) const {
   Places places;

@@ -5,6 +5,7 @@
 
 #include <QTest>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 using namespace handwheel;
@@ -15,10 +16,10 @@ nlohmann::json reportOf(const Ran& run) {
   return nlohmann::json::parse(run.out.toStdString());
 }
 
-// An arm in a plane with two links of 500 mm, as balls.
-QByteArray planarUrdf() {
+// An arm in a plane with links of 500 mm, as balls.
+QByteArray planarUrdf(int links = 2) {
   QByteArray text = "<robot name='r'><link name='base'/>";
-  for (int i = 1; i <= 2; ++i) {
+  for (int i = 1; i <= links; ++i) {
     text += QStringLiteral("<link name='l%1'>").arg(i).toUtf8();
     for (double x = 0.1; x < 0.55; x += 0.05)
       text +=
@@ -30,7 +31,7 @@ QByteArray planarUrdf() {
                 "<joint name='j%1' type='revolute'><parent link='%2'/><child link='l%1'/><origin xyz='%3 0 0'/>"
                 "<axis xyz='0 0 1'/><limit lower='-3' upper='3' velocity='1' effort='1'/></joint>")
                 .arg(i)
-                .arg(i == 1 ? QStringLiteral("base") : QStringLiteral("l1"))
+                .arg(i == 1 ? QStringLiteral("base") : QStringLiteral("l%1").arg(i - 1))
                 .arg(i == 1 ? 0.0 : 0.5)
                 .toUtf8();
   }
@@ -175,6 +176,10 @@ class RobotCommandsTest : public QObject {
     QVERIFY(other["planner"] == "rrtconnect" && other["certified"] == 1);
     QVERIFY(other["checks_mean"].get<double>() > 0.0);
     QCOMPARE(bench.run({"benchmark-planning", "set.json"}).code, 1);
+    const QByteArray text = bench.run({"benchmark-planning", "set.json", "--robot", "arm.urdf", "--time", "60"}).out;
+    const QByteArray length = QByteArray::number(json["length_rad_mean"].get<double>(), 'g', 3);
+    QVERIFY2(text.contains("mean length " + length + " rad"), text);
+    QVERIFY2(text.contains("ball_2: start_in_collision\n"), text);
   }
 
   // The same problem as a pair of YAML files, by either of them, and in a folder of pairs.
@@ -204,6 +209,72 @@ class RobotCommandsTest : public QObject {
     bench.put("bad_request.yaml", kPlanarRequest);
     const Ran bad = bench.run({"benchmark-planning", "bad_request.yaml", "--robot", "arm.urdf"});
     QVERIFY2(bad.code == 1 && bad.err.contains("bad_scene.yaml") && bad.err.contains("alias"), bad.err);
+  }
+
+  // At the goal the third link lies across the first: that is named with its depth, and allowed only if that is asked
+  // for. The balls of both links are 50 mm apart and 60 mm wide.
+  void ownLinksThatOverlap() {
+    const Bench bench;
+    bench.put("arm.urdf", planarUrdf(3));
+    bench.put("set.json", R"({"scene": "folded", "joints": ["j1", "j2", "j3"], "problems": [
+      {"index": 4, "start": [0, 0.5, 0.2], "goal": [0, 2.0, 2.71], "objects": []}]})");
+    double depth = 0.0;
+    for (int i = 2; i <= 10; ++i) {
+      for (int k = 2; k <= 10; ++k) {
+        const double x = 500.0 + 500.0 * std::cos(2.0) + 50.0 * k * std::cos(4.71) - 50.0 * i;
+        depth = std::max(depth, 60.0 - std::hypot(x, 500.0 * std::sin(2.0) + 50.0 * k * std::sin(4.71)));
+      }
+    }
+    QVERIFY(depth > 1.0);
+    const QStringList words{"benchmark-planning", "set.json", "--robot", "arm.urdf", "--time", "60"};
+    const nlohmann::json strict = reportOf(bench.run(words + QStringList{"--json"}));
+    QVERIFY(strict["solved"] == 0 && strict["with_own_overlaps"] == 1);
+    const nlohmann::json result = strict["results"][0];
+    QCOMPARE(result["outcome"].get<std::string>(), std::string("goal_in_collision"));
+    QCOMPARE(result["own_overlaps"].size(), std::size_t{1});
+    const nlohmann::json overlap = result["own_overlaps"][0];
+    QVERIFY(overlap["links"] == nlohmann::json({"l1", "l3"}) && overlap["at"] == "goal" && overlap["allowed"] == false);
+    QVERIFY(std::abs(overlap["depth_mm"].get<double>() - depth) < 1e-6);
+    const QByteArray text = bench.run(words).out;
+    QVERIFY2(text.contains("folded_4: goal_in_collision; l1 overlaps l3 by"), text);
+    const QStringList allowing = words + QStringList{"--own-overlaps", "--paths", "paths"};
+    const nlohmann::json allowed = reportOf(bench.run(allowing + QStringList{"--json"}));
+    QVERIFY2(allowed["solved"] == 1 && allowed["certified"] == 0 && allowed["solved_with_overlaps_allowed"] == 1,
+             allowed.dump().c_str());
+    QVERIFY(allowed["results"][0]["certified_but_for_overlaps"].get<bool>());
+    const nlohmann::json path = bench.json("paths/folded_4.json");
+    QVERIFY(!path["certified"].get<bool>() && path["certified_but_for_overlaps"].get<bool>());
+    QVERIFY(path["waypoints"].back() == nlohmann::json({0, 2.0, 2.71}) && path["own_overlaps"][0]["allowed"] == true);
+    const QByteArray said = bench.run(allowing).out;
+    QVERIFY2(said.contains("1 with overlapping links allowed") && said.contains("certified but for these pairs"), said);
+  }
+
+  // Of the sets for the UR5 ten goals have links that overlap in their model of spheres: by 0.71 to 8.91 mm, the
+  // forearm with the second or third wrist. That was counted by another program, sphere by sphere.
+  void theOverlapsOfTheUr5() {
+    const QString data = qEnvironmentVariable("HANDWHEEL_DATA") + "/planning/motionbenchmaker-ur5/";
+    if (!QFile::exists(data)) QSKIP("HANDWHEEL_DATA is not set or has no motionbenchmaker-ur5.");
+    const Bench bench;
+    std::map<std::string, int> partners;
+    double least = 1e9, most = 0.0;
+    for (const char* set :
+         {"bookshelf_small", "bookshelf_tall", "bookshelf_thin", "box", "cage", "table_pick", "table_under_pick"}) {
+      const nlohmann::json json = reportOf(
+          bench.run({"benchmark-planning", data + set + "_ur5.json", "--robot", data + "robot/ur5_spherized.urdf",
+                     "--srdf", data + "robot/ur5.srdf", "--time", "0.001", "--json"}));
+      for (const nlohmann::json& result : json["results"]) {
+        if (!result.contains("own_overlaps")) continue;
+        for (const nlohmann::json& each : result["own_overlaps"]) {
+          QVERIFY(each["at"] == "goal" && each["links"][0] == "forearm_link");
+          ++partners[each["links"][1]];
+          least = std::min(least, each["depth_mm"].get<double>());
+          most = std::max(most, each["depth_mm"].get<double>());
+        }
+      }
+    }
+    QVERIFY2((partners == std::map<std::string, int>{{"wrist_2_link", 8}, {"wrist_3_link", 2}}),
+             nlohmann::json(partners).dump().c_str());
+    QVERIFY(std::abs(least - 0.710) < 6e-4 && std::abs(most - 8.914) < 6e-4);
   }
 };
 

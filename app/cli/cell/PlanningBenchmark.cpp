@@ -36,6 +36,10 @@ Parameter numberParameter(const char* id, const char* value, double standard, do
           .word = value};
 }
 
+Parameter switchParameter(const char* id, std::string meaning) {
+  return {.property = {.id = id, .group = {}, .label = {}, .value = false}, .meaning = std::move(meaning)};
+}
+
 Parameter plannerParameter() {
   Parameter parameter = {.property = {.id = "planner", .group = {}, .label = {}, .value = 0.0},
                          .meaning = "Planner of the paths",
@@ -58,6 +62,9 @@ const Operation& benchmarkOperation() {
                        fileParameter("paths", "DIR", "A folder to write each path to, as JSON"), plannerParameter(),
                        numberParameter("time", "S", 2.0, 3600.0, "Time after which a problem is given up, in seconds"),
                        numberParameter("clearance", "MM", 0.0, 1e4, "Clearance from all obstacles"),
+                       switchParameter("own-overlaps",
+                                       "In each problem, links of the robot that overlap at the start or the goal may "
+                                       "overlap on the whole path; the report names them"),
                        numberParameter("seed", "N", 1.0, 1e9, "Seed of the random numbers")}};
     made.parameters.back().isWhole = true;
     return made;
@@ -65,14 +72,23 @@ const Operation& benchmarkOperation() {
   return kOperation;
 }
 
+// Two links of the robot that overlap where a path begins or ends.
+struct OwnOverlap {
+  bool isAtGoal;
+  LinkPair links;
+  double depth;  // mm
+};
+
 struct PlannedProblem {
   std::string name;
   PlanResult result;
-  JointPath path;         // made shorter
-  double planning = 0.0;  // s, until there was a path
-  double seconds = 0.0;   // until it was made shorter, too
-  double length = 0.0;    // rad
-  bool isCertified = false;
+  JointPath path;            // made shorter
+  double planning = 0.0;     // s, until there was a path
+  double seconds = 0.0;      // until it was made shorter, too
+  double length = 0.0;       // rad
+  bool isCertified = false;  // but for the overlaps, if they are allowed
+  std::vector<OwnOverlap> overlaps = {};
+  bool areAllowed = false;  // the overlaps
 };
 
 const char* wordFor(PlanResult::Outcome outcome) {
@@ -159,6 +175,15 @@ void allowNamed(RobotScene& scene, const RobotModel& model, const PlanningProble
   scene.allowPairs(pairs);
 }
 
+std::vector<OwnOverlap> ownOverlaps(const RobotScene& scene, const PlanningProblem& problem) {
+  std::vector<OwnOverlap> all;
+  for (const bool isGoal : {false, true}) {
+    for (const RobotScene::Nearest& each : scene.overlappingLinks(valuesOf(isGoal ? problem.goal : problem.start)))
+      all.push_back({isGoal, std::minmax(each.link, each.otherLink), -each.distance});
+  }
+  return all;
+}
+
 bool isCertified(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check,
                  const Progress& progress) {
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -173,6 +198,14 @@ PlannedProblem planned(const PlanningProblem& problem, const BenchmarkRobot& rob
   for (std::size_t i = 0; i < problem.obstacles.size(); ++i)
     scene.addObstacle(CollisionBody({problem.obstacles[i]}), Pose::Identity(), static_cast<std::uint32_t>(i));
   allowNamed(scene, robot.model, problem);
+  PlannedProblem made{problem.name, {}, {}};
+  made.overlaps = ownOverlaps(scene, problem);
+  made.areAllowed = values.flag("own-overlaps") && !made.overlaps.empty();
+  if (made.areAllowed) {
+    std::set<LinkPair> pairs;
+    for (const OwnOverlap& each : made.overlaps) pairs.insert(each.links);
+    scene.allowPairs(pairs);
+  }
   PlanSettings settings;
   settings.seconds = values.number("time");
   settings.seed = values.whole("seed");
@@ -181,7 +214,6 @@ PlannedProblem planned(const PlanningProblem& problem, const BenchmarkRobot& rob
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const auto since = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
-  PlannedProblem made{problem.name, {}, {}};
   made.result = planPath(scene, valuesOf(problem.start), valuesOf(problem.goal), settings,
                          planners()[values.whole("planner")].id, progress);
   made.planning = since();
@@ -198,11 +230,32 @@ double quantile(std::vector<double> values, double share) {
   return values[std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())))];
 }
 
+nlohmann::ordered_json toJson(const BenchmarkRobot& robot, const PlannedProblem& problem) {
+  nlohmann::ordered_json json = {{"name", problem.name},
+                                 {"outcome", wordFor(problem.result.outcome)},
+                                 {"certified", problem.isCertified && !problem.areAllowed},
+                                 {"planning_seconds", problem.planning},
+                                 {"seconds", problem.seconds},
+                                 {"length_rad", problem.length},
+                                 {"waypoints", problem.path.size()},
+                                 {"milestones", problem.result.milestones},
+                                 {"checks", problem.result.steps},
+                                 {"distances", problem.result.queries.exact}};
+  const auto nameOf = [&](std::uint32_t link) { return robot.model.links[link].name; };
+  for (const OwnOverlap& each : problem.overlaps) {
+    json["own_overlaps"].push_back({{"links", {nameOf(each.links.first), nameOf(each.links.second)}},
+                                    {"at", each.isAtGoal ? "goal" : "start"},
+                                    {"depth_mm", each.depth},
+                                    {"allowed", problem.areAllowed}});
+  }
+  if (problem.areAllowed) json["certified_but_for_overlaps"] = problem.isCertified;
+  return json;
+}
+
 nlohmann::ordered_json toJson(const PlanningSet& set, const BenchmarkRobot& robot,
                               const std::vector<PlannedProblem>& all, const std::string& planner) {
-  std::vector<double> seconds, planning, checks, distances;
-  double length = 0.0;
-  std::size_t certified = 0;
+  std::vector<double> seconds, planning, checks, distances, lengths;
+  std::size_t certified = 0, overlapping = 0, allowed = 0;
   nlohmann::ordered_json problems = nlohmann::ordered_json::array(), touching = nlohmann::ordered_json::array();
   for (const PlannedProblem& each : all) {
     const bool isSolved = each.result.outcome == PlanResult::Outcome::Solved;
@@ -211,19 +264,12 @@ nlohmann::ordered_json toJson(const PlanningSet& set, const BenchmarkRobot& robo
       planning.push_back(each.planning);
       checks.push_back(static_cast<double>(each.result.steps));
       distances.push_back(static_cast<double>(each.result.queries.exact));
-      length += each.length;
+      lengths.push_back(each.length);
     }
-    certified += each.isCertified ? 1 : 0;
-    problems.push_back({{"name", each.name},
-                        {"outcome", wordFor(each.result.outcome)},
-                        {"certified", each.isCertified},
-                        {"planning_seconds", each.planning},
-                        {"seconds", each.seconds},
-                        {"length_rad", each.length},
-                        {"waypoints", each.path.size()},
-                        {"milestones", each.result.milestones},
-                        {"checks", each.result.steps},
-                        {"distances", each.result.queries.exact}});
+    certified += each.isCertified && !each.areAllowed ? 1 : 0;
+    overlapping += each.overlaps.empty() ? 0 : 1;
+    allowed += isSolved && each.areAllowed ? 1 : 0;
+    problems.push_back(toJson(robot, each));
   }
   for (const auto& [a, b] : robot.alwaysMeeting)
     touching.push_back({robot.model.links[a].name, robot.model.links[b].name});
@@ -234,6 +280,8 @@ nlohmann::ordered_json toJson(const PlanningSet& set, const BenchmarkRobot& robo
           {"problems", all.size()},
           {"solved", seconds.size()},
           {"certified", certified},
+          {"with_own_overlaps", overlapping},
+          {"solved_with_overlaps_allowed", allowed},
           {"seconds_median", quantile(seconds, 0.5)},
           {"seconds_mean", mean(seconds)},
           {"seconds_p95", quantile(seconds, 0.95)},
@@ -242,32 +290,54 @@ nlohmann::ordered_json toJson(const PlanningSet& set, const BenchmarkRobot& robo
           {"checks_median", quantile(checks, 0.5)},
           {"checks_mean", mean(checks)},
           {"distances_mean", mean(distances)},
-          {"length_rad_mean", length / count},
+          {"length_rad_mean", mean(lengths)},
+          {"length_rad_min", quantile(lengths, 0.0)},
+          {"length_rad_max", quantile(lengths, 1.0)},
           {"always_touching", touching},
           {"results", problems}};
 }
 
+// Of a problem that is not as it should be: what became of it, and which links overlap where.
+std::string remarkOn(const nlohmann::ordered_json& problem) {
+  const bool hasOverlaps = problem.contains("own_overlaps");
+  if (problem["outcome"] == "solved" && !hasOverlaps) return {};
+  std::string text = problem["name"].get<std::string>() + ": " + problem["outcome"].get<std::string>();
+  if (!hasOverlaps) return text + "\n";
+  for (const auto& each : problem["own_overlaps"]) {
+    text += "; " + each["links"][0].get<std::string>() + " overlaps " + each["links"][1].get<std::string>() + " by " +
+            roundedText(each["depth_mm"].get<double>(), 3) + " mm at the " + each["at"].get<std::string>();
+  }
+  if (!problem.contains("certified_but_for_overlaps")) return text + "\n";
+  return text + (problem["certified_but_for_overlaps"].get<bool>()
+                     ? "; certified but for these pairs, which are allowed\n"
+                     : "; these pairs are allowed\n");
+}
+
 std::string planningText(const nlohmann::ordered_json& report) {
   const auto ms = [&](const char* key) { return roundedText(1e3 * report[key].get<double>(), 3) + " ms"; };
+  const auto rad = [&](const char* key) { return roundedText(report[key].get<double>(), 3) + " rad"; };
+  const auto count = [&](const char* key) { return std::to_string(report[key].get<int>()); };
   std::string text = report["set"].get<std::string>() + ", " + report["planner"].get<std::string>() + ": " +
-                     std::to_string(report["solved"].get<int>()) + " of " +
-                     std::to_string(report["problems"].get<int>()) + " solved, " +
-                     std::to_string(report["certified"].get<int>()) + " certified; median " + ms("seconds_median") +
-                     ", 95 % within " + ms("seconds_p95") + "; " + roundedText(report["checks_mean"].get<double>(), 4) +
-                     " points checked\n";
-  for (const auto& each : report["results"]) {
-    if (each["outcome"] != "solved")
-      text += each["name"].get<std::string>() + ": " + each["outcome"].get<std::string>() + "\n";
-  }
+                     count("solved") + " of " + count("problems") + " solved";
+  if (report["solved_with_overlaps_allowed"] != 0)
+    text += " (" + count("solved_with_overlaps_allowed") + " with overlapping links allowed)";
+  text += ", " + count("certified") + " certified; median " + ms("seconds_median") + ", 95 % within " +
+          ms("seconds_p95") + "; mean length " + rad("length_rad_mean") + " (" + rad("length_rad_min") + " to " +
+          rad("length_rad_max") + "); " + roundedText(report["checks_mean"].get<double>(), 4) + " points checked\n";
+  for (const auto& each : report["results"]) text += remarkOn(each);
   return text;
 }
 
-Status writePath(const PlannedProblem& problem, const std::filesystem::path& folder) {
+Status writePath(const BenchmarkRobot& robot, const PlannedProblem& problem, const std::filesystem::path& folder) {
   std::error_code ignored;  // what is wrong shows when the file is written
   std::filesystem::create_directories(folder, ignored);
   nlohmann::json waypoints = nlohmann::json::array();
   for (const ArmValues& values : problem.path) waypoints.push_back(std::vector<double>(values.begin(), values.end()));
-  const nlohmann::json json = {{"waypoints", waypoints}, {"certified", problem.isCertified}};
+  const nlohmann::ordered_json report = toJson(robot, problem);
+  nlohmann::ordered_json json = {{"waypoints", waypoints}, {"certified", report["certified"]}};
+  for (const char* key : {"own_overlaps", "certified_but_for_overlaps"}) {
+    if (report.contains(key)) json[key] = report[key];
+  }
   // A set from elsewhere does not say where files are written.
   std::string name = problem.name;
   std::replace_if(
@@ -291,7 +361,8 @@ int runBenchmark(const Arguments& arguments, const DocumentKinds&) {
     for (std::size_t i = 0; i < set->problems.size() && written && !job.progress().cancelled(); ++i) {
       const double done = share * static_cast<double>(i);
       all.push_back(planned(set->problems[i], *robot, values, job.progress().part(done, done + share)));
-      if (values.isSet("paths") && !all.back().path.empty()) written = writePath(all.back(), values.text("paths"));
+      if (values.isSet("paths") && !all.back().path.empty())
+        written = writePath(*robot, all.back(), values.text("paths"));
     }
   });
   if (!written) return fail(written.error());

@@ -77,6 +77,28 @@ class RobotSceneTest : public QObject {
     }));
   }
 
+  // The first and the third link of an arm that is folded, as rows of balls.
+  void depthOfWhatOverlaps() {
+    const RobotScene scene = sceneOf(planarArm({600.0, 100.0, 600.0}, 25.0));
+    ArmValues folded(3);
+    folded << 0.0, M_PI / 2.0, M_PI / 2.0;
+    QVERIFY(scene.overlappingLinks(folded).empty());  // 100 mm apart
+    folded << 0.0, 2.9, 0.0;
+    const auto overlapping = scene.overlappingLinks(folded);
+    QCOMPARE(overlapping.size(), std::size_t{1});
+    QVERIFY(overlapping[0].otherLink != overlapping[0].link);
+    // All pairs of balls of both links, by hand.
+    double depth = 0.0;
+    for (double x = 50.0; x <= 600.0; x += 25.0) {
+      for (double y = 50.0; y <= 600.0; y += 25.0) {
+        const Vec3 along(std::cos(2.9), std::sin(2.9), 0.0);
+        depth = std::max(depth, 50.0 - (Vec3(x, 0.0, 0.0) - Vec3(600.0, 0.0, 0.0) - (100.0 + y) * along).norm());
+      }
+    }
+    QVERIFY(depth > 1.0);
+    QVERIFY(std::abs(-overlapping[0].distance - depth) < 1e-9);
+  }
+
   // Around a ball in the corner: along one side and along the other, without the places in between.
   void shortcutsLeaveOutWhatTheyCan() {
     RobotScene scene = sceneOf(slidingBall());
