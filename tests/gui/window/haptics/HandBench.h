@@ -25,6 +25,19 @@ inline QString ballIn(const QTemporaryDir& folder) {
   return path;
 }
 
+// The simulated hand goes on to this place, as one does that sees where its tip is: one that stayed where it was when
+// the view changed is not where the mapping alone would have it. Said again and again, as the view may still change;
+// not before the tip has come into the scene.
+inline void bringHandTo(HapticSession& session, const Vec3& place, std::uint32_t buttons = 0) {
+  const ServoSample& now = *session.latest();
+  const WorkspaceMapping mapping = session.mappingInScene();
+  const Vec3 inView = mapping.sceneFromView.linear().transpose() * (place - now.tip.position);
+  HandPose pose;
+  pose.position = now.device.position + mapping.viewFromDevice().transpose() * inView / mapping.scale;
+  pose.buttons = buttons;
+  session.simulatedHand()->setTarget(pose);
+}
+
 // A window with a ball in it and the simulated hand open.
 struct HandBench {
   WindowDriver driver;
@@ -49,16 +62,7 @@ struct HandBench {
     pose.buttons = buttons;
     session.simulatedHand()->setTarget(pose);
   }
-  // The same of a hand that sees where its tip is: one that stayed where it was when the view changed is not where the
-  // mapping alone would have it. Said again and again, as the view may still change; not before the tip has come into
-  // the scene.
-  void bringTo(const Vec3& place) {
-    const WorkspaceMapping mapping = session.mappingInScene();
-    const Vec3 inView = mapping.sceneFromView.linear().transpose() * (place - now().tip.position);
-    HandPose pose;
-    pose.position = now().device.position + mapping.viewFromDevice().transpose() * inView / mapping.scale;
-    session.simulatedHand()->setTarget(pose);
-  }
+  void bringTo(const Vec3& place) { bringHandTo(session, place); }
   // It comes to rest there, touching nothing: one that flies past would go through an open edge, or touch its inside.
   bool arrives(const Vec3& place, double within) {
     const auto isThere = [&] {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../WindowDriver.h"
 #include "../WindowTestMain.h"
-#include "window/haptics/HapticSession.h"
+#include "HandBench.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -33,11 +32,7 @@ class RigidTouchTest : public QObject {
     QVERIFY(driver.settle());
     bool hasRamp = false, isHeld = true;
     const auto leadIn = [&] {
-      const WorkspaceMapping mapping = session.mappingInScene();
-      const Vec3 inView = mapping.sceneFromView.linear().transpose() * (box - session.latest()->tip.position);
-      HandPose pose;
-      pose.position = session.latest()->device.position + mapping.viewFromDevice().transpose() * inView / mapping.scale;
-      session.simulatedHand()->setTarget(pose);
+      bringHandTo(session, box);
       return session.latest()->felt.isContact && (session.latest()->tip.position - box).norm() < 70.0;
     };
     QTRY_VERIFY_WITH_TIMEOUT(leadIn(), kPatienceMs);

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowTestMain.h"
+#include "../cell/PlanningWindow.h"
+#include "HandBench.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr std::uint32_t kFirstButton = 1, kBothButtons = 3;
+
+// A bent arm with a box beside it, and the simulated hand.
+class HandInCell : public PlanningWindow {
+ public:
+  HandInCell() : session(*window().findChild<HapticSession*>()) {
+    edit("joint.joint_2", "28.6");
+    edit("joint.joint_3", "45.8");
+    edit("joint.joint_5", "40");
+    choose("add-box");
+    session.choose("simulated", "hand");
+    if (!QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs)) qFatal("there is no hand");
+    if (!settle()) qFatal("the cell is not prepared");
+    showAll();
+  }
+  ~HandInCell() { session.close(); }
+
+  // The hand comes to rest there, with these buttons held.
+  bool goTo(const Vec3& place, std::uint32_t buttons = 0) {
+    const auto isThere = [&] {
+      bringHandTo(session, place, buttons);
+      const ServoSample& now = *session.latest();
+      return (now.tip.position - place).norm() < 0.5 && now.tip.velocity.norm() < 5.0 && now.device.buttons == buttons;
+    };
+    if (!QTest::qWaitFor(isThere, kPatienceMs)) return false;
+    QTest::qWait(50);  // three events of the device: the tool has seen it there
+    return true;
+  }
+  Vec3 place(const char* prefix) {
+    Vec3 at;
+    for (int i = 0; i < 3; ++i) at[i] = field((std::string(prefix) + "xyz"[i]).c_str()).section(' ', 0, 0).toDouble();
+    return at;
+  }
+  // A little before where this part is seen.
+  Vec3 before(const std::string& part) {
+    const QPoint pixel = placeOf(part);
+    if (pixel.isNull()) qFatal("the part is not seen");
+    const ViewRay ray = view()->rayAt(QPointF(pixel));
+    return view()->pickAlong(ray.origin, ray.direction).point - 8.0 * ray.direction.normalized();
+  }
+
+  HapticSession& session;
+};
+
+}  // namespace
+
+// A planner's work with the simulated hand in place of a device.
+class CellHandTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // The part is placed, the robot led, a path taught by the second button, proven, and written as programs.
+  void fromThePartToThePrograms() {
+    HandInCell b;
+    const Vec3 stood = b.place("body.1.");
+    QTest::keyClick(b.view(), Qt::Key_Escape);  // nothing is selected: no handles at which the hand would hold the box
+    b.choose("placeTool");
+    QVERIFY(b.settle());
+    const Vec3 grip = b.before("body.1"), way(-40.0, 30.0, 20.0);
+    QVERIFY(b.goTo(grip));
+    QVERIFY(b.goTo(grip, kFirstButton));
+    QVERIFY(b.goTo(grip + way, kFirstButton));
+    QVERIFY(b.goTo(grip + way));
+    QTRY_VERIFY(b.find<QAction>("undo")->text().contains("Move box"));
+    QVERIFY((b.place("body.1.") - stood - way).norm() < 2.0);
+    QVERIFY(b.settle());
+
+    // The tool goes as the hand does, from wherever the hand takes hold.
+    b.choose("leadTool");
+    QVERIFY(b.settle());
+    const Vec3 clutch = b.before("body.1") + Vec3(0.0, 0.0, 60.0), up(0.0, 0.0, 30.0), aside(0.0, 40.0, 0.0);
+    QVERIFY(b.goTo(clutch));
+    QVERIFY(b.goTo(clutch, kFirstButton));
+    QVERIFY(b.goTo(clutch + up, kFirstButton));
+    QVERIFY(b.goTo(clutch + up, kBothButtons));
+    QTRY_COMPARE(b.paths()->childCount(), 1);
+    QVERIFY(b.goTo(clutch + up + aside, kFirstButton));
+    QVERIFY(b.goTo(clutch + up + aside, kBothButtons));
+    QVERIFY(b.goTo(clutch + up + aside));
+    QTRY_COMPARE(b.paths()->child(0)->childCount(), 2);
+    QVERIFY(b.settle());
+
+    b.tree()->setCurrentItem(b.paths()->child(0));
+    b.choose("verifyPath");
+    QTRY_VERIFY_WITH_TIMEOUT(b.paths()->child(0)->text(1).contains("free"), kPatienceMs);
+    const QTemporaryDir folder;
+    for (const char* name : {"way.mod", "way.script"}) {
+      b.choose("exportProgram");
+      QVERIFY(b.enterFileName("exportProgramDialog", folder.filePath(name)));
+      QTRY_VERIFY_WITH_TIMEOUT(b.text("messageText").contains(QString(name) + " was written"), kPatienceMs);
+      QVERIFY(QFile::exists(folder.filePath(name)));
+      // Read back it is the same path: both places, 40 mm apart.
+      b.choose("importProgram");
+      const int paths = b.paths()->childCount();
+      QVERIFY(b.enterFileName("importProgramDialog", folder.filePath(name)));
+      QTRY_COMPARE_WITH_TIMEOUT(b.paths()->childCount(), paths + 1, kPatienceMs);
+      QVERIFY(b.settle());
+      Vec3 at[2];
+      for (int i = 0; i < 2; ++i) {
+        b.tree()->setCurrentItem(b.paths()->child(paths)->child(i));
+        b.choose("goToConfiguration");
+        QVERIFY(b.settle());
+        at[i] = b.place("tool.");
+      }
+      QVERIFY2((at[1] - at[0] - aside).norm() < 3.0, qPrintable(QString::number((at[1] - at[0] - aside).norm())));
+      b.tree()->setCurrentItem(b.paths()->child(0));
+    }
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(CellHandTest)
+#include "CellHandTest.moc"
