@@ -79,7 +79,7 @@ void CellBodies::connectActions() {
   });
   connect(&m_unit, &QAction::triggered, this, &CellBodies::askForUnit);
   connect(&m_mount, &QAction::triggered, this, &CellBodies::mountSelected);
-  connect(&m_release, &QAction::triggered, this, &CellBodies::releaseSelected);
+  connect(&m_release, &QAction::triggered, this, [this] { carry({selected()->id}, kNone); });
   connect(&m_remove, &QAction::triggered, this, &CellBodies::removeSelected);
   connect(&m_update, &QAction::triggered, this, [this] { applyToSelected("update"); });
   connect(&m_relink, &QAction::triggered, this, &CellBodies::relinkSelected);
@@ -104,6 +104,9 @@ void CellBodies::connectList() {
   connect(m_list, &BodyList::renameRequested, this, &CellBodies::rename);
   connect(m_list, &BodyList::removalRequested, this, &CellBodies::removeSelected);
   connect(m_list, &BodyList::visibilityRequested, this, &CellBodies::setVisible);
+  connect(m_list, &BodyList::carrierRequested, this, [this](const std::set<BodyId>& bodies, const QString& carrier) {
+    carry(bodies, carrier.isEmpty() ? kNone : linkNamed(cell().robot().model, carrier.toStdString()));
+  });
   connect(m_list, &QWidget::customContextMenuRequested, this,
           [this](const QPoint& position) { m_menu->popup(m_list->viewport()->mapToGlobal(position)); });
 }
@@ -146,7 +149,10 @@ BodyPointer CellBodies::selected() const {
 void CellBodies::update() {
   const BodySet bodies = m_document ? cell().bodies() : BodySet();
   m_selection.keepOnly(bodies);  // calls this again when some were removed
-  m_list->setBodies(bodies);
+  QStringList carriers;
+  for (const handwheel::Link& link : m_document ? cell().robot().model.links : std::vector<handwheel::Link>())
+    carriers += QString::fromStdString(link.name);
+  m_list->setBodies(bodies, carriers);
   m_list->setSelected(m_selection.bodies());
   const QString noCell = tr("Open a robot cell first.");
   for (QAction* action : adding() + m_shapes->actions()) offer(*action, m_document != nullptr, noCell);

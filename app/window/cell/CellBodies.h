@@ -49,7 +49,7 @@ class CellBodies : public QObject {
   void setVisible(const std::set<BodyId>& ids, bool visible);
   void removeSelected();
   void mountSelected();
-  void releaseSelected();
+  void carry(const std::set<BodyId>& ids, std::uint32_t link);
   void rename(BodyId body, const QString& name);
   void applyToSelected(const char* verb);
   void relinkSelected();

@@ -142,11 +142,25 @@ void CellBodies::mountSelected() {
                 std::move(edit).value());
 }
 
-void CellBodies::releaseSelected() {
+// kNone: they are taken off the robot. Where they are in the cell does not change.
+void CellBodies::carry(const std::set<BodyId>& ids, std::uint32_t link) {
   const RobotModel& robot = cell().robot().model;
-  auto edit = carryEdit(cell().bodies(), selected()->id, kNone, robot, cell().joints());
+  auto edit = carryEdit(cell().bodies(), ids, link, robot, cell().joints());
   if (!edit) return report(cell(), edit.error());
-  if (*edit) cell().commit(tr("Release %1").arg(QString::fromStdString(selected()->name)), std::move(edit).value());
+  if (!*edit && link != kNone) return m_parts.log.add(tr("Nothing has changed"));
+  const auto count = static_cast<int>(ids.size());
+  const BodyPointer only = count == 1 ? cell().bodies().withId(*ids.begin()) : nullptr;
+  const QString what = only ? QString::fromStdString(only->name) : tr("%n body(ies)", nullptr, count);
+  if (!*edit) {
+    Message refused{Message::Weight::Info, tr("Nothing carries %1, as before").arg(what),
+                    tr("Only links of robots carry bodies; a body carries none.")};
+    refused.advice = tr("Drop it on a link, or on a body that a link carries.");
+    refused.about = &m_document->document;
+    return emit message(refused);
+  }
+  cell().commit(link == kNone ? tr("Release %1").arg(what)
+                              : tr("Attach %1 to %2").arg(what, QString::fromStdString(robot.links[link].name)),
+                std::move(edit).value());
 }
 
 void CellBodies::rename(BodyId body, const QString& name) {

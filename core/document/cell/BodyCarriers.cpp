@@ -33,17 +33,21 @@ BodySet inFrameOfBase(const BodySet& bodies, const RobotModel& robot, const Join
   return placed;
 }
 
-Result<std::unique_ptr<Edit>> carryEdit(const BodySet& bodies, BodyId id, std::uint32_t link, const RobotModel& robot,
-                                        const JointValues& joints) {
-  const BodyPointer body = bodies.withId(id);
-  if (!body) return Error{ErrorCode::ReferenceMissing, {"the body", std::to_string(id)}, {}, {}};
-  if (carrierOf(*body, robot) == link) return std::unique_ptr<Edit>();
+Result<std::unique_ptr<Edit>> carryEdit(const BodySet& bodies, const std::set<BodyId>& ids, std::uint32_t link,
+                                        const RobotModel& robot, const JointValues& joints) {
   const std::vector<Pose> poses = linkPoses(robot, joints);
-  Body carried = *body;
-  carried.carrier = link == kNone ? std::string() : robot.links[link].name;
-  carried.pose =
-      carrierPose(carried, robot, poses).inverse(Eigen::Isometry) * carrierPose(*body, robot, poses) * body->pose;
-  return changeBodyEdit(bodies, std::move(carried));
+  std::vector<Body> changed;
+  for (const BodyId id : ids) {
+    const BodyPointer body = bodies.withId(id);
+    if (!body) return Error{ErrorCode::ReferenceMissing, {"the body", std::to_string(id)}, {}, {}};
+    if (carrierOf(*body, robot) == link) continue;
+    Body carried = *body;
+    carried.carrier = link == kNone ? std::string() : robot.links[link].name;
+    carried.pose =
+        carrierPose(carried, robot, poses).inverse(Eigen::Isometry) * carrierPose(*body, robot, poses) * body->pose;
+    changed.push_back(std::move(carried));
+  }
+  return changeBodiesEdit(bodies, std::move(changed));
 }
 
 Result<std::unique_ptr<Edit>> mountEdit(const BodySet& bodies, BodyId id, std::uint32_t link, const RobotModel& robot) {

@@ -9,6 +9,7 @@
 #include "scene/BodySet.h"
 
 #include <memory>
+#include <set>
 #include <span>
 
 namespace handwheel {
@@ -24,10 +25,10 @@ Pose carrierPose(const Body& body, const RobotModel& robot, std::span<const Pose
 // The bodies with their poses in the frame of the robot's base. The same set where nothing is carried.
 BodySet inFrameOfBase(const BodySet& bodies, const RobotModel& robot, const JointValues& joints);
 
-// Lets a link (kNone: nothing) carry a body, which keeps its place while the joints are there. Null when it does so
-// already. Errors: ReferenceMissing {"the body", number}; ValueOutOfRange of its new pose.
-Result<std::unique_ptr<Edit>> carryEdit(const BodySet& bodies, BodyId id, std::uint32_t link, const RobotModel& robot,
-                                        const JointValues& joints);
+// Lets a link (kNone: nothing) carry bodies, which keep their places while the joints are there. Null when it does so
+// already. Errors: ReferenceMissing {"the body", number}; ValueOutOfRange of a new pose.
+Result<std::unique_ptr<Edit>> carryEdit(const BodySet& bodies, const std::set<BodyId>& ids, std::uint32_t link,
+                                        const RobotModel& robot, const JointValues& joints);
 
 // Mounts a body on a link: its origin and axes become those of the link. Null when it is there already. Errors: as
 // above.

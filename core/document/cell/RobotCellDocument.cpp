@@ -156,7 +156,7 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
     if (!choice || !(*choice >= 0.0 && *choice <= static_cast<double>(m_robot->model.links.size())))
       return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
     const std::uint32_t link = *choice < 1.0 ? kNone : static_cast<std::uint32_t>(*choice) - 1;
-    return carryEdit(bodies(), *body, link, m_robot->model, m_joints);
+    return carryEdit(bodies(), {*body}, link, m_robot->model, m_joints);
   }
   const std::string ofCentre = id.starts_with("tcp.") ? id.substr(4) : std::string();
   if (const auto centre = changedPose(m_plans->tool, ofCentre, value)) {

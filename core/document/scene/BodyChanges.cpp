@@ -71,16 +71,26 @@ Result<std::unique_ptr<Edit>> addBodyEdit(const BodySet& bodies, Body body) {
 }
 
 Result<std::unique_ptr<Edit>> changeBodyEdit(const BodySet& bodies, Body body) {
-  const BodyPointer present = bodies.withId(body.id);
-  if (!present) return Error{BodyError::BodyMissing, {std::to_string(body.id)}, {}, {}};
-  if (body == *present) return std::unique_ptr<Edit>();
-  if (const Status checked = checkBody(bodies, body); !checked) return checked.error();
-  if (body.geometry != present->geometry) {
-    const Status room = checkRoom(bodies, *body.geometry, present->geometry.get());
-    if (!room) return room.error();
+  std::vector<Body> one;
+  one.push_back(std::move(body));
+  return changeBodiesEdit(bodies, std::move(one));
+}
+
+Result<std::unique_ptr<Edit>> changeBodiesEdit(const BodySet& bodies, std::vector<Body> changed) {
+  std::vector<BodyEdit::Change> changes;
+  for (Body& body : changed) {
+    const BodyPointer present = bodies.withId(body.id);
+    if (!present) return Error{BodyError::BodyMissing, {std::to_string(body.id)}, {}, {}};
+    if (body == *present) continue;
+    if (const Status checked = checkBody(bodies, body); !checked) return checked.error();
+    if (body.geometry != present->geometry) {
+      const Status room = checkRoom(bodies, *body.geometry, present->geometry.get());
+      if (!room) return room.error();
+    }
+    const BodyId id = body.id;
+    changes.push_back({id, std::make_shared<const Body>(std::move(body))});
   }
-  const BodyId id = body.id;
-  return editOf({{id, std::make_shared<const Body>(std::move(body))}});
+  return editOf(std::move(changes));
 }
 
 std::unique_ptr<Edit> removeBodiesEdit(const BodySet& bodies, std::span<const BodyId> ids) {

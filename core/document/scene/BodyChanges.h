@@ -24,6 +24,9 @@ Result<std::unique_ptr<Edit>> addBodyEdit(const BodySet& bodies, Body body);
 // body", number}.
 Result<std::unique_ptr<Edit>> changeBodyEdit(const BodySet& bodies, Body body);
 
+// The same of several, whose names and shapes do not change. Null when none changes.
+Result<std::unique_ptr<Edit>> changeBodiesEdit(const BodySet& bodies, std::vector<Body> changed);
+
 // Removes bodies. Null when there is none with these numbers.
 std::unique_ptr<Edit> removeBodiesEdit(const BodySet& bodies, std::span<const BodyId> ids);
 

@@ -7,8 +7,10 @@
 
 #include <QAbstractItemModelTester>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
+#include <memory>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -78,6 +80,71 @@ class BodyListTest : public QObject {
       }
     }
     QVERIFY(!model.indexOf(3).isValid());
+  }
+
+  // Those that nothing carries come first; whatever becomes of whom carries what, each body is in one row.
+  void rowsBelowWhatCarries() {
+    BodyModel model;
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    const QStringList links{"base", "arm", "hand"};
+    const auto carried = [](BodySet bodies, BodyId id, const char* by) {
+      Body body = *bodies.withId(id);
+      body.carrier = by;
+      return bodies.with(std::make_shared<const Body>(body));
+    };
+    const BodySet five = manyBodies(5);
+    const std::vector<BodySet> versions{five,
+                                        carried(five, 2, "hand"),
+                                        carried(carried(five, 2, "hand"), 4, "hand"),
+                                        carried(carried(five, 2, "arm"), 4, "hand").without(5),
+                                        carried(five, 1, "of another robot"),
+                                        BodySet()};
+    for (const BodySet& bodies : versions) {
+      model.setBodies(bodies, links);
+      int standing = 0;
+      for (const BodyPointer& body : bodies) {
+        const QModelIndex at = model.indexOf(body->id);
+        QCOMPARE(model.body(at), body);
+        const QString by = QString::fromStdString(body->carrier);
+        QCOMPARE(at.parent().data().toString(), links.contains(by) ? by : QString());
+        if (!at.parent().isValid()) QCOMPARE(at.row(), standing++);
+      }
+      QCOMPARE(model.rowCount(), standing + 3);
+      QVERIFY(!model.body(model.indexOfCarrier("hand")));
+    }
+    model.setBodies(carried(five, 2, "hand"), {"hand"});
+    QCOMPARE(model.indexOf(2).parent(), model.indexOfCarrier("hand"));
+    model.setBodies(carried(five, 2, "hand"));
+    QVERIFY(!model.indexOf(2).parent().isValid());
+  }
+
+  // On what carries, on a body that is carried, beside all rows. What another list drags is not taken.
+  void dropsAskForACarrier() {
+    BodyModel model, other;
+    Body onHand = *manyBodies(2).withId(2);
+    onHand.carrier = "hand";
+    const BodySet bodies = manyBodies(3).with(std::make_shared<const Body>(onHand));
+    model.setBodies(bodies, {"base", "hand"});
+    other.setBodies(bodies, {"base", "hand"});
+    std::vector<std::pair<std::set<BodyId>, QString>> asked;
+    connect(&model, &BodyModel::carrierRequested, this,
+            [&](const std::set<BodyId>& ids, const QString& by) { asked.emplace_back(ids, by); });
+    const auto drop = [&](const BodyModel& from, const QModelIndex& onto) {
+      const std::unique_ptr<QMimeData> data(
+          from.mimeData({from.indexOf(1), from.indexOf(1).siblingAtColumn(BodyModel::Eye), from.indexOf(3)}));
+      return model.dropMimeData(data.get(), Qt::MoveAction, -1, -1, onto);
+    };
+    const std::set<BodyId> dragged{1, 3};
+    QVERIFY(drop(model, model.indexOfCarrier("base")));
+    QVERIFY(drop(model, model.indexOf(2)));
+    QVERIFY(drop(model, model.indexOf(3)));
+    QVERIFY(drop(model, {}));
+    QCOMPARE(asked, (decltype(asked){{dragged, "base"}, {dragged, "hand"}, {dragged, ""}, {dragged, ""}}));
+    QVERIFY(!drop(other, model.indexOfCarrier("base")));
+    QCOMPARE(asked.size(), std::size_t{4});
+    QVERIFY(!model.mimeData({model.indexOfCarrier("base")}));
+    model.setBodies(bodies);
+    QVERIFY(!model.flags(model.indexOf(1)).testFlag(Qt::ItemIsDragEnabled));
   }
 
   void clicksSelect() {

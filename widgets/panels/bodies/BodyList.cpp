@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/bodies/BodyList.h"
 
+#include <QDrag>
 #include <QHeaderView>
 #include <QItemSelection>
 #include <QKeyEvent>
+#include <QMimeData>
 #include <QScopedValueRollback>
 
 namespace handwheel {
@@ -13,6 +15,7 @@ namespace {
 
 constexpr int kMarkWidth = 26;
 constexpr int kRowsShown = 6;
+constexpr int kIndentation = 14;  // pixels: the panel is narrow
 
 // The key of a press without modifiers; 0 for others.
 int plainKeyOf(const QEvent& event) {
@@ -32,6 +35,10 @@ BodyList::BodyList(QWidget* parent) : QTreeView(parent), m_model(new BodyModel(t
   setModel(m_model);
   setHeaderHidden(true);
   setRootIsDecorated(false);
+  setItemsExpandable(false);
+  setDragDropMode(DragDrop);
+  setDragDropOverwriteMode(true);  // onto rows, not between them
+  setIndentation(kIndentation);
   setUniformRowHeights(true);
   setAllColumnsShowFocus(true);
   setSelectionMode(ExtendedSelection);
@@ -49,12 +56,14 @@ BodyList::BodyList(QWidget* parent) : QTreeView(parent), m_model(new BodyModel(t
   setMinimumHeight(kRowsShown * fontMetrics().height());
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &BodyList::follow);
   connect(m_model, &BodyModel::renameRequested, this, &BodyList::renameRequested);
+  connect(m_model, &BodyModel::carrierRequested, this, &BodyList::carrierRequested);
 }
 
-void BodyList::setBodies(const BodySet& bodies) {
+void BodyList::setBodies(const BodySet& bodies, const QStringList& carriers) {
   {
     const QScopedValueRollback following(m_isFollowing, true);
-    m_model->setBodies(bodies);
+    m_model->setBodies(bodies, carriers);
+    expandAll();
   }
   setSelected(std::set<BodyId>(m_selected));
 }
@@ -77,7 +86,9 @@ void BodyList::setSelected(const std::set<BodyId>& bodies) {
 
 std::set<BodyId> BodyList::selectedBodies() const {
   std::set<BodyId> bodies;
-  for (const QModelIndex& row : selectionModel()->selectedRows(BodyModel::Name)) bodies.insert(m_model->body(row)->id);
+  for (const QModelIndex& row : selectionModel()->selectedRows(BodyModel::Name)) {
+    if (const BodyPointer body = m_model->body(row)) bodies.insert(body->id);
+  }
   return bodies;
 }
 
@@ -95,8 +106,9 @@ void BodyList::toggle(const BodyPointer& body) {
 
 bool BodyList::clickEye(const QMouseEvent& event) {
   const QModelIndex index = indexAt(event.position().toPoint());
-  if (index.column() != BodyModel::Eye || event.button() != Qt::LeftButton) return false;
-  toggle(m_model->body(index));
+  const BodyPointer body = m_model->body(index);
+  if (!body || index.column() != BodyModel::Eye || event.button() != Qt::LeftButton) return false;
+  toggle(body);
   return true;
 }
 
@@ -107,6 +119,15 @@ void BodyList::mousePressEvent(QMouseEvent* event) {
 
 void BodyList::mouseDoubleClickEvent(QMouseEvent* event) {
   if (!clickEye(*event)) QTreeView::mouseDoubleClickEvent(event);
+}
+
+// A drop changes the document, and that the rows: none is removed here.
+void BodyList::startDrag(Qt::DropActions actions) {
+  QMimeData* const dragged = m_model->mimeData(selectionModel()->selectedRows(BodyModel::Name));
+  if (!dragged) return;
+  auto* drag = new QDrag(this);
+  drag->setMimeData(dragged);
+  drag->exec(actions);
 }
 
 // The keys of a row are no commands of the window.

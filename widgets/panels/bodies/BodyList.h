@@ -10,14 +10,15 @@
 namespace handwheel {
 
 // A list of the bodies of a document: colour, name, link and eye. Several can be selected. F2 or a double click
-// renames, Del removes, Space and a click on an eye hide or show. It only asks for changes.
+// renames, Del removes, Space and a click on an eye hide or show; bodies are dragged onto what carries them. It only
+// asks for changes.
 class BodyList : public QTreeView {
   Q_OBJECT
 
  public:
   explicit BodyList(QWidget* parent = nullptr);
 
-  void setBodies(const BodySet& bodies);
+  void setBodies(const BodySet& bodies, const QStringList& carriers = {});  // as BodyModel
   // Selects these rows, and scrolls to a single one.
   void setSelected(const std::set<BodyId>& bodies);
 
@@ -26,12 +27,14 @@ class BodyList : public QTreeView {
   void renameRequested(handwheel::BodyId body, const QString& name);
   void removalRequested();  // of the selected ones
   void visibilityRequested(const std::set<handwheel::BodyId>& bodies, bool visible);
+  void carrierRequested(const std::set<handwheel::BodyId>& bodies, const QString& carrier);  // as BodyModel
 
  protected:
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void startDrag(Qt::DropActions actions) override;
 
  private:
   std::set<BodyId> selectedBodies() const;

@@ -5,6 +5,8 @@
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 
+#include <QMimeData>
+#include <QUuid>
 #include <algorithm>
 
 namespace handwheel {
@@ -26,52 +28,111 @@ bool isLinkBroken(const BodyLink& link) {
 
 }  // namespace
 
+BodyModel::BodyModel(QObject* parent)
+    : QAbstractItemModel(parent),
+      m_mimeType(QStringLiteral("application/x-handwheel-bodies-") + QUuid::createUuid().toString(QUuid::Id128)) {}
+
+void BodyModel::setBodies(const BodySet& bodies, const QStringList& carriers) {
+  if (carriers != m_carriers) {
+    beginResetModel();
+    m_carriers = carriers;
+    m_bodies.assign(1 + static_cast<std::size_t>(carriers.size()), {});
+    endResetModel();
+  }
+  std::vector<Bodies> next(m_bodies.size());
+  for (const BodyPointer& body : bodies) {
+    // -1, of one that is carried by nothing that is known, gives the group of those that stand.
+    const auto carrier = body->carrier.empty() ? -1 : m_carriers.indexOf(QString::fromStdString(body->carrier));
+    next[static_cast<std::size_t>(carrier + 1)].push_back(body);
+  }
+  for (std::size_t group = 0; group < next.size(); ++group) setGroup(group, next[group]);
+}
+
 // What stands before and after the change keeps its rows, with selection and place in the view.
-void BodyModel::setBodies(const BodySet& bodies) {
-  const std::vector<BodyPointer> next(bodies.begin(), bodies.end());
-  const auto head = std::mismatch(m_bodies.begin(), m_bodies.end(), next.begin(), next.end(), isSameBody);
-  const auto first = head.first - m_bodies.begin();
-  const auto tail = std::mismatch(m_bodies.rbegin(), std::make_reverse_iterator(head.first), next.rbegin(),
+void BodyModel::setGroup(std::size_t group, const Bodies& next) {
+  Bodies& bodies = m_bodies[group];
+  const auto head = std::mismatch(bodies.begin(), bodies.end(), next.begin(), next.end(), isSameBody);
+  const auto first = head.first - bodies.begin();
+  const auto tail = std::mismatch(bodies.rbegin(), std::make_reverse_iterator(head.first), next.rbegin(),
                                   std::make_reverse_iterator(head.second), isSameBody);
   const auto removed = tail.first.base() - head.first, added = tail.second.base() - head.second;
+  const auto above = [&] { return group == 0 ? QModelIndex() : index(standing() + static_cast<int>(group) - 1, 0); };
   if (removed > 0) {
-    beginRemoveRows({}, static_cast<int>(first), static_cast<int>(first + removed) - 1);
-    m_bodies.erase(m_bodies.begin() + first, m_bodies.begin() + first + removed);
+    beginRemoveRows(above(), static_cast<int>(first), static_cast<int>(first + removed) - 1);
+    bodies.erase(bodies.begin() + first, bodies.begin() + first + removed);
     endRemoveRows();
   }
   if (added > 0) {
-    beginInsertRows({}, static_cast<int>(first), static_cast<int>(first + added) - 1);
-    m_bodies.insert(m_bodies.begin() + first, next.begin() + first, next.begin() + first + added);
+    beginInsertRows(above(), static_cast<int>(first), static_cast<int>(first + added) - 1);
+    bodies.insert(bodies.begin() + first, next.begin() + first, next.begin() + first + added);
     endInsertRows();
   }
   for (std::size_t row = 0; row < next.size(); ++row) {
-    if (m_bodies[row] == next[row]) continue;
-    m_bodies[row] = next[row];
-    emit dataChanged(index(static_cast<int>(row), 0), index(static_cast<int>(row), ColumnCount - 1));
+    if (bodies[row] == next[row]) continue;
+    bodies[row] = next[row];
+    const auto at = static_cast<int>(row);
+    emit dataChanged(index(at, 0, above()), index(at, ColumnCount - 1, above()));
   }
 }
 
+// An index holds the number of its group of bodies.
+std::size_t BodyModel::groupOf(const QModelIndex& index) const {
+  return static_cast<std::size_t>(index.internalId());
+}
+
+const QString* BodyModel::carrier(const QModelIndex& index) const {
+  const bool isCarrier = index.isValid() && groupOf(index) == 0 && index.row() >= standing();
+  return isCarrier ? &m_carriers[index.row() - standing()] : nullptr;
+}
+
 BodyPointer BodyModel::body(const QModelIndex& index) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return nullptr;
-  return m_bodies[static_cast<std::size_t>(index.row())];
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid) || carrier(index)) return nullptr;
+  return m_bodies[groupOf(index)][static_cast<std::size_t>(index.row())];
 }
 
 QModelIndex BodyModel::indexOf(BodyId id) const {
-  const auto found = std::lower_bound(m_bodies.begin(), m_bodies.end(), id,
-                                      [](const BodyPointer& body, BodyId wanted) { return body->id < wanted; });
-  if (found == m_bodies.end() || (*found)->id != id) return {};
-  return index(static_cast<int>(found - m_bodies.begin()), Name);
+  for (std::size_t group = 0; group < m_bodies.size(); ++group) {
+    const Bodies& bodies = m_bodies[group];
+    const auto found = std::lower_bound(bodies.begin(), bodies.end(), id,
+                                        [](const BodyPointer& body, BodyId wanted) { return body->id < wanted; });
+    if (found != bodies.end() && (*found)->id == id)
+      return createIndex(static_cast<int>(found - bodies.begin()), Name, static_cast<quintptr>(group));
+  }
+  return {};
+}
+
+QModelIndex BodyModel::indexOfCarrier(const QString& name) const {
+  const auto number = static_cast<int>(m_carriers.indexOf(name));
+  return number < 0 ? QModelIndex() : index(standing() + number, Name);
+}
+
+QModelIndex BodyModel::index(int row, int column, const QModelIndex& parent) const {
+  if (!hasIndex(row, column, parent)) return {};
+  const int group = parent.isValid() ? parent.row() - standing() + 1 : 0;
+  return createIndex(row, column, static_cast<quintptr>(group));
+}
+
+QModelIndex BodyModel::parent(const QModelIndex& index) const {
+  const std::size_t group = index.isValid() ? groupOf(index) : 0;
+  return group == 0 ? QModelIndex() : this->index(standing() + static_cast<int>(group) - 1, 0);
 }
 
 int BodyModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(m_bodies.size());
+  if (!parent.isValid()) return standing() + static_cast<int>(m_carriers.size());
+  if (!carrier(parent) || parent.column() != 0) return 0;
+  return static_cast<int>(m_bodies[static_cast<std::size_t>(parent.row() - standing() + 1)].size());
 }
 
-int BodyModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : ColumnCount;
+int BodyModel::columnCount(const QModelIndex&) const {
+  return ColumnCount;
 }
 
 QVariant BodyModel::data(const QModelIndex& index, int role) const {
+  if (const QString* const name = carrier(index)) {
+    if (role == Qt::ToolTipRole) return tr("Drop bodies here for %1 to carry them").arg(*name);
+    if (role == Qt::ForegroundRole) return themeColours(currentTheme()).muted;
+    return role == Qt::DisplayRole && index.column() == Name ? QVariant(*name) : QVariant();
+  }
   const BodyPointer body = this->body(index);
   if (!body) return {};
   switch (index.column()) {
@@ -131,9 +192,13 @@ QVariant BodyModel::eyeData(const Body& body, int role) const {
   }
 }
 
+// Bodies can be dropped on everything, also beside the rows, where anything can carry them.
 Qt::ItemFlags BodyModel::flags(const QModelIndex& index) const {
-  if (!index.isValid()) return Qt::NoItemFlags;
-  const Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+  const Qt::ItemFlags dropping = m_carriers.empty() ? Qt::NoItemFlags : Qt::ItemIsDropEnabled;
+  if (!index.isValid()) return dropping;
+  if (carrier(index)) return Qt::ItemIsEnabled | dropping;
+  const Qt::ItemFlags dragging = m_carriers.empty() ? Qt::NoItemFlags : Qt::ItemIsDragEnabled;
+  const Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren | dropping | dragging;
   return index.column() == Name ? usual | Qt::ItemIsEditable : usual;
 }
 
@@ -141,6 +206,30 @@ bool BodyModel::setData(const QModelIndex& index, const QVariant& value, int rol
   const BodyPointer body = this->body(index);
   if (!body || index.column() != Name || role != Qt::EditRole) return false;
   if (value.toString() != QString::fromStdString(body->name)) emit renameRequested(body->id, value.toString());
+  return true;
+}
+
+QMimeData* BodyModel::mimeData(const QModelIndexList& indexes) const {
+  QByteArrayList numbers;
+  for (const QModelIndex& each : indexes) {
+    const BodyPointer dragged = each.column() == Name ? body(each) : nullptr;
+    if (dragged) numbers += QByteArray::number(dragged->id);
+  }
+  if (numbers.empty()) return nullptr;
+  auto* data = new QMimeData;
+  data->setData(m_mimeType, numbers.join(','));
+  return data;
+}
+
+// The rows stay as they are until the document has changed.
+bool BodyModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                             const QModelIndex& parent) {
+  if (!canDropMimeData(data, action, row, column, parent)) return false;
+  std::set<BodyId> dropped;
+  for (const QByteArray& number : data->data(m_mimeType).split(',')) dropped.insert(number.toUInt());
+  const QModelIndex onto = carrier(parent) ? parent : this->parent(parent);
+  const QString* const name = carrier(onto);
+  emit carrierRequested(dropped, name ? *name : QString());
   return true;
 }
 

@@ -4,39 +4,62 @@
 
 #include "scene/BodySet.h"
 
-#include <QAbstractTableModel>
+#include <QAbstractItemModel>
+#include <QStringList>
+#include <set>
 
 namespace handwheel {
 
-// The bodies of a document as rows, in the order in which they were added. A change of the document costs a comparison
-// of pointers for each body.
-class BodyModel : public QAbstractTableModel {
+// The bodies of a document as rows, in the order in which they were added. Where there are things that carry bodies,
+// each is a row behind those of the bodies that stand by themselves, with the bodies that it carries below it. A change
+// of the document costs a comparison of pointers for each body.
+class BodyModel : public QAbstractItemModel {
   Q_OBJECT
 
  public:
   enum Column { Name, Link, Eye, ColumnCount };
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit BodyModel(QObject* parent = nullptr);
 
-  void setBodies(const BodySet& bodies);
-  BodyPointer body(const QModelIndex& index) const;  // null for an invalid index
-  QModelIndex indexOf(BodyId id) const;              // of the name; invalid when there is none; O(log n)
+  // carriers: the names of what can carry bodies (Body::carrier).
+  void setBodies(const BodySet& bodies, const QStringList& carriers = {});
+  BodyPointer body(const QModelIndex& index) const;  // null for an invalid index, and for what carries
+  QModelIndex indexOf(BodyId id) const;              // of the name; invalid when there is none; O(carriers · log n)
+  QModelIndex indexOfCarrier(const QString& name) const;  // the same
 
+  QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+  QModelIndex parent(const QModelIndex& index) const override;
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;  // asks for a new name
+  Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+  QStringList mimeTypes() const override { return {m_mimeType}; }
+  QMimeData* mimeData(const QModelIndexList& indexes) const override;
+  bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                    const QModelIndex& parent) override;  // asks for another carrier
 
  signals:
   void renameRequested(handwheel::BodyId body, const QString& name);
+  // Bodies were dropped on what can carry them; empty: beside all that, or on a body that stands by itself. What was
+  // dropped on a body that is carried is to be carried by the same.
+  void carrierRequested(const std::set<handwheel::BodyId>& bodies, const QString& carrier);
 
  private:
+  using Bodies = std::vector<BodyPointer>;
+
+  int standing() const { return static_cast<int>(m_bodies.front().size()); }
+  std::size_t groupOf(const QModelIndex& index) const;
+  const QString* carrier(const QModelIndex& index) const;
+  void setGroup(std::size_t group, const Bodies& next);
   QVariant nameData(const Body& body, int role) const;
   QVariant linkData(const Body& body, int role) const;
   QVariant eyeData(const Body& body, int role) const;
 
-  std::vector<BodyPointer> m_bodies;
+  QStringList m_carriers;
+  std::vector<Bodies> m_bodies{1};  // those that stand by themselves, then those of each carrier
+  QString m_mimeType;               // of this model alone: numbers of bodies mean nothing elsewhere
 };
 
 }  // namespace handwheel

@@ -90,6 +90,31 @@ class CellBodiesTest : public QObject {
     QVERIFY(!mountEdit(m_cell->bodies(), 9, toolLink(robot), robot).hasValue());
   }
 
+  // In one step, each where it was; one that the link carries already, and a body that is not there.
+  void severalAreCarried() {
+    const Pose first = poseOf({620, 30, 5}, {0.1, 0.2, 0.3}), second = poseOf({-10, 40, 70}, {0.4, 0, 0});
+    add(*m_cell, boxAt("gripper", 20, first));
+    add(*m_cell, boxAt("camera", 10, second));
+    const RobotModel& robot = m_cell->robot().model;
+    const auto carry = [&](const std::set<BodyId>& ids, std::uint32_t link) {
+      return carryEdit(m_cell->bodies(), ids, link, robot, m_cell->joints());
+    };
+    m_cell->commit("Carry", std::move(carry({1, 2}, toolLink(robot))).value());
+    const auto standAsBefore = [&] {
+      const BodySet there = inFrameOfBase(m_cell->bodies(), robot, m_cell->joints());
+      return there.withId(1)->pose.isApprox(first, 1e-12) && there.withId(2)->pose.isApprox(second, 1e-12);
+    };
+    QVERIFY(standAsBefore());
+    QVERIFY(!m_cell->bodies().withId(1)->carrier.empty() && !m_cell->bodies().withId(2)->carrier.empty());
+    QVERIFY(!carry({1, 2}, toolLink(robot)).value());
+    QVERIFY(!carry({1, 9}, kNone).hasValue());
+    m_cell->commit("Release", std::move(carry({1, 2}, kNone)).value());
+    QVERIFY(standAsBefore() && m_cell->bodies().withId(2)->carrier.empty());
+    m_cell->history()->undo();
+    m_cell->history()->undo();
+    QVERIFY(m_cell->bodies().withId(1)->carrier.empty() && m_cell->bodies().withId(2)->carrier.empty());
+  }
+
   // As the shape of a body a robot is one mesh.
   void aRobotAsABodySaysWhatItLoses() {
     std::vector<Note> notes;

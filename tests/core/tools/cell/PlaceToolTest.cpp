@@ -159,7 +159,7 @@ class PlaceToolTest : public QObject {
   void onTheRobot() {
     const RobotModel& robot = m_cell->document().robot().model;
     m_cell->stand({0.3, 0.4, 0.2, 0.5, 0.8, -0.3});
-    auto edit = carryEdit(m_cell->document().bodies(), m_box, toolLink(robot), robot, m_cell->document().joints());
+    auto edit = carryEdit(m_cell->document().bodies(), {m_box}, toolLink(robot), robot, m_cell->document().joints());
     m_cell->document().commit("Carry", std::move(edit).value());
     PlaceTool tool = make();
     const Pose before = poseInBase();

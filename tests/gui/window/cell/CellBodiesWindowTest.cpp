@@ -147,7 +147,7 @@ class CellBodiesWindowTest : public QObject {
     driver.release();
     QVERIFY(driver.settle());
     tabs->setCurrentIndex(0);
-    QCOMPARE(driver.list()->model()->rowCount(), 1);
+    QCOMPARE(driver.listedBodies(), 1);
   }
 
   void aBodyIsLinkedToAnotherFile() {

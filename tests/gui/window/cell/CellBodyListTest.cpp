@@ -31,7 +31,7 @@ class CellBodyListTest : public QObject {
     QVERIFY(driver.find<QAction>("undo")->text().contains("Show box"));
     driver.list()->setFocus();
     QTest::keyClick(driver.list(), Qt::Key_Delete);
-    QCOMPARE(driver.list()->model()->rowCount(), 1);
+    QCOMPARE(driver.listedBodies(), 1);
   }
 
   void whatIsSelectedIsTheSameInViewAndList() {
@@ -58,6 +58,57 @@ class CellBodyListTest : public QObject {
       QTest::mouseClick(driver.view(), Qt::LeftButton, {}, link);
       QCOMPARE(rows(), 0);
     }
+  }
+
+  // A body is dragged onto a link, which carries it from then on: it goes with the arm. Dropped on a body that stands
+  // by itself it stands, too; on one that is carried, it goes with that. Each drop is one step.
+  void aDropGivesABodyToALink() {
+    CellWindow driver;
+    driver.choose("add-box");
+    driver.choose("add-sphere");
+    driver.choose("add-cylinder");
+    QVERIFY(driver.settle());
+    const auto at = [&](const char* body, const char* axis) {
+      return driver.field((std::string(body) + axis).c_str()).section(' ', 0, 0).toDouble();
+    };
+    const auto select = [&](BodyId id) { driver.list()->setCurrentIndex(driver.rows().indexOf(id)); };
+    select(2);
+    const double x = at("body.2.", "x"), y = at("body.2.", "y"), z = at("body.2.", "z");
+    const auto carrierOf = [&](BodyId id) { return driver.rows().indexOf(id).parent().data().toString(); };
+    QVERIFY(x > 100.0 && carrierOf(2).isEmpty());
+    const QModelIndex link = driver.rows().indexOfCarrier("shoulder");
+    QVERIFY(link.isValid());
+    QVERIFY(driver.dropOn({driver.rows().indexOf(2)}, link));
+    QVERIFY(driver.find<QAction>("undo")->text().contains("Attach sphere to shoulder"));
+    QCOMPARE(carrierOf(2), QString("shoulder"));
+    QTest::keyClick(driver.view(), Qt::Key_Escape);  // the joints are shown where no body is selected
+    driver.edit("joint.joint_1", "90");
+    QVERIFY(driver.dropOn({driver.rows().indexOf(2)}, driver.rows().indexOf(1)));
+    QVERIFY(driver.find<QAction>("undo")->text().contains("Release sphere"));
+    QVERIFY(carrierOf(2).isEmpty());
+    select(2);
+    QVERIFY(std::abs(at("body.2.", "x") + y) < 0.01 && std::abs(at("body.2.", "y") - x) < 0.01);
+    QVERIFY(std::abs(at("body.2.", "z") - z) < 0.01);
+    driver.click("quickActions/undo");
+    QCOMPARE(carrierOf(2), QString("shoulder"));
+    QVERIFY(driver.dropOn({driver.rows().indexOf(1), driver.rows().indexOf(3)}, driver.rows().indexOf(2)));
+    QVERIFY(driver.find<QAction>("undo")->text().contains("Attach 2 bodies to shoulder"));
+    QCOMPARE(carrierOf(1), QString("shoulder"));
+    QCOMPARE(carrierOf(3), QString("shoulder"));
+    driver.click("quickActions/undo");
+    QVERIFY(carrierOf(1).isEmpty() && carrierOf(3).isEmpty());
+  }
+
+  // Bodies carry no bodies, so none goes round in a circle: that is said, and nothing changes.
+  void aDropThatChangesNothingSaysWhy() {
+    CellWindow driver;
+    driver.choose("add-box");
+    driver.choose("add-sphere");
+    QVERIFY(driver.settle());
+    const QString before = driver.find<QAction>("undo")->text();
+    QVERIFY(driver.dropOn({driver.rows().indexOf(1)}, driver.rows().indexOf(2)));
+    QCOMPARE(driver.find<QAction>("undo")->text(), before);
+    QTRY_VERIFY(driver.text("messageText").contains("Only links of robots carry bodies"));
   }
 
   void aRefusedNameSaysWhy() {

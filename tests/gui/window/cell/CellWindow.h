@@ -8,6 +8,9 @@
 #include "viewport/surface/PartsLayer.h"
 
 #include <QDockWidget>
+#include <QDropEvent>
+#include <QMimeData>
+#include <memory>
 
 namespace handwheel::test {
 
@@ -50,10 +53,31 @@ class CellWindow : public WindowDriver {
   }
 
   BodyList* list() { return find<BodyList>("bodyList"); }
+  BodyModel& rows() { return *qobject_cast<BodyModel*>(list()->model()); }
+  int listedBodies() {
+    int count = 0;
+    for (BodyId id = 1; id < 100; ++id) count += rows().indexOf(id).isValid() ? 1 : 0;
+    return count;
+  }
   void clickRow(int row, BodyModel::Column column = BodyModel::Name) {
     const QModelIndex index = list()->model()->index(row, column);
     list()->scrollTo(index);
     QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(index).center());
+  }
+
+  // Drags rows of the list onto another one, as a person does who has pressed on one of them. False: not accepted
+  // there.
+  bool dropOn(const QModelIndexList& bodies, const QModelIndex& onto) {
+    const std::unique_ptr<QMimeData> data(rows().mimeData(bodies));
+    list()->scrollTo(onto);
+    const QPoint place = list()->visualRect(onto).center();
+    QDragEnterEvent enter(place, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(list()->viewport(), &enter);
+    QDragMoveEvent over(place, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(list()->viewport(), &over);
+    QDropEvent drop(place, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(list()->viewport(), &drop);
+    return enter.isAccepted() && over.isAccepted() && drop.isAccepted();
   }
 
   void move(const QPoint& to) {
