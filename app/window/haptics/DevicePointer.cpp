@@ -107,12 +107,13 @@ PointerEvent DevicePointer::eventAt(const ServoSample& sample) const {
   return event;
 }
 
-// While nothing is held, a tool's springs would pull from any distance to what is only under the cursor.
+// What the mouse holds would pull at a device from any distance.
 void DevicePointer::pull() {
   if (!m_session.isOpen()) return;
   const Tool* const tool = m_tools.runner().tool();
   m_scene.setHolding(m_isHeld);
-  m_scene.setSprings(tool && m_isHeld ? tool->forces() : std::vector<DeviceSpring>());
+  const bool isForDevice = m_isHeld || QGuiApplication::mouseButtons() == Qt::NoButton;
+  m_scene.setSprings(tool && isForDevice ? tool->forces() : std::vector<DeviceSpring>());
 }
 
 std::optional<Pose> DevicePointer::placeMouse(const PointerInput& input, const ViewRay& ray) {

@@ -23,6 +23,7 @@ struct HandGuidingTool::Guidance {
   ApproachForce::Felt felt = {};
   std::shared_ptr<const GuideCurve> guide = {};
   std::optional<FollowingTry> following = {};
+  std::optional<PathPlace> pulled = {};  // which is led, and not the robot
 };
 
 }  // namespace handwheel

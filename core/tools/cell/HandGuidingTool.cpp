@@ -52,7 +52,11 @@ ToolReply HandGuidingTool::pointer(const PointerEvent& given) {
   event.ray.direction.stableNormalize();
   switch (event.kind) {
     case PointerEvent::Kind::Hover:
+      m_near = m_guidance ? std::nullopt : placeNear(event);
+      m_tip = event.device ? std::optional<Vec3>(event.device->translation()) : std::nullopt;
+      return ToolReply::Used;
     case PointerEvent::Kind::Leave:
+      m_near.reset();
       return ToolReply::Used;
     case PointerEvent::Kind::Press:
       return press(event);
@@ -74,6 +78,7 @@ ToolReply HandGuidingTool::pointer(const PointerEvent& given) {
 ToolReply HandGuidingTool::press(const PointerEvent& event) {
   if (event.button == PointerButton::Second) {
     if (!event.device) return m_guidance ? perform("revert") : ToolReply::Ignored;
+    if (m_guidance && m_guidance->pulled) return perform("revert");
     const bool wasLeading = isLeading();
     perform("place");
     if (wasLeading) begin(event);
@@ -81,15 +86,23 @@ ToolReply HandGuidingTool::press(const PointerEvent& event) {
   }
   if (m_guidance) return ToolReply::Used;
   if (event.button != PointerButton::First || !event.ray.isUsable()) return ToolReply::Ignored;
+  if (m_way == Way::Places) return takePlace(event);
   begin(event);
   return m_guidance ? ToolReply::Used : ToolReply::Ignored;
 }
 
 void HandGuidingTool::begin(const PointerEvent& event) {
-  auto scene = m_services.scene();
-  const auto tool = toolPose();
-  if (!scene || !tool) return;
+  const auto scene = m_services.scene();
+  if (!scene) return;
+  beginAt(event, scene, scene->planned(m_document.joints()));
+  takeGuide();
+}
+
+// Leads the arm from these values on.
+void HandGuidingTool::beginAt(const PointerEvent& event, const std::shared_ptr<const CellScene>& scene,
+                              const ArmValues& start) {
   const Pose& centre = m_document.plans()->tool;
+  const Pose tool = scene->arm.tipPose(start) * centre;
   TeleoperationSettings settings;
   settings.check.clearance = m_document.plans()->clearance;
   settings.tolerance = m_services.ikTolerance;
@@ -97,13 +110,11 @@ void HandGuidingTool::begin(const PointerEvent& event) {
                                        .tolerance = m_services.tolerance,
                                        .stiffness = kStiffness,
                                        .largestForce = m_largestForce};
-  const ArmValues start = scene->planned(m_document.joints());
   m_guidance = std::make_shared<Guidance>(
       Guidance{scene, Teleoperation(scene->scene, scene->arm, centre, start, settings),
-               ApproachForce(scene->scene, scene->arm, centre, approach), start, *tool, event.device, event.ray,
+               ApproachForce(scene->scene, scene->arm, centre, approach), start, tool, event.device, event.ray,
                event.pixel, !event.device && event.modifiers.shift});
-  m_guidance->step.tool = *tool;
-  takeGuide();
+  m_guidance->step.tool = tool;
 }
 
 // Also while the hand leads: the curve may have been found since the press.
@@ -161,7 +172,7 @@ void HandGuidingTool::follow(const PointerEvent& event) {
                           : event.ray.origin == guidance.grip.origin && event.ray.direction == guidance.grip.direction;
   guidance.hasMoved |= !isSame;
   if (!guidance.hasMoved || (guidance.hand && !event.device)) return;
-  takeGuide();
+  if (!guidance.pulled) takeGuide();
   if (m_way == Way::Joints && guidance.hand) {
     leadJoints(*event.device);
   } else {
@@ -184,6 +195,10 @@ ToolReply HandGuidingTool::release() {
   }
   if ((guidance->robot.values() - guidance->start).cwiseAbs().maxCoeff() < tolerance::kStillJoint)
     return ToolReply::Used;
+  if (guidance->pulled) {
+    setPlace(*guidance);
+    return ToolReply::Used;
+  }
   auto edit = m_document.jointEdit(guidance->scene->whole(guidance->robot.values()));
   if (edit) m_document.commit(QCoreApplication::translate("HandGuidingTool", "Lead the robot"), std::move(edit));
   return ToolReply::Used;
@@ -209,7 +224,10 @@ ToolReply HandGuidingTool::perform(std::string_view action) {
 
 std::vector<ToolAction> HandGuidingTool::actions() const {
   const bool isPrepared = m_guidance || m_services.scene();
-  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "lead the robot's tool")},
+  const bool isPulling = m_way == Way::Places;
+  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"),
+           isPulling ? QT_TRANSLATE_NOOP("Tool", "pull a place of a path")
+                     : QT_TRANSLATE_NOOP("Tool", "lead the robot's tool")},
           {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "turn the robot's tool")},
           actionOf(kHandGuidingKeys, "place", isPrepared),
           actionOf(kHandGuidingKeys, "commit"),
@@ -226,8 +244,12 @@ ToolPreview HandGuidingTool::preview() const {
   const auto followed = guide();
   if (followed && !followed->isEmpty())
     preview.lines.emplace_back(followed->points().begin(), followed->points().end());
-  if (!m_guidance || !m_guidance->hasMoved) return preview;
-  if (m_way == Way::Tool && m_guidance->step.behind > 1.0)
+  if (m_near) {
+    for (int axis = 0; axis < 3; ++axis)
+      preview.lines.push_back({m_near->point - m_grasp * Vec3::Unit(axis), m_near->point + m_grasp * Vec3::Unit(axis)});
+  }
+  if (!m_guidance || !(m_guidance->hasMoved || m_guidance->pulled)) return preview;
+  if (m_way != Way::Joints && m_guidance->hasMoved && m_guidance->step.behind > 1.0)
     preview.lines.push_back({tool->translation(), m_guidance->place});
   auto shown = std::make_shared<DisplayModel>(displayOf(m_document.robot(), joints(), m_document.bodies()));
   if (m_services.mark) m_services.mark(*shown, joints());
@@ -235,8 +257,14 @@ ToolPreview HandGuidingTool::preview() const {
   return preview;
 }
 
-// The hand is drawn to where it would be if the robot could follow, and pushed off what is near.
+// The hand is drawn to where it would be if the robot could follow, and pushed off what is near. Before that a place
+// that it could take draws it: not at all at the edge of where it does, so that nothing leaps.
 std::vector<DeviceSpring> HandGuidingTool::forces() const {
+  if (!m_guidance && m_near && m_tip && m_isFelt) {
+    const Vec3 way = m_near->point - *m_tip;
+    const double share = std::min(1.0, way.norm() / m_grasp);
+    return {{*m_tip + (1.0 - share * share) * way, kStiffness, kDamping}};
+  }
   if (!m_guidance || !m_guidance->hand || !m_guidance->hasMoved || !m_isFelt || m_way == Way::Joints) return {};
   const Vec3 there = m_guidance->hand->translation() +
                      (m_guidance->robot.tool().translation() - m_guidance->tool.translation()) / m_scale;
@@ -246,6 +274,7 @@ std::vector<DeviceSpring> HandGuidingTool::forces() const {
 
 void HandGuidingTool::documentChanged() {
   m_guidance.reset();
+  m_near.reset();
   if (!m_document.plans()->path(m_path)) m_path.clear();
 }
 

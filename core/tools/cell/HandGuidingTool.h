@@ -42,7 +42,8 @@ struct HandGuidingServices {
 // Tool that guides a robot by hand at its tool. The arm follows: never through anything, nor beyond a limit. The hand
 // takes over wherever it is, and feels what holds the robot back and what it comes near to. With the mouse the tool
 // moves in the plane of the view, or, with Shift, turns. A path of the cell can be followed, with a virtual fixture
-// that draws the tool to it; how well that went is measured. Letting go commits one edit.
+// that draws the tool to it; how well that went is measured. Places of paths are pulled in the same way: a press near
+// the tool's centre point at one, to which a device is drawn, takes that. Letting go commits one edit.
 class HandGuidingTool : public Tool {
  public:
   HandGuidingTool(RobotCellDocument& document, HandGuidingServices services);
@@ -66,13 +67,23 @@ class HandGuidingTool : public Tool {
   std::optional<Pose> toolPose() const;
 
  private:
-  enum class Way { Tool, Joints };  // what follows the hand
+  enum class Way { Tool, Joints, Places };  // what follows the hand
+  // A place of a path: their numbers in the plans, and the tool's centre point there, in the frame of the base.
+  struct PathPlace {
+    std::size_t path, place;
+    Vec3 point;
+  };
 
   // From press to release.
   struct Guidance;
 
   ToolReply press(const PointerEvent& event);
   void begin(const PointerEvent& event);
+  void beginAt(const PointerEvent& event, const std::shared_ptr<const CellScene>& scene, const ArmValues& start);
+  ToolReply takePlace(const PointerEvent& event);
+  void setPlace(const Guidance& pulled);
+  const std::vector<PathPlace>& places();
+  std::optional<PathPlace> placeNear(const PointerEvent& event);
   void takeGuide();
   void follow(const PointerEvent& event);
   void leadJoints(const Pose& hand);
@@ -93,6 +104,14 @@ class HandGuidingTool : public Tool {
   double m_largestForce = 4.0;  // N
   double m_reach = 10.0;        // mm: what is nearer pushes the hand away
   double m_snapDistance = 0.0;  // mm; 0: no fixture
+  double m_grasp = 15.0;        // mm around a place in which it is taken
+  // All that can be pulled, of these plans, scene and path.
+  std::vector<PathPlace> m_places;
+  std::shared_ptr<const CellPlans> m_placesOf;
+  std::weak_ptr<const CellScene> m_placesIn;
+  std::string m_placesAlong;
+  std::optional<PathPlace> m_near;  // that would be taken,
+  std::optional<Vec3> m_tip;        // and where a device is that it draws
 };
 
 }  // namespace handwheel

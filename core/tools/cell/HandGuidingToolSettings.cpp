@@ -19,6 +19,7 @@ constexpr Limits kScales{0.01, 100.0};
 constexpr Limits kForces{0.1, 20.0};          // N; the safety chain bounds it further
 constexpr Limits kReaches{0.0, 100.0};        // mm
 constexpr Limits kSnapDistances{0.0, 100.0};  // mm
+constexpr Limits kGrasps{1.0, 100.0};         // mm
 
 // A length to be read while the hand moves: to a hundredth.
 Property shownLength(const char* id, const char* label, double value) {
@@ -46,7 +47,8 @@ std::shared_ptr<const GuideCurve> HandGuidingTool::guide() const {
 std::vector<Property> HandGuidingTool::settings() const {
   std::vector<Property> all{
       choiceSetting("way", QT_TRANSLATE_NOOP("Property", "The hand leads"), static_cast<int>(m_way),
-                    {QT_TRANSLATE_NOOP("Property", "The tool"), QT_TRANSLATE_NOOP("Property", "Joint by joint")}),
+                    {QT_TRANSLATE_NOOP("Property", "The tool"), QT_TRANSLATE_NOOP("Property", "Joint by joint"),
+                     QT_TRANSLATE_NOOP("Property", "Places of paths")}),
       numberSetting("scale", QT_TRANSLATE_NOOP("Property", "Tool to hand"), m_scale, Quantity::Number, kScales),
       switchSetting("turns", QT_TRANSLATE_NOOP("Property", "Turns with the hand"), m_turns),
       switchSetting("felt", QT_TRANSLATE_NOOP("Property", "Force"), m_isFelt),
@@ -61,6 +63,10 @@ std::vector<Property> HandGuidingTool::settings() const {
   all.push_back(choiceSetting("path", QT_TRANSLATE_NOOP("Property", "Path to follow"), index, std::move(choices)));
   all.push_back(numberSetting("snap", QT_TRANSLATE_NOOP("Property", "Attracted within"), m_snapDistance,
                               Quantity::Length, kSnapDistances));
+  if (m_way == Way::Places) {
+    all.push_back(numberSetting("grasp", QT_TRANSLATE_NOOP("Property", "Place taken within"), m_grasp, Quantity::Length,
+                                kGrasps));
+  }
   addFigures(all);
   return all;
 }
@@ -107,13 +113,15 @@ void HandGuidingTool::addFigures(std::vector<Property>& all) const {
 }
 
 void HandGuidingTool::setSetting(std::string_view id, const PropertyValue& value) {
-  if (id == "way") assignChoice(m_way, value, 2);
+  m_near.reset();
+  if (id == "way") assignChoice(m_way, value, 3);
   if (id == "scale") assignNumber(m_scale, value, kScales);
   if (id == "turns") assignSwitch(m_turns, value);
   if (id == "felt") assignSwitch(m_isFelt, value);
   if (id == "force") assignNumber(m_largestForce, value, kForces);
   if (id == "reach") assignNumber(m_reach, value, kReaches);
   if (id == "snap") assignNumber(m_snapDistance, value, kSnapDistances);
+  if (id == "grasp") assignNumber(m_grasp, value, kGrasps);
   if (id != "path") return;
   std::size_t index = 0;
   const std::vector<std::string> names = pathNames();

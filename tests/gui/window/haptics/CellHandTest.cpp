@@ -4,6 +4,7 @@
 #include "../cell/PlanningWindow.h"
 #include "HandBench.h"
 
+#include <QComboBox>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -121,6 +122,47 @@ class CellHandTest : public QObject {
       QVERIFY2((at[1] - at[0] - aside).norm() < 3.0, qPrintable(QString::number((at[1] - at[0] - aside).norm())));
       b.tree()->setCurrentItem(b.paths()->child(0));
     }
+  }
+
+  // Near the tool's centre point at a place the hand is drawn to that; what it takes there moves as it does.
+  void aPlaceIsPulled() {
+    HandInCell b;
+    b.choose("leadTool");
+    QVERIFY(b.settle());
+    QTest::keyClick(b.view(), Qt::Key_Space);
+    QVERIFY(b.settle());
+    b.edit("joint.joint_1", "25");
+    QTest::keyClick(b.view(), Qt::Key_Space);
+    QVERIFY(b.settle());
+    QCOMPARE(b.paths()->child(0)->childCount(), 2);
+    const Vec3 at = b.place("tool."), way(-15.0, 10.0, 25.0);
+    b.edit("joint.joint_1", "-25");
+    QVERIFY(b.settle());
+    auto* leads = b.find<QDockWidget>("toolDock")->findChild<QWidget*>("property/way")->findChild<QComboBox*>();
+    leads->setCurrentIndex(leads->findText("Places of paths"));
+    emit leads->activated(leads->currentIndex());
+    QVERIFY(b.goTo(at + Vec3(0.0, 0.0, 40.0)));
+    const auto isDrawn = [&] {
+      bringHandTo(b.session, at + Vec3(0.0, 0.0, 8.0));
+      const ServoSample& now = *b.session.latest();
+      return !now.felt.isContact && now.felt.force.dot(at - now.tip.position) > 0.01;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isDrawn(), kPatienceMs);
+    QVERIFY(b.goTo(at));
+    QVERIFY(b.goTo(at, kFirstButton));
+    QVERIFY(b.goTo(at + way, kFirstButton));
+    QVERIFY(b.goTo(at + way));
+    QTRY_VERIFY(b.find<QAction>("undo")->text().contains("Pull place 2 of"));
+    b.tree()->setCurrentItem(b.paths()->child(0)->child(1));
+    b.choose("goToConfiguration");
+    QVERIFY(b.settle());
+    QVERIFY((b.place("tool.") - at - way).norm() < 3.0);
+    b.click("quickActions/undo");
+    b.click("quickActions/undo");
+    b.tree()->setCurrentItem(b.paths()->child(0)->child(1));
+    b.choose("goToConfiguration");
+    QVERIFY(b.settle());
+    QVERIFY((b.place("tool.") - at).norm() < 0.1);
   }
 };
 
