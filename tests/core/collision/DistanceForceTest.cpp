@@ -43,12 +43,12 @@ bool isAs(const Vec3& found, const Vec3& exact) {
   return degreesBetween(found, exact) <= 0.1 && std::abs(found.norm() - exact.norm()) <= 0.01 * exact.norm();
 }
 
-// A ball of triangles with bumps, 8 n² of them.
-TriangleSoup bumpyBall(int n, double radius) {
+// A ball of triangles, 4 n² of them, with bumps of this share of its radius.
+TriangleSoup bumpyBall(int n, double radius, double bumps = 0.1) {
   TriangleSoup soup;
   const auto point = [&](double u, double v) {
     const Vec3 d(std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v));
-    return Vec3(radius * (1.0 + 0.1 * std::sin(5 * d.x() + 1) * std::sin(4 * d.y() + 2)) * d);
+    return Vec3(radius * (1.0 + bumps * std::sin(5 * d.x() + 1) * std::sin(4 * d.y() + 2)) * d);
   };
   for (int j = 0; j <= n; ++j) {
     for (int i = 0; i < 2 * n; ++i) soup.points.push_back(point(M_PI * i / n, M_PI * (1.0 * j / n - 0.5)));
@@ -121,6 +121,31 @@ class DistanceForceTest : public QObject {
     }
     bodies[0] = meshBody(prism);
     QVERIFY(isAs(forceOn(bodies, poses, Vec3::Zero()).force, exact));
+  }
+
+  // Balls of triangles against round ones. Every direction is within t of a corner of such a ball, t the tilt of its
+  // facets: its support is between r cos t and r. The distance D cos a - h - h', taken at the direction of the force,
+  // is not below that at the centres' line, so 1 - cos a is at most (r + r')/D (1 - cos t), and a at most t. It is not
+  // above the distance of round ones by more than (r + r')(1 - cos t).
+  void nearTheSmoothShape() {
+    constexpr double kFirst = 20.0, kSecond = 30.0;
+    for (const int n : {8, 16, 48}) {
+      const std::vector<CollisionBody> bodies = {meshBody(bumpyBall(n, kFirst, 0.0)),
+                                                 meshBody(bumpyBall(n, kSecond, 0.0))};
+      const double cosTilt = 2.0 * std::cos(M_PI / (2 * n)) - 1.0;
+      const double apart = (kFirst + kSecond) * (1.0 - cosTilt);  // mm
+      QVERIFY(rc::check([&] {
+        Pose a = anyPose(0.0);
+        const Pose b = anyPose(5.0);
+        const double smooth = evenly(0.1, 6.0);
+        const Vec3 way = (anyPlace(1.0) + Vec3(1e-3, 0, 0)).normalized();
+        a.translation() = b.translation() + (kFirst + kSecond + smooth) * way;
+        const DistanceWrench found = forceOn(bodies, {a, b}, a.translation());
+        const double exact = kStiffness * (kReach - smooth), size = found.force.norm();
+        RC_ASSERT(size <= exact + 1e-9 && size >= std::max(0.0, exact - kStiffness * apart) - 1e-9);
+        RC_ASSERT(size == 0.0 || found.force.dot(way) >= cosTilt * size);
+      }));
+    }
   }
 
   // The gradient of the energy that every pair of triangles gives, without the program.
