@@ -137,6 +137,71 @@ class TeleoperationTest : public QObject {
     QCOMPARE(following.values()[5], robot.scene().joint(5).upper);
   }
 
+  // Where axes 4 and 6 are in line, and where the wrist is above axis 1: the hand goes straight on, the tool with it.
+  void throughSingularPlaces_data() {
+    QTest::addColumn<QList<double>>("from");
+    QTest::addColumn<QList<double>>("to");
+    const QList<double> bent{2.5, 0.1, 0.1, 0.0, 0.5, 0.0};
+    QTest::newRow("straight wrist") << bent << QList<double>{2.5, 0.2, 0.0, 0.0, -0.5, 0.0};
+    QTest::newRow("beside it") << QList<double>{2.5, 0.1, 0.1, 0.05, 0.5, 0.0}
+                               << QList<double>{2.5, 0.2, 0.0, 0.05, -0.5, 0.0};
+    QTest::newRow("wrist above the first axis")
+        << QList<double>{2.5, -0.3, -0.3, 0.0, 0.6, 0.0} << QList<double>{2.5, -0.8, -0.3, 0.0, 0.6, 0.0};
+  }
+  void throughSingularPlaces() {
+    QFETCH(const QList<double>, from);
+    QFETCH(const QList<double>, to);
+    const HandledRobot robot;
+    const SerialArm arm = robot.arm();
+    const ArmValues start = Eigen::Map<const ArmValues>(from.data(), 6),
+                    end = Eigen::Map<const ArmValues>(to.data(), 6);
+    Teleoperation following(robot.scene(), arm, Pose::Identity(), start, {});
+    const Pose first = following.tool(), last = arm.tipPose(end);
+    const Eigen::Quaterniond before(first.linear()), after(last.linear());
+    const Vec3 way = last.translation() - first.translation();
+    constexpr int kSteps = 200;
+    Pose wanted = first;
+    for (int i = 1; i <= kSteps; ++i) {
+      const double share = static_cast<double>(i) / kSteps;
+      wanted = Eigen::Translation3d(first.translation() + share * way) * before.slerp(share, after);
+      const Pose was = following.tool();
+      const Teleoperation::Step step = following.follow(wanted, 0.02);
+      QVERIFY(!step.isBlocked && step.behind < 5.0);
+      QVERIFY((following.tool().translation() - was.translation()).norm() > 0.05 * way.norm() / kSteps);
+    }
+    for (int i = 0; i < 20; ++i) following.follow(last, 0.02);  // the joints may have been too slow
+    QVERIFY((following.tool().translation() - last.translation()).norm() < 0.1);
+    QVERIFY((following.tool().linear() - last.linear()).norm() < 1e-3);
+  }
+
+  // A robot that stands beyond a limit goes back to it, by its joints or by its tool, and no further out.
+  void backFromBeyondALimit() {
+    const HandledRobot robot;
+    const SerialArm arm = robot.arm();
+    const double limit = robot.scene().joint(0).upper;
+    ArmValues beyond = HandledRobot::start(), within = beyond;
+    beyond[0] = limit + 0.2;
+    within[0] = limit - 0.3;
+    ArmValues further = beyond;
+    further[0] = limit + 0.5;
+    Teleoperation joints(robot.scene(), arm, Pose::Identity(), beyond, {});
+    QVERIFY(joints.lead(further).isAtLimit);
+    QVERIFY(joints.values()[0] <= beyond[0]);
+    joints.lead(within);
+    QVERIFY((joints.values() - within).norm() < 1e-9);
+
+    Teleoperation tool(robot.scene(), arm, Pose::Identity(), beyond, {});
+    double last = beyond[0];
+    for (int i = 0; i < 10; ++i) {
+      tool.follow(arm.tipPose(further), 0.01);
+      QVERIFY(tool.values()[0] <= last + 1e-12);
+      last = std::max(limit, tool.values()[0]);
+    }
+    for (int i = 0; i < 100; ++i) tool.follow(arm.tipPose(within), 0.02);
+    QVERIFY(robot.scene().isWithinLimits(tool.values()));
+    QVERIFY((tool.tool().translation() - arm.tipPose(within).translation()).norm() < 0.1);
+  }
+
   // A robot that begins inside something comes out, and does not go in further.
   void isLedOut() {
     const HandledRobot robot;

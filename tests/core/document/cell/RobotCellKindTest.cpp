@@ -32,6 +32,7 @@ class RobotCellKindTest : public QObject {
   void recognises();
   void imports();
   void meshesInMetres();
+  void tablesWithMeshes();
   void colladaMeshes();
   void missingMeshes();
   void missingPackage();
@@ -80,6 +81,51 @@ void RobotCellKindTest::meshesInMetres() {
     QVERIFY(surface.hasValue() && damage.empty());
     QVERIFY(isNear(boxOf(*surface), Vec3(-12.7, -25.4, -38.1), Vec3(12.7, 25.4, 38.1)));
   }
+}
+
+// The meshes of a table stand in the frames of their rows, at 0 by 200 along x, 100 along z and a quarter turn about x;
+// their numbers are mm or m.
+void RobotCellKindTest::tablesWithMeshes() {
+  for (const char* unit : {"mm", "m"}) {
+    const double scale = std::string(unit) == "m" ? 1e-3 : 1.0;
+    const QString folder = QString("table_") + unit + '/';
+    const auto box = [&](const char* name, const Vec3& size) {
+      write(m_package.path(folder + name),
+            writeMesh(surfaceOf(BoxShape{scale * size}), MeshFormat::Stl, NumberType::Float32));
+    };
+    box("foot.stl", Vec3(300, 200, 100));
+    box("links/upper.stl", Vec3(40, 20, 10));
+    const nlohmann::json row = {{"a", 200}, {"alpha", 90}, {"d", 100}, {"theta", 0}, {"mesh", "links/upper.stl"}};
+    nlohmann::json table = {{"name", "two"}, {"mesh_unit", unit}, {"base_mesh", "foot.stl"}};
+    table["joints"] = {row, {{"a", 50}, {"alpha", 0}, {"mesh", "hand.stl"}}};
+    const QString file = m_package.path(folder + "two.dh.json");
+    write(file, table.dump());
+    // The hand is missing, which is said, and the rest opens.
+    const OpenedFile opened = importOrThrow(file);
+    QCOMPARE(opened.file.damage.size(), std::size_t{1});
+    QCOMPARE(opened.file.damage[0].code, ErrorCode::ReferenceMissing);
+    QVERIFY(kKind.describe(*opened.content)["missing_meshes"] == nlohmann::json({"hand.stl"}));
+    const RobotCellSnapshot& cell = cellIn(opened);
+    const auto boxAt = [&](const char* part, const JointValues& joints) {
+      const DisplayModel model = displayOf(*cell.robot, joints);
+      const DisplayPart* const found = partNamed(model, part);
+      return found ? DisplayModel{{*found}}.bounds() : Box();
+    };
+    const JointValues ahead = values({0, 0}), left = values({M_PI_2, 1.0});
+    QVERIFY(isNear(boxAt("base/0", ahead), Vec3(-150, -100, -50), Vec3(150, 100, 50)));
+    QVERIFY(isNear(boxAt("base/0", left), Vec3(-150, -100, -50), Vec3(150, 100, 50)));
+    QVERIFY(isNear(boxAt("link_1/0", ahead), Vec3(180, -5, 90), Vec3(220, 5, 110)));
+    QVERIFY(isNear(boxAt("link_1/0", left), Vec3(-5, 180, 90), Vec3(5, 220, 110)));
+    QVERIFY(displayOf(*cell.robot, ahead).parts.size() == 2);
+    // With it nothing is missing.
+    box("hand.stl", Vec3(10, 10, 10));
+    const OpenedFile whole = importOrThrow(file);
+    QVERIFY(whole.file.damage.empty());
+    QCOMPARE(kKind.display(*whole.content).parts.size(), std::size_t{3});
+  }
+  const QString inches = m_package.path("inches.dh.json");
+  write(inches, R"({"mesh_unit": "inch", "joints": [{"a": 1, "alpha": 0}]})");
+  QCOMPARE(kKind.import(inches.toStdString(), {}, {}).error().code, ErrorCode::ElementMalformed);
 }
 
 // The unit of the file once, the scale of the description once, and millimetres.
