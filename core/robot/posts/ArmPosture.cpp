@@ -15,8 +15,10 @@ struct ArmPlaces {
 ArmPlaces placesOf(const SerialArm& arm, const ArmValues& values) {
   std::array<Pose, 6> poses;
   arm.jointPoses(values, poses);
-  return {poses[0].translation(), poses[0].linear().col(2), poses[1].translation(),
-          poses[2].translation(), poses[4].translation(),   poses[1].linear().col(2)};
+  const Vec3 first = poses[0].linear().col(2);  // down where the joint counts the other way round
+  return {poses[0].translation(), first.z() < 0.0 ? Vec3(-first) : first,
+          poses[1].translation(), poses[2].translation(),
+          poses[4].translation(), poses[1].linear().col(2)};
 }
 
 }  // namespace

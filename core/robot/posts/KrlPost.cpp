@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robot/posts/ArmPosture.h"
+#include "robot/arm/ClosedFormIk.h"
 #include "robot/posts/ControllerPosts.h"
+#include "robot/posts/KrlStatus.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/ProgramRoutines.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 namespace handwheel {
 
@@ -34,14 +36,6 @@ std::string krlFrame(const Pose& pose) {
   const Vec3 at = pose.translation(), turn = zyxAngles(pose.linear()) / kRadiansPerDegree;
   return "X " + fixedText(at.x(), 5) + ",Y " + fixedText(at.y(), 5) + ",Z " + fixedText(at.z(), 5) + ",A " +
          fixedText(turn.x(), 7) + ",B " + fixedText(turn.y(), 7) + ",C " + fixedText(turn.z(), 7);
-}
-
-std::string statusText(const SerialArm& arm, const ArmValues& values) {
-  const ArmPosture posture = postureOf(arm, values);
-  std::string turn;
-  for (Eigen::Index i = 5; i >= 0; --i) turn += values[i] < 0.0 ? '1' : '0';
-  return std::string(",S 'B") + (posture.isFlipped ? '1' : '0') + (posture.isElbowDown ? '0' : '1') +
-         (posture.isRear ? '1' : '0') + "',T 'B" + turn + "'";
 }
 
 // What a program has set of speeds and zones so far.
@@ -101,8 +95,24 @@ struct KrlSettings {
   }
 };
 
-// The values of "{X 1,Y 2,…}" under these names; none where one is missing.
-std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::array<const char*, 6>& names) {
+// A whole number: 2, 'B010' or 'H2'.
+std::optional<unsigned> bitsOf(LineReader& line) {
+  if (!line.take("'")) {
+    const auto value = line.number();
+    return value && *value >= 0.0 && *value < 64.0 ? std::optional(static_cast<unsigned>(*value)) : std::nullopt;
+  }
+  const std::string_view word = line.name();
+  line.take("'");
+  if (word.empty()) return std::nullopt;
+  unsigned value = 0;
+  const bool isHex = word[0] == 'H' || word[0] == 'h';
+  const auto [end, error] = std::from_chars(word.data() + 1, word.data() + word.size(), value, isHex ? 16 : 2);
+  return error == std::errc() && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
+}
+
+// The values of "{X 1,Y 2,…}" under these names; none where one is missing. status: takes S and T.
+std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::array<const char*, 6>& names,
+                                               KrlStatus* status = nullptr) {
   if (!line.take("{")) return std::nullopt;
   std::array<double, 6> values{};
   unsigned found = 0;
@@ -118,7 +128,10 @@ std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::arra
       found |= 1u << i;
       isKnown = true;
     }
-    if (!isKnown) {  // S 'B010', T 'B000011', E1 0: not needed
+    const bool isStatus = LineReader(name, 0).takeWord("S"), isTurn = LineReader(name, 0).takeWord("T");
+    if (status && (isStatus || isTurn)) {
+      (isStatus ? status->status : status->turn) = bitsOf(line);
+    } else if (!isKnown) {  // E1 0: not needed
       if (name.empty() && !line.take(",") && !line.take("'")) return std::nullopt;
       if (line.take("'")) {
         line.name();
@@ -150,7 +163,12 @@ bool takesOneOf(LineReader& line, std::span<const char* const> words) {
 
 class KrlReading {
  public:
-  explicit KrlReading(const RobotProgram& program) : m_program(program), m_base(program.frame), m_tool(program.tool) {}
+  explicit KrlReading(const RobotProgram& program)
+      : m_program(program),
+        m_closed(ClosedFormIk::of(program.arm)),
+        m_reference(ArmValues::Zero(program.arm.size())),
+        m_base(program.frame),
+        m_tool(program.tool) {}
 
   std::vector<ReadMotion> motions;
   bool isOver() const { return m_isOver; }  // at the end of the first routine: calls of others are refused
@@ -248,10 +266,16 @@ class KrlReading {
     LineReader other = line;
     if (const auto joints = aggregate(line, {"A1", "A2", "A3", "A4", "A5", "A6"})) {
       motion.joints = radiansOf(*joints);
-    } else if (const auto frame = aggregate(other, {"X", "Y", "Z", "A", "B", "C"})) {
+    } else if (KrlStatus status; const auto frame = aggregate(other, {"X", "Y", "Z", "A", "B", "C"}, &status)) {
       if (!m_base || !m_tool) return line.malformed("target", "its tool or base is on the controller, not in the file");
       motion.pose = placeIn(m_program, *m_base, poseOf(*frame), *m_tool);
       line = other;
+      // Controllers regard S and T of joint motions only.
+      if (isPtp && m_closed && (status.status || status.turn)) {
+        motion.joints = jointsWith(status, m_program.arm, *m_closed, tipFor(*motion.pose), m_reference);
+        if (!motion.joints) return line.malformed("target", "the robot reaches its place in no way with these S and T");
+        motion.pose = std::nullopt;
+      }
     } else {
       return line.malformed("target", "six axes or X, Y, Z, A, B, C were expected");
     }
@@ -261,9 +285,13 @@ class KrlReading {
     if (!isPtp && m_settings.blend.value_or(-1.0) >= 0.0 && line.takeWord("C_DIS")) motion.blend = *m_settings.blend;
     line.skipSpace();
     if (!line.rest().empty()) return unread(zone, number);
+    if (motion.joints) m_reference = *motion.joints;
     motions.push_back(std::move(motion));
     return Done{};
   }
+
+  // Of the arm, for a pose of the program's tool in its frame.
+  Pose tipFor(const Pose& pose) const { return m_program.frame * pose * m_program.tool.inverse(Eigen::Isometry); }
 
   static Pose poseOf(const std::array<double, 6>& frame) {
     Pose pose(Eigen::Translation3d(frame[0], frame[1], frame[2]));
@@ -272,6 +300,8 @@ class KrlReading {
   }
 
   const RobotProgram& m_program;
+  std::optional<ClosedFormIk> m_closed;
+  ArmValues m_reference;  // where the joints are, as far as the program says
   KrlSettings m_settings;
   std::optional<Pose> m_base, m_tool;      // in the base, in the flange; none: not known
   std::vector<ProgramStatement> m_blocks;  // of control flow, that are open
@@ -302,7 +332,7 @@ std::string KrlPost::write(const RobotProgram& program) const {
       speed = motion.speed;
       if (motion.blend > 0.0) text += "$APO.CDIS=" + fixedText(motion.blend, 3) + "\n";
       const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
-      text += "LIN {" + krlFrame(place) + statusText(program.arm, motion.joints) + "}" +
+      text += "LIN {" + krlFrame(place) + "," + krlStatusOf(program.arm, motion.joints).text() + "}" +
               (motion.blend > 0.0 ? " C_DIS\n" : "\n");
     }
   }

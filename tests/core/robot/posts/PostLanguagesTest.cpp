@@ -123,6 +123,73 @@ class PostLanguagesTest : public QObject {
       QVERIFY2(postCalled(post)->write(program).find("simplified shapes") != known.npos, post);
   }
 
+  // S and T by their definition. The wrist is 25 + 455 cos A2 + 420 cos (A2 + A3) + 35 sin (A2 + A3) mm before axis 1:
+  // bit 0 of S where that is negative. It is in line with the lower arm for A3 = atan (35 / 420) = 4.76°: bit 1 beyond.
+  // Bit 2, and bit i - 1 of T: A5, Ai below 0. "S 2,T 35" and "S 6,T 50" are what taught programs are full of.
+  void krlStatus_data() {
+    QTest::addColumn<QList<double>>("degrees");
+    QTest::addColumn<QByteArray>("status");
+    const auto row = [](QList<double> degrees, const char* status) {
+      QTest::newRow(status) << std::move(degrees) << QByteArray(status);
+    };
+    row({0, -90, 90, 0, 30, 0}, "S 'B010',T 'B000010'");           // 445 mm
+    row({-20, -80, 100, 0, 45, -30}, "S 'B010',T 'B100011'");      // 511 mm
+    row({10, -70, 90, 20, -40, -60}, "S 'B110',T 'B110010'");      // 587 mm
+    row({40, -120, 20, 0, 15, 0}, "S 'B011',T 'B000010'");         // -310 mm
+    row({-150, -120, -100, 5, -15, 7}, "S 'B101',T 'B010111'");    // -502 mm
+    row({0, -45, 4.5, -10, 20, 300}, "S 'B000',T 'B001010'");      // 643 mm
+    row({0, -45, 5.0, -10, 20, -300}, "S 'B010',T 'B101010'");     // 646 mm
+    row({0, 30, -100, 170, 110, 0}, "S 'B000',T 'B000100'");       // 530 mm
+    row({165, -180, -10, -184, -119, 0}, "S 'B101',T 'B011110'");  // -838 mm
+  }
+  void krlStatus() {
+    QFETCH(const QList<double>, degrees);
+    QFETCH(const QByteArray, status);
+    RobotProgram program = programOf("kr6r900");
+    const ArmValues joints = radiansOf(std::span(degrees.data(), static_cast<std::size_t>(degrees.size())));
+    program.motions = {{ProgramMotion::Kind::Linear, joints, 50.0, 0.0, {}}};
+    std::string text = postCalled("krl")->write(program);
+    QVERIFY2(text.find("," + status.toStdString() + "}") != text.npos, text.c_str());
+    // A joint motion to the same frame is the way that S and T say, and no other.
+    const auto read = [&](const std::string& bits) {
+      std::string ptp = text;
+      ptp.replace(ptp.find("LIN {"), 3, "PTP");
+      ptp.replace(ptp.find(status.toStdString()), static_cast<std::size_t>(status.size()), bits);
+      return postCalled("krl")->read(ptp, program);
+    };
+    const auto same = read(status.toStdString());
+    QVERIFY(same.hasValue());
+    QVERIFY((*same)[0].joints && (*(*same)[0].joints - joints).cwiseAbs().maxCoeff() < 1e-5);
+    // By S alone whole turns are as near as they can be to where the robot comes from, which is 0.
+    const auto byStatus = read(status.left(8).toStdString());
+    QVERIFY(byStatus.hasValue());
+    const ArmValues near = *(*byStatus)[0].joints;
+    QVERIFY(std::abs(near[5]) <= M_PI + 1e-9 && std::abs(std::remainder(near[5] - joints[5], 2.0 * M_PI)) < 1e-5);
+    // Without them it is a frame.
+    const auto frame = read("E1 0");
+    QVERIFY(frame.hasValue() && !(*frame)[0].joints && (*frame)[0].pose);
+  }
+
+  // S and T as numbers and in hexadecimal; what no way of the robot has is refused with its line.
+  void krlStatusRead() {
+    const RobotProgram program = programOf("kr6r900");
+    const auto read = [&](const std::string& bits) {
+      return postCalled("krl")->read(
+          "$TOOL=$NULLFRAME\n$BASE=$NULLFRAME\nPTP {X 525,Y 0,Z 890,A 0,B 120,C 0," + bits + "}", program);
+    };
+    QVERIFY(read("S 2,T 2").hasValue());
+    for (const char* const other : {"S 'H2',T 'H2'", "s 'b010', t 'b000010'", "S 2"}) {
+      QVERIFY2(read(other).hasValue(), other);
+      QVERIFY((*(*read(other))[0].joints - *(*read("S 2,T 2"))[0].joints).norm() < 1e-12);
+    }
+    for (const char* const none : {"S 2,T 0", "S 1,T 2", "S 5", "T 'B000001'"}) {
+      const auto refused = read(none);
+      QVERIFY2(!refused.hasValue(), none);
+      QCOMPARE(refused.error().position.value, std::uint64_t{3});
+    }
+    for (const char* const odd : {"S 'X'", "S -1", "T 'B2'", "S 1e99", "S '"}) (void)read(odd);  // no crash
+  }
+
   // J3 of the controller is J3 of the model less J2.
   void fanucCoupling() {
     RobotProgram program = programOf("lrmate200id");
