@@ -4,7 +4,7 @@
 #include "bench/Bars.h"
 #include "bench/KdlArm.h"
 #include "robot/arm/ClosedFormIk.h"
-#include "robot/arm/NumericalIk.h"
+#include "robot/arm/ComparisonIk.h"
 #include "robot/dh/DhTable.h"
 
 #include <memory>
@@ -24,7 +24,8 @@ struct Problem {
   std::string name;
   SerialArm arm;
   std::vector<Pose> tips;
-  bool isPromised;  // else the figures are only shown
+  std::vector<ArmValues> nearby;  // of each tip: up to 0.1 rad in each joint beside what it was made from
+  bool isPromised;                // else the figures are only shown
 };
 
 Problem problemOf(const std::string& name, const char* robot, double turn, bool isPromised) {
@@ -36,8 +37,8 @@ Problem problemOf(const std::string& name, const char* robot, double turn, bool 
       rows.back().upper = turn;
     }
   }
-  Problem made{name, armOf(rows), {}, isPromised};
-  RandomSequence random(42);
+  Problem made{name, armOf(rows), {}, {}, isPromised};
+  RandomSequence random(42), aside(43);
   ArmValues values(made.arm.size());
   for (std::size_t i = 0; i < kPoses; ++i) {
     for (Eigen::Index k = 0; k < values.size(); ++k) {
@@ -45,6 +46,8 @@ Problem problemOf(const std::string& name, const char* robot, double turn, bool 
       values[k] = random.between(joint.lower, joint.upper);
     }
     made.tips.push_back(made.arm.tipPose(values));
+    for (double& each : values) each += aside.between(-0.1, 0.1);
+    made.nearby.push_back(values);
   }
   return made;
 }
@@ -157,6 +160,38 @@ void numerical(benchmark::State& state) {
   }
 }
 
+// IK1 and IK2 of He 2008 beside ours, by the protocol above, where what ends beyond the limits is not solved, and from
+// nearby to the 0.001 rad of the thesis, which took 0.58 and 1.54 ms.
+void comparison(benchmark::State& state) {
+  const Problem& problem = problems()[static_cast<std::size_t>(state.range(0))];
+  const auto ours = [](const SerialArm& arm, const Pose& tip, const ArmValues& start, NumericalIkSettings settings) {
+    settings.mostStarts = 1;
+    return solvedNumerically(arm, tip, start, settings);
+  };
+  const auto figuresOf = [&](const std::string& method, const auto& solved) {
+    Figures far, near;
+    for (std::size_t i = 0; i < problem.tips.size(); ++i) {
+      const Pose& tip = problem.tips[i];
+      const auto add = [&](Figures& figures, const ArmValues& start, double tolerance) {
+        NumericalIkResult found;
+        const double seconds =
+            bench::secondsOf([&] { found = solved(problem.arm, tip, start, {.tolerance = tolerance}); });
+        for (double& each : found.values) each = std::remainder(each, 2.0 * M_PI);
+        figures.add(seconds, found.isSolved && problem.arm.isWithinLimits(found.values), true);
+      };
+      add(far, problem.arm.middle(), kTolerance);
+      add(near, problem.nearby[i], 1e-3);
+    }
+    tell(problem.name + ", " + method + ", one start in the middle", far);
+    tell(problem.name + ", " + method + ", from nearby to 0.001 rad", near);
+  };
+  for (auto _ : state) {
+    figuresOf("ours", ours);
+    figuresOf("IK1", solvedByJacobian);
+    figuresOf("IK2", solvedByTaylor);
+  }
+}
+
 void withoutKdl([[maybe_unused]] benchmark::State& state) {
   for (auto _ : state) {
 #ifndef HANDWHEEL_HAS_KDL
@@ -206,6 +241,7 @@ void closedForm(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(numerical)->DenseRange(0, 3)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(comparison)->DenseRange(0, 2)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(withoutKdl)->Iterations(1);
 BENCHMARK(closedForm)->DenseRange(0, 2)->Iterations(30)->UseManualTime()->Unit(benchmark::kMillisecond);
 
