@@ -28,8 +28,7 @@ double angleBetween(const Pose& a, const Pose& b) {
 Teleoperation::Teleoperation(const RobotScene& scene, const SerialArm& arm, const Pose& tool, const ArmValues& start,
                              const TeleoperationSettings& settings)
     : m_scene(scene),
-      m_arm(arm),
-      m_tool(tool),
+      m_arm(arm.withTool(tool)),
       m_settings(settings),
       m_values(start),
       m_wanted(Teleoperation::tool()) {}
@@ -49,7 +48,8 @@ ArmValues Teleoperation::towards(const Pose& wanted, double seconds) const {
   NumericalIkSettings ik;
   ik.mostStarts = 1;
   ik.tolerance = m_settings.tolerance;
-  const NumericalIkResult found = solvedNumerically(m_arm, wanted * m_tool.inverse(Eigen::Isometry), m_values, ik);
+  NumericalIkResult found = solvedNumerically(m_arm, wanted, m_values, ik);
+  if (!found.isSolved && m_arm.size() < kJointsOfAnyPose) found = solvedForPlace(m_arm, wanted, m_values, ik);
   const ArmValues way = found.values - m_values;
   double slower = 1.0;
   for (Eigen::Index i = 0; i < way.size(); ++i) {
@@ -105,7 +105,7 @@ bool Teleoperation::slide(const ArmValues& to, const Pose& wanted) {
     ArmValues alone = m_values;
     alone[i] = to[i];
     const double before = (tool().translation() - wanted.translation()).norm();
-    const double after = ((m_arm.tipPose(alone) * m_tool).translation() - wanted.translation()).norm();
+    const double after = (m_arm.tipPose(alone).translation() - wanted.translation()).norm();
     if (alone[i] != m_values[i] && after < before) advance(alone);
   }
   return false;
@@ -176,7 +176,7 @@ Teleoperation::Step Teleoperation::lead(const ArmValues& wanted) {
     for (int i = 1; i <= count && !isBlocked; ++i)
       isBlocked = !advance(i == count ? to : ArmValues(from + (to - from) * (static_cast<double>(i) / count)));
   }
-  Step step = stepTo(wanted.allFinite() ? Pose(m_arm.tipPose(wanted) * m_tool) : tool());
+  Step step = stepTo(wanted.allFinite() ? m_arm.tipPose(wanted) : tool());
   step.isBlocked = isBlocked;
   return step;
 }

@@ -21,7 +21,8 @@ struct TeleoperationSettings {
 // A robot under teleoperation, whose tool follows the hand without collisions. Its tool's centre point goes as fast as
 // the joints let it, never beyond a limit and never through anything: each step is proven free (MotionCheck). Where the
 // straight step is blocked, joints move on alone as far as they can, so that the tool slides along. Near singular
-// places the step is damped and does not stop. The hand is pulled to where the tool is.
+// places the step is damped and does not stop. With fewer than six joints the tool is where the hand is, turned as near
+// to it as that lets it be. The hand is pulled to where the tool is.
 class Teleoperation {
  public:
   // Where the robot is after a step.
@@ -39,7 +40,7 @@ class Teleoperation {
                 const TeleoperationSettings& settings);
 
   const ArmValues& values() const { return m_values; }
-  Pose tool() const { return m_arm.tipPose(m_values) * m_tool; }
+  Pose tool() const { return m_arm.tipPose(m_values); }
 
   // Follows to a pose of the tool's centre point in the base. seconds: since the step before.
   Step follow(const Pose& wanted, double seconds);
@@ -58,8 +59,7 @@ class Teleoperation {
   Step stepTo(const Pose& wanted) const;
 
   const RobotScene& m_scene;
-  const SerialArm m_arm;
-  Pose m_tool;
+  const SerialArm m_arm;  // to the tool's centre point
   TeleoperationSettings m_settings;
   ArmValues m_values;
   Pose m_wanted;                          // by lead(), last

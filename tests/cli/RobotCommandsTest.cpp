@@ -108,6 +108,17 @@ class RobotCommandsTest : public QObject {
     bench.put("arm.urdf", planarUrdf());
     // A plane arm cannot turn its flange as it likes.
     QCOMPARE(bench.run({"ik", "arm.urdf", "--pose=500,500,0,1,0,0,0"}).code, 2);
+    // But it can be there: its second link stands at 300, 400, unturned, and is not tilted by 0.4 rad as was asked.
+    const QString tilted =
+        QStringLiteral("--pose=300,400,0,%1,%2,0,0").arg(std::cos(0.2), 0, 'g', 17).arg(std::sin(0.2), 0, 'g', 17);
+    QCOMPARE(bench.run({"ik", "arm.urdf", tilted, "--tip", "l2"}).code, 2);
+    const Ran there = bench.run({"ik", "arm.urdf", tilted, "--tip", "l2", "--place", "--json"});
+    QVERIFY2(there.code == 0, there.err + there.out);
+    const nlohmann::json solution = reportOf(there)["solutions"][0];
+    const auto standing = solution["q"].get<std::vector<double>>();
+    QVERIFY(solution["error_mm"].get<double>() < 0.05 && std::abs(solution["error_rad"].get<double>() - 0.4) < 0.01);
+    QVERIFY(std::abs(standing[0] - std::atan2(4.0, 3.0)) < 1e-3 && std::abs(standing[0] + standing[1]) < 0.05);
+    QCOMPARE(bench.run({"ik", "arm.urdf", "--pose=500,500,0,1,0,0,0", "--place"}).code, 2);
     QCOMPARE(bench.run({"ik", "arm.urdf", "--pose=500,0,0,1,0,0,0", "--tip", "l2"}).code, 0);
     const Ran noLink = bench.run({"ik", "arm.urdf", "--pose=500,0,0,1,0,0,0", "--tip", "l9"});
     QVERIFY2(noLink.code == 1 && noLink.err.contains("l9"), noLink.err);

@@ -70,6 +70,7 @@ Result<nlohmann::json> waysJson(const OperationValues& values, const RobotCellSn
                     {"within_limits", way.isWithinLimits()},
                     {"free", way.isFree()},
                     {"problem", problemText(*scene, way).toStdString()},
+                    {"turned_off", turnedOffText(way).toStdString()},
                     {"way_mm", way.arm.way}});
   }
   return list;
@@ -83,9 +84,9 @@ int listWays(const OperationValues& values, const RobotCellSnapshot& cell, bool 
   std::string text = ways->empty() ? "The arm cannot bring its tool there.\n" : "";
   for (std::size_t i = 0; i < ways->size(); ++i) {
     const nlohmann::json& way = (*ways)[i];
-    const std::string stance = way["stance"], problem = way["problem"];
+    const std::string stance = way["stance"], problem = way["problem"], turned = way["turned_off"];
     text += std::to_string(i + 1) + ": " + (stance.empty() ? std::string() : stance + ", ") +
-            (problem.empty() ? "free" : problem) + "\n  ";
+            (problem.empty() ? "free" : problem) + (turned.empty() ? "" : ", " + turned) + "\n  ";
     for (const auto& [joint, value] : way["joints"].items())
       text += " " + joint + "=" + roundedText(std::round(1e6 * value.get<double>()) / 1e6, 9);
     text += "\n";

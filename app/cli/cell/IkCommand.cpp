@@ -48,6 +48,9 @@ const Operation& ikOperation() {
            .hasDefault = false},
           {.property = {.id = "all", .group = {}, .label = {}, .value = false},
            .meaning = "List all solutions, where they are known in closed form"},
+          {.property = {.id = "place", .group = {}, .label = {}, .value = false},
+           .meaning = "Where the pose cannot be reached, reach its place, turned as near to it as possible: for arms "
+                      "with fewer than six joints"},
           measuredParameter("tolerance", ikToleranceSetting(), "T",
                             "Tolerance of the iterative solution, in metres and rad"),
           {.property = {.id = "seed", .group = {}, .label = {}, .value = 1.0, .least = 0.0, .largest = 1e9},
@@ -79,7 +82,7 @@ Result<SerialArm> armOfCell(const Arguments& arguments, const std::string& tip, 
   const CellRobot& robot = *file->cell->robot;
   const Result<SerialArm> arm = armTo(robot.model, tip, activeArm(robot, *file->cell->plans).flange, name);
   if (!arm || !tip.empty()) return arm;
-  return SerialArm({arm->joints().begin(), arm->joints().end()}, arm->tip() * file->cell->plans->tool);
+  return arm->withTool(file->cell->plans->tool);
 }
 
 // A robot by its built-in name, a table in JSON, a URDF or a cell.
@@ -148,7 +151,8 @@ std::vector<FoundValues> solutionsFor(const SerialArm& arm, const Pose& pose, co
   settings.tolerance = values.number("tolerance");
   settings.seconds = 1.0;
   settings.seed = values.whole("seed");
-  const NumericalIkResult result = solvedNumerically(arm, pose, middle, settings);
+  NumericalIkResult result = solvedNumerically(arm, pose, middle, settings);
+  if (!result.isSolved && values.flag("place")) result = solvedForPlace(arm, pose, middle, settings);
   if (result.isSolved) found.push_back(measured(arm, pose, result.values));
   return found;
 }

@@ -29,10 +29,6 @@ Error beyondLimits(const Pose& pose, const std::string& joint) {
   return {CellError::ToolBeyondLimits, std::move(arguments), {}, {}};
 }
 
-Pose tipFor(const Pose& pose, const Pose& tool) {
-  return pose * tool.inverse(Eigen::Isometry);
-}
-
 Pose poseInBase(const Body& body, const RobotModel& robot, const JointValues& joints) {
   return carrierPose(body, robot, linkPoses(robot, joints)) * body.pose;
 }
@@ -62,7 +58,7 @@ std::vector<CellIkSolution> ikSolutionsTo(const CellScene& scene, const CellPlan
   MotionCheckSettings check;
   check.clearance = plans.clearance;
   std::vector<CellIkSolution> ways;
-  for (ArmSolution& solution : solutionsFor(scene.arm, tipFor(pose, plans.tool), near)) {
+  for (ArmSolution& solution : solutionsFor(scene.arm.withTool(plans.tool), pose, near)) {
     CellIkSolution way{std::move(solution)};
     if (way.isWithinLimits()) way.blocked = blockerAt(scene.scene, way.arm.values, check);
     ways.push_back(std::move(way));
@@ -93,7 +89,7 @@ Result<JointValues> jointsReaching(const CellRobot& robot, const CellPlans& plan
   if (!arm) return arm.error();
   ArmValues near(static_cast<Eigen::Index>(arm->dofs.size()));
   for (std::size_t i = 0; i < arm->dofs.size(); ++i) near[static_cast<Eigen::Index>(i)] = joints[arm->dofs[i]];
-  const std::vector<ArmSolution> found = solutionsFor(arm->arm, tipFor(pose, plans.tool), near);
+  const std::vector<ArmSolution> found = solutionsFor(arm->arm.withTool(plans.tool), pose, near);
   if (found.empty()) return outOfReach(pose);
   const ArmSolution& nearest = found.front();
   if (nearest.beyond)

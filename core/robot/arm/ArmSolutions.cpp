@@ -51,7 +51,9 @@ std::vector<ArmSolution> closedForm(const ClosedFormIk& closed, const SerialArm&
   return found;
 }
 
-std::vector<ArmSolution> byIteration(const SerialArm& arm, const Pose& tip, const ArmValues& reference) {
+// solved: solvedNumerically() or solvedForPlace().
+std::vector<ArmSolution> byIteration(const SerialArm& arm, const Pose& tip, const ArmValues& reference,
+                                     decltype(solvedNumerically)& solved) {
   NumericalIkSettings settings;
   settings.tolerance = 1e-8;
   settings.seconds = 1.0;  // of a start, which ends long before
@@ -60,12 +62,18 @@ std::vector<ArmSolution> byIteration(const SerialArm& arm, const Pose& tip, cons
   std::vector<ArmSolution> found;
   ArmValues start = reference;
   for (std::uint32_t i = 0; i <= kRandomStarts && found.size() < kMostNumericalSolutions; ++i) {
-    const NumericalIkResult result = solvedNumerically(arm, tip, start, settings);
+    const NumericalIkResult result = solved(arm, tip, start, settings, {});
     fillWithRandom(arm, sequence, start);
     if (!result.isSolved) continue;
     const ArmValues values = withinLimits(arm, result.values, reference).value_or(result.values);
-    if (!isKnown(found, values, kOtherSolution)) found.push_back({values});
+    if (!isKnown(found, values, kOtherSolution)) found.push_back({.values = values, .turnedOff = result.angle});
   }
+  return found;
+}
+
+std::vector<ArmSolution> byIteration(const SerialArm& arm, const Pose& tip, const ArmValues& reference) {
+  std::vector<ArmSolution> found = byIteration(arm, tip, reference, solvedNumerically);
+  if (found.empty() && arm.size() < kJointsOfAnyPose) found = byIteration(arm, tip, reference, solvedForPlace);
   return found;
 }
 

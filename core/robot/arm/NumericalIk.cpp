@@ -24,7 +24,7 @@ using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostArm
 class Search {
  public:
   Search(const SerialArm& arm, const Pose& wanted, const NumericalIkSettings& settings)
-      : m_arm(arm), m_wanted(wanted), m_settings(settings), m_rows(settings.ignoresOrientation ? 3 : 6) {}
+      : m_arm(arm), m_wanted(wanted), m_settings(settings) {}
 
   // Turns joints into their limits where whole turns do that, and stops them there otherwise.
   void keepWithin(ArmValues& values) const {
@@ -48,9 +48,9 @@ class Search {
     Error6 error = poseError(tip, m_wanted);
     error.head<3>() /= m_settings.length;
     m_jacobian.topRows<3>() /= m_settings.length;
-    if (m_rows == 3) {
-      error.tail<3>().setZero();
-      m_jacobian.bottomRows<3>().setZero();
+    if (m_settings.turnWeight != 1.0) {
+      error.tail<3>() *= m_settings.turnWeight;
+      m_jacobian.bottomRows<3>() *= m_settings.turnWeight;
     }
     return error;
   }
@@ -115,7 +115,6 @@ class Search {
   const SerialArm& m_arm;
   const Pose& m_wanted;
   const NumericalIkSettings& m_settings;
-  Eigen::Index m_rows;
   ArmJacobian m_jacobian;
 };
 
@@ -178,6 +177,18 @@ NumericalIkResult solvedNumerically(const SerialArm& arm, const Pose& tip, const
   result.distance = error.head<3>().norm();
   result.angle = error.tail<3>().norm();
   return result;
+}
+
+// A turn that weighs little costs the place tenths of a millimetre, which the second search makes good.
+NumericalIkResult solvedForPlace(const SerialArm& arm, const Pose& tip, const ArmValues& start,
+                                 const NumericalIkSettings& settings, Progress progress) {
+  constexpr double kLittle = 0.01;
+  NumericalIkSettings towards = settings, there = settings;
+  towards.turnWeight = kLittle;
+  towards.mostStarts = 1;
+  there.turnWeight = 0.0;
+  const NumericalIkResult near = solvedNumerically(arm, tip, start, towards, progress);
+  return solvedNumerically(arm, tip, near.values, there, progress);
 }
 
 }  // namespace handwheel

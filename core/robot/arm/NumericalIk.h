@@ -15,7 +15,7 @@ struct NumericalIkSettings {
   double seconds = 5e-3;    // after which no further start is tried
   std::uint32_t mostStarts = 1'000'000;  // the given one, and random ones within the limits
   std::uint64_t seed = 1;                // of the random starts
-  bool ignoresOrientation = false;       // only the place of the tip counts
+  double turnWeight = 1.0;               // of the turn of the tip beside its place; 0: only the place counts
 };
 
 // What became of it.
@@ -35,6 +35,14 @@ struct NumericalIkResult {
 // all poses end as near as they get. Allocates nothing. O(iterations · joints³).
 NumericalIkResult solvedNumerically(const SerialArm& arm, const Pose& tip, const ArmValues& start,
                                     const NumericalIkSettings& settings = {}, Progress progress = {});
+
+// Fewer joints reach places, not poses.
+inline constexpr Eigen::Index kJointsOfAnyPose = 6;
+
+// The same for an arm that cannot reach all poses: brings the tip to the place of the pose, turned as near to it as
+// this lets it be. Solved: it is at the place.
+NumericalIkResult solvedForPlace(const SerialArm& arm, const Pose& tip, const ArmValues& start,
+                                 const NumericalIkSettings& settings = {}, Progress progress = {});
 
 // Random values within the limits; where there are none, of turns within a half, of slides within the arm's reach.
 void fillWithRandom(const SerialArm& arm, RandomSequence& sequence, ArmValues& values);

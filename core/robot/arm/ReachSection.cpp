@@ -23,7 +23,7 @@ constexpr Node kSteps[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
 class ReachGrid {
  public:
   ReachGrid(const SerialArm& arm, const Pose& tool, const Vec3& direction, const ReachSectionSettings& settings)
-      : m_arm(withTool(arm, tool)), m_settings(settings), m_across(direction) {
+      : m_arm(arm.withTool(tool)), m_settings(settings), m_across(direction) {
     m_across.z() = 0.0;
     m_across = m_across.norm() > 0.0 ? Vec3(m_across.normalized()) : Vec3::UnitX();
     m_spacing = m_arm.reach() / settings.cells;
@@ -39,7 +39,7 @@ class ReachGrid {
     Pose wanted = Pose::Identity();
     wanted.translation() = place;
     NumericalIkSettings ik{.tolerance = kPlaceTolerance / 1000.0, .seconds = 1.0, .mostStarts = starts};
-    ik.ignoresOrientation = true;
+    ik.turnWeight = 0.0;
     const NumericalIkResult result = solvedNumerically(m_arm, wanted, start, ik);
     return result.isSolved ? std::optional(result.values) : std::nullopt;
   }
@@ -82,10 +82,6 @@ class ReachGrid {
   }
 
  private:
-  static SerialArm withTool(const SerialArm& arm, const Pose& tool) {
-    return {std::vector<ArmJoint>(arm.joints().begin(), arm.joints().end()), arm.tip() * tool};
-  }
-
   SerialArm m_arm;
   ReachSectionSettings m_settings;
   Vec3 m_across;

@@ -26,7 +26,7 @@ using ArmValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostArmJoints, 1>
 using ArmJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMostArmJoints>;
 
 // A kinematic chain of joints from a base to a tip, for fast computation. Immutable; any thread. Nothing but of()
-// allocates.
+// and withTool() allocates.
 class SerialArm {
  public:
   // tip: in the frame of the last joint. At most kMostArmJoints joints.
@@ -49,6 +49,9 @@ class SerialArm {
   Pose tipPose(const ArmValues& values, ArmJacobian& jacobian) const;
   // The frames of all joints in the base; as many as there are joints.
   void jointPoses(const ArmValues& values, std::span<Pose> poses) const;
+
+  // The same joints, with the tip at this pose in that of this arm.
+  SerialArm withTool(const Pose& tool) const { return {m_joints, m_tip * tool}; }
 
   bool isWithinLimits(const ArmValues& values, double slack = 1e-9) const;
   // The middle of each joint's range; 0 where it is not bounded on both sides.

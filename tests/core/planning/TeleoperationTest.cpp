@@ -122,6 +122,37 @@ class TeleoperationTest : public QObject {
     QVERIFY(following.lead(wanted).tool.matrix().allFinite());
   }
 
+  // A SCARA whose hand tilts, which it cannot: its tool is where the hand is, and turns about its axis as the hand
+  // does.
+  void followsWithFourJoints() {
+    const DhTable table{.name = "scara",
+                        .joints = {{{.a = 300.0, .d = 400.0, .lower = -2.5, .upper = 2.5}, "a"},
+                                   {{.a = 200.0, .lower = -2.5, .upper = 2.5}, "b"},
+                                   {{.isPrismatic = true, .lower = -150.0, .upper = 0.0}, "c"},
+                                   {{.lower = -3.0, .upper = 3.0}, "d"}}};
+    RobotModel model = robotOf(table);
+    for (Link& link : model.links) link.collisions.clear();
+    const RobotScene scene(model, Pose::Identity(), collisionBodies(model), {0, 1, 2, 3}, restValues(model), {});
+    const SerialArm arm = armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end()));
+    const Pose tool(Eigen::Translation3d(20.0, 0.0, 50.0));  // beside the axis: the tilt must not move it
+    ArmValues start(4);
+    start << 0.2, 0.8, -50.0, 0.1;
+    Teleoperation following(scene, arm, tool, start, {});
+    const Pose begin = following.tool();
+    Pose wanted;
+    for (int i = 1; i <= 100; ++i) {
+      const double share = i / 100.0;
+      wanted = begin;
+      wanted.translation() += share * Vec3(-60.0, 80.0, 30.0);
+      wanted.linear() = Eigen::AngleAxisd(0.3 * share, Vec3::UnitX()) * Eigen::AngleAxisd(0.5 * share, Vec3::UnitZ()) *
+                        begin.linear();
+      QVERIFY(following.follow(wanted, 0.05).behind < 0.05);
+    }
+    // Of all turns about z that by 0.5 is the nearest: the tilt alone is left.
+    const Eigen::AngleAxisd off(following.tool().linear().transpose() * wanted.linear());
+    QVERIFY(std::abs(off.angle() - 0.3) < 0.01);
+  }
+
   // Joint by joint: there, or at the limit.
   void isLedByJoints() {
     const HandledRobot robot;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/path/IkSolutionText.h"
 
+#include "base/Units.h"
+
 #include <QCoreApplication>
 
 namespace handwheel {
@@ -39,12 +41,19 @@ QString problemText(const CellScene& scene, const CellIkSolution& solution) {
       .arg(QString::fromStdString(link), QString::fromStdString(other));
 }
 
+QString turnedOffText(const CellIkSolution& solution) {
+  const double degrees = solution.arm.turnedOff / kRadiansPerDegree;
+  if (degrees < 0.05) return {};
+  return solutionWord(QT_TRANSLATE_NOOP("IkSolutionText", "turned off by %1°")).arg(degrees, 0, 'f', 1);
+}
+
 QString ikSolutionText(const CellScene& scene, const CellIkSolution& solution, std::size_t number) {
   const QString stance = solution.arm.stance ? stanceText(*solution.arm.stance)
                                              : solutionWord(QT_TRANSLATE_NOOP("IkSolutionText", "Way %1")).arg(number);
-  const QString problem = problemText(scene, solution);
+  const QString problem = problemText(scene, solution), turned = turnedOffText(solution);
   return stance + QStringLiteral(": ") +
-         (problem.isEmpty() ? solutionWord(QT_TRANSLATE_NOOP("IkSolutionText", "free")) : problem);
+         (problem.isEmpty() ? solutionWord(QT_TRANSLATE_NOOP("IkSolutionText", "free")) : problem) +
+         (turned.isEmpty() ? QString() : QStringLiteral(", ") + turned);
 }
 
 }  // namespace handwheel

@@ -16,6 +16,9 @@ QString stanceText(const ArmStance& stance);
 // What is wrong with a solution: a joint beyond its limits, or what collides; empty: it is free.
 QString problemText(const CellScene& scene, const CellIkSolution& solution);
 
+// How far the tool is turned off the pose; empty: it is not.
+QString turnedOffText(const CellIkSolution& solution);
+
 // A row of the list of all solutions; number: of its place in it, from 1.
 QString ikSolutionText(const CellScene& scene, const CellIkSolution& solution, std::size_t number);
 

@@ -103,6 +103,33 @@ class ArmSolutionsTest : public QObject {
     QVERIFY(solutionsFor(arm, far, ArmValues::Zero(6)).empty());
   }
 
+  // An arm of three joints: the pose where it can reach it, otherwise the place in all its ways, which are its elbow
+  // up and down, ahead and over its back; and how far each is turned off.
+  void placesOfAShortArm() {
+    const SerialArm arm = armOf(std::vector<DhRow>{{.alpha = M_PI / 2, .d = 200.0, .lower = -3.0, .upper = 3.0},
+                                                   {.a = 300.0, .lower = -3.0, .upper = 3.0},
+                                                   {.a = 250.0, .lower = -2.5, .upper = 2.5}});
+    ArmValues values(3);
+    values << 0.3, 0.4, 1.1;
+    const Pose tip = arm.tipPose(values);
+    const std::vector<ArmSolution> same = solutionsFor(arm, tip, values);
+    QCOMPARE(same.size(), std::size_t{1});
+    QVERIFY((same.front().values - values).norm() < 1e-6 && same.front().turnedOff < 1e-6);
+    Pose turned = tip;
+    turned.rotate(Eigen::AngleAxisd(0.4, Vec3::UnitX()));  // about the forearm, which it cannot
+    const std::vector<ArmSolution> ways = solutionsFor(arm, turned, values);
+    QCOMPARE(ways.size(), std::size_t{4});
+    for (const ArmSolution& way : ways) {
+      const Pose there = arm.tipPose(way.values);
+      QVERIFY((there.translation() - tip.translation()).norm() < 1e-3 && arm.isWithinLimits(way.values));
+      const double angle = Eigen::AngleAxisd(there.linear().transpose() * turned.linear()).angle();
+      QVERIFY(std::abs(way.turnedOff - angle) < 1e-6);
+    }
+    QVERIFY((ways.front().values - values).norm() < 1e-4 && std::abs(ways.front().turnedOff - 0.4) < 1e-4);
+    turned.translation() *= 5.0;
+    QVERIFY(solutionsFor(arm, turned, values).empty());
+  }
+
   // Without a closed form: the way that is known is found, and others that are not the same.
   void byIteration() {
     std::vector<DhRow> rows(7, DhRow{.a = 100.0, .alpha = 1.2, .d = 60.0, .lower = -2.5, .upper = 2.5});

@@ -58,13 +58,44 @@ class NumericalIkTest : public QObject {
                                                    {.a = 300.0, .lower = -2.0, .upper = 2.0},
                                                    {.a = 250.0, .lower = -2.5, .upper = 2.5}});
     NumericalIkSettings settings = patient();
-    settings.ignoresOrientation = true;
+    settings.turnWeight = 0.0;
     QVERIFY(rc::check([&] {
       Pose tip = arm.tipPose(anyValuesOf(arm));
       tip.linear() = Eigen::AngleAxisd(1.0, Vec3(1, 2, 3).normalized()).toRotationMatrix();
       const NumericalIkResult found = solvedNumerically(arm, tip, arm.middle(), settings);
       RC_ASSERT(found.isSolved && found.distance < 2e-2);
     }));
+  }
+
+  // At the place, and turned as near as it goes: a SCARA that a tilted hand leads turns about its axis as the hand
+  // does, a pointer of two hinges ends at the place whatever is asked of its turn.
+  void placeFirst() {
+    const SerialArm scara = armOf(std::vector<DhRow>{{.a = 300.0, .d = 400.0, .lower = -2.5, .upper = 2.5},
+                                                     {.a = 200.0, .lower = -2.5, .upper = 2.5},
+                                                     {.isPrismatic = true, .lower = -150.0, .upper = 0.0},
+                                                     {.lower = -3.0, .upper = 3.0}});
+    QVERIFY(rc::check([&] {
+      ArmValues values(4), start(4);
+      values << evenlyBetween(-1, 1), evenlyBetween(0.5, 2), evenlyBetween(-140, -10), evenlyBetween(-1, 1);
+      start << values[0] + 0.05, values[1] - 0.05, values[2] + 5.0, values[3] + 0.1;
+      Pose tip = scara.tipPose(values);
+      const double tilt = evenlyBetween(-0.5, 0.5);
+      const Vec3 aside(std::cos(evenlyBetween(-3, 3)), 0.3, 0.0);
+      tip.linear() = Eigen::AngleAxisd(tilt, aside.normalized()) * tip.linear();
+      RC_ASSERT(std::abs(tilt) < 1e-3 || !solvedNumerically(scara, tip, start, {.mostStarts = 1}).isSolved);
+      const NumericalIkResult found = solvedForPlace(scara, tip, start, {.seconds = 60.0, .mostStarts = 1});
+      // A tilt about an axis across is all that is left where the turn about z is right: no turn about z is nearer.
+      RC_ASSERT(found.isSolved && found.distance < 2e-2);
+      RC_ASSERT(std::abs(found.angle - std::abs(tilt)) < 1e-2 && (found.values - values).norm() < 0.05);
+    }));
+    const SerialArm pointer = armOf(std::vector<DhRow>{{.alpha = M_PI / 2, .d = 200.0, .lower = -3.0, .upper = 3.0},
+                                                       {.a = 300.0, .lower = -2.0, .upper = 2.0}});
+    Pose tip = pointer.tipPose(ArmValues::Constant(2, 0.4));
+    tip.rotate(Eigen::AngleAxisd(2.0, Vec3(1, 2, 3).normalized()));
+    const NumericalIkResult found = solvedForPlace(pointer, tip, ArmValues::Constant(2, 0.3), patient());
+    QVERIFY(found.isSolved && found.distance < 2e-2);
+    tip.translation() *= 3.0;
+    QVERIFY(!solvedForPlace(pointer, tip, ArmValues::Constant(2, 0.3), {.mostStarts = 3}).isSolved);
   }
 
   // Nothing that is asked for makes it leave its limits, or give what is no number.

@@ -17,10 +17,11 @@ namespace handwheel::test {
 // The document of a cell with a built-in robot. It is prepared for planning when that is asked for.
 class ArmCell {
  public:
-  explicit ArmCell(const char* id = "irb120") {
+  explicit ArmCell(const char* id = "irb120") : ArmCell(*libraryTable(id)) {}
+  explicit ArmCell(const DhTable& table) {
     OpenedFile opened;
     opened.kind = &m_kind;
-    opened.content = cellOf(*libraryTable(id));
+    opened.content = cellOf(table);
     m_document = std::make_unique<RobotCellDocument>(std::move(opened));
   }
 

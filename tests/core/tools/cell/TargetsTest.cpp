@@ -103,6 +103,34 @@ class TargetsTest : public QObject {
     QVERIFY(nearestFree(*scene, plans, far, stood).error().code == CellError::ToolOutOfReach);
   }
 
+  // An arm of three joints brings its tool to the place of a target, turned as near to it as it can; what is out of its
+  // reach stays so.
+  void anArmOfThreeJoints() {
+    const DhTable table{.name = "short",
+                        .joints = {{{.alpha = M_PI / 2, .d = 200.0, .lower = -3.0, .upper = 3.0}, "a"},
+                                   {{.a = 300.0, .lower = -2.0, .upper = 2.0}, "b"},
+                                   {{.a = 250.0, .lower = -2.5, .upper = 2.5}, "c"}}};
+    ArmCell arm(table);
+    arm.stand({0.3, 0.4, 1.1});
+    CellPlans plans;
+    plans.tool = Pose(Eigen::Translation3d(30.0, 40.0, 20.0));
+    plans.targets = {{"T", poseOf(arm.tool().translation() + Vec3(-40.0, 50.0, 60.0), {0.1, 0.9, -2.0})}};
+    arm.plan(plans);
+    const RobotCellSnapshot cell = changedBy(valuesOf({{"go", std::string("T")}}), arm.content());
+    const Pose reached = toolPose(*cell.robot, *cell.plans, cell.joints), wanted = plans.targets[0].pose;
+    QVERIFY((reached.translation() - wanted.translation()).norm() < 1e-3);
+    const auto scene = arm.scene();
+    const auto ways = ikSolutionsTo(*scene, plans, wanted, scene->planned(arm.document().joints()));
+    QVERIFY(!ways.empty());
+    const double off = Eigen::AngleAxisd(reached.linear().transpose() * wanted.linear()).angle();
+    QVERIFY(off > 0.1);
+    QVERIFY(std::any_of(ways.begin(), ways.end(),
+                        [&](const CellIkSolution& way) { return std::abs(way.arm.turnedOff - off) < 1e-6; }));
+    Pose far = wanted;
+    far.translation() *= 10.0;
+    QVERIFY(nearestFree(*scene, plans, far, ArmValues::Zero(3)).error().code == CellError::ToolOutOfReach);
+  }
+
   // As places of a path; the next one as near as may be to the one before.
   void placesOfAPath() {
     CellPlans plans;
