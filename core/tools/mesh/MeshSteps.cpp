@@ -346,7 +346,7 @@ MeshChange addChange(const std::string& path, const HalfEdgeMesh& mesh) {
 
 HistoryPoint presentPoint(const MeshDocument& document) {
   const QUndoStack& history = *document.history();
-  if (history.index() == document.openingSteps())
+  if (history.index() <= document.openingSteps())
     return document.facesAsInFile().empty() ? HistoryPoint() : HistoryPoint{0, kAsInFile};
   return {history.index(), static_cast<const UndoCommand&>(*history.command(history.index() - 1)).stroke()};
 }
