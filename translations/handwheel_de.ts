@@ -992,22 +992,6 @@
         <translation>Drehen Sie das Teil zuerst von Hand, oder erzeugen Sie Zyklen für ein Ziel.</translation>
     </message>
     <message>
-        <source>passes in a bore cannot be written as a program</source>
-        <translation>Schnitte in einer Bohrung lassen sich nicht als Programm schreiben</translation>
-    </message>
-    <message>
-        <source>Write a program of your own for the bore.</source>
-        <translation>Schreiben Sie für die Bohrung ein eigenes Programm.</translation>
-    </message>
-    <message>
-        <source>pass %1 was made with a tool that no program moves: a drill, a file, paper or a disk</source>
-        <translation>Schnitt %1 entstand mit einem Werkzeug, das kein Programm bewegt: Bohrer, Feile, Schleifpapier oder Schleifscheibe</translation>
-    </message>
-    <message>
-        <source>Write passes that were made with turning tools.</source>
-        <translation>Schreiben Sie Schnitte, die mit Drehmeißeln entstanden sind.</translation>
-    </message>
-    <message>
         <source>the cycles collide in line %1</source>
         <translation>die Zyklen kollidieren in Zeile %1</translation>
     </message>
@@ -1312,10 +1296,6 @@
         <translation>es gibt keinen Bohrer „%1“</translation>
     </message>
     <message>
-        <source>Write ball, burr or twist with a diameter from 0.05 to 200 mm, such as ball:6.</source>
-        <translation>Schreiben Sie ball, burr oder twist mit einem Durchmesser von 0,05 bis 200 mm, zum Beispiel ball:6.</translation>
-    </message>
-    <message>
         <source>there is no material “%1” to be drilled</source>
         <translation>es gibt keinen Werkstoff „%1“ zum Bohren</translation>
     </message>
@@ -1526,6 +1506,42 @@
     <message>
         <source>Choose a picture with bright places, or a shape that rises along z.</source>
         <translation>Wählen Sie ein Bild mit hellen Stellen oder eine Form, die entlang z ansteigt.</translation>
+    </message>
+    <message>
+        <source>pass %1 was made with a file, paper or a disk, or is a thread in a bore</source>
+        <translation>Schnitt %1 entstand mit Feile, Schleifpapier oder Scheibe oder ist ein Gewinde in einer Bohrung</translation>
+    </message>
+    <message>
+        <source>Write passes of tools that turn, bore or drill.</source>
+        <translation>Schreiben Sie Schnitte von Werkzeugen, die drehen, ausdrehen oder bohren.</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would need %2 MB, which is more than a quarter of the %3 MB that are available</source>
+        <translation>Voxel von %1 mm würden %2 MB brauchen, mehr als ein Viertel der verfügbaren %3 MB</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels, or confirm it with --yes.</source>
+        <translation>Wählen Sie größere Voxel, oder bestätigen Sie es mit --yes.</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would keep %2 % of the surface, and at least %3 % are needed</source>
+        <translation>Voxel von %1 mm würden %2 % der Oberfläche erhalten, und mindestens %3 % sind nötig</translation>
+    </message>
+    <message>
+        <source>Walls thinner than a voxel are lost: choose smaller voxels, or a wall thickness.</source>
+        <translation>Wände dünner als ein Voxel gehen verloren: Wählen Sie kleinere Voxel oder eine Wandstärke.</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would contain %2 mm³, and at least %3 mm³ are needed of what the surface encloses</source>
+        <translation>Voxel von %1 mm würden %2 mm³ enthalten, und von dem, was die Oberfläche umschließt, sind mindestens %3 mm³ nötig</translation>
+    </message>
+    <message>
+        <source>Walls thinner than a voxel are lost: choose smaller voxels.</source>
+        <translation>Wände dünner als ein Voxel gehen verloren: Wählen Sie kleinere Voxel.</translation>
+    </message>
+    <message>
+        <source>Write ball, burr, twist or saw with a diameter from 0.05 to 200 mm, such as ball:6.</source>
+        <translation>Schreiben Sie ball, burr, twist oder saw mit einem Durchmesser von 0,05 bis 200 mm, zum Beispiel ball:6.</translation>
     </message>
 </context>
 <context>
@@ -3046,6 +3062,10 @@
         <source>pixels of a picture</source>
         <translation>Bildpunkte eines Bildes</translation>
     </message>
+    <message>
+        <source>the robot reaches its place in no way with these S and T</source>
+        <translation>mit diesen Werten von S und T erreicht der Roboter die Stelle auf keine Weise</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -4298,6 +4318,10 @@
         <source>Lead the robot</source>
         <translation>Roboter führen</translation>
     </message>
+    <message>
+        <source>Pull place %1 of %2</source>
+        <translation>Punkt %1 von %2 ziehen</translation>
+    </message>
 </context>
 <context>
     <name>HapticSession</name>
@@ -4418,6 +4442,10 @@
     <message>
         <source>free</source>
         <translation>frei</translation>
+    </message>
+    <message>
+        <source>turned off by %1°</source>
+        <translation>um %1° verdreht</translation>
     </message>
 </context>
 <context>
@@ -4599,6 +4627,29 @@
     </message>
 </context>
 <context>
+    <name>MemoryQuestion</name>
+    <message>
+        <source>Memory for the voxels</source>
+        <translation>Arbeitsspeicher für die Voxel</translation>
+    </message>
+    <message>
+        <source>The voxels need %1. Make them all the same?</source>
+        <translation>Die Voxel brauchen %1. Trotzdem erzeugen?</translation>
+    </message>
+    <message>
+        <source>That is more than a quarter, and other programs may become slow. Larger voxels need less.</source>
+        <translation>Das ist mehr als ein Viertel, und andere Programme können langsam werden. Größere Voxel brauchen weniger.</translation>
+    </message>
+    <message>
+        <source>&amp;Make them</source>
+        <translation>&amp;Erzeugen</translation>
+    </message>
+    <message>
+        <source>about %1 MB of %2 MB available</source>
+        <translation>etwa %1 MB von %2 MB verfügbaren</translation>
+    </message>
+</context>
+<context>
     <name>MeshUi</name>
     <message>
         <source>%1: nothing was changed</source>
@@ -4698,10 +4749,6 @@
         </translation>
     </message>
     <message>
-        <source>No holes, but other defects.</source>
-        <translation>Keine Löcher, aber andere Fehler.</translation>
-    </message>
-    <message>
         <source>%1 stays open: %2.</source>
         <translation>%1 bleibt offen: %2.</translation>
     </message>
@@ -4717,10 +4764,6 @@
         <translation>Keine Löcher. Das ist eine offene Fläche.</translation>
     </message>
     <message>
-        <source>Watertight.</source>
-        <translation>Wasserdicht.</translation>
-    </message>
-    <message>
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
     </message>
@@ -4734,10 +4777,6 @@
             <numerusform>%Ln Loch konnte nicht gefüllt werden.</numerusform>
             <numerusform>%Ln Löcher konnten nicht gefüllt werden.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Closed, but self-intersecting.</source>
-        <translation>Geschlossen, aber selbstdurchdringend.</translation>
     </message>
     <message>
         <source>No holes remain except those kept open.</source>
@@ -5307,6 +5346,18 @@
         <source>no points, because “%1” was not met</source>
         <translation>keine Punkte, weil „%1“ nicht erfüllt wurde</translation>
     </message>
+    <message>
+        <source>Walls thinner than a voxel (%1 mm) were lost: %2 % of the surface is farther than a voxel from the surface of the volume. Choose smaller voxels.</source>
+        <translation>Wände dünner als ein Voxel (%1 mm) gingen verloren: %2 % der Oberfläche sind weiter als ein Voxel von der Oberfläche des Volumens entfernt. Wählen Sie kleinere Voxel.</translation>
+    </message>
+    <message>
+        <source>The part in section.</source>
+        <translation>Das Teil im Schnitt.</translation>
+    </message>
+    <message>
+        <source>The part in section, with the outline of the target. Blue: material left over the target. Red: cut too deep.</source>
+        <translation>Das Teil im Schnitt, mit dem Umriss des Ziels. Blau: Restmaterial über dem Ziel. Rot: zu tief geschnitten.</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -5490,10 +5541,6 @@
     <message>
         <source>Triangles</source>
         <translation>Dreiecke</translation>
-    </message>
-    <message>
-        <source>Parts</source>
-        <translation>Teile</translation>
     </message>
     <message>
         <source>Size in X</source>
@@ -7204,10 +7251,6 @@
         <translation>Spiegeln in Z</translation>
     </message>
     <message>
-        <source>Ball or burr</source>
-        <translation>Kugel oder Frässtift</translation>
-    </message>
-    <message>
         <source>Twist drill</source>
         <translation>Spiralbohrer</translation>
     </message>
@@ -7574,6 +7617,62 @@
     <message>
         <source>Surface area (mm²)</source>
         <translation>Oberfläche (mm²)</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Stücke</translation>
+    </message>
+    <message>
+        <source>Places of paths</source>
+        <translation>Punkte von Bahnen</translation>
+    </message>
+    <message>
+        <source>Place taken within</source>
+        <translation>Punkt gefasst innerhalb von</translation>
+    </message>
+    <message>
+        <source>More than a quarter of the memory</source>
+        <translation>Mehr als ein Viertel des Arbeitsspeichers</translation>
+    </message>
+    <message>
+        <source>Time for the voxels, about (s)</source>
+        <translation>Zeit für die Voxel, etwa (s)</translation>
+    </message>
+    <message>
+        <source>Smudge</source>
+        <translation>Verwischen</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Burr</source>
+        <translation>Frässtift</translation>
+    </message>
+    <message>
+        <source>Circular saw</source>
+        <translation>Kreissäge</translation>
+    </message>
+    <message>
+        <source>Peck by the mouse (0: none)</source>
+        <translation>Spanbruchtiefe mit der Maus (0: keine)</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Size of the voxels</source>
+        <translation>Größe der Voxel</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Arbeitsspeicher</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
     </message>
 </context>
 <context>
@@ -9253,18 +9352,6 @@
         <translation>auf und ab bewegen</translation>
     </message>
     <message>
-        <source>the part is thinner than the voxels: choose smaller ones</source>
-        <translation>das Teil ist dünner als die Voxel: Wählen Sie kleinere</translation>
-    </message>
-    <message>
-        <source>the voxels need more memory than there is left: choose larger ones</source>
-        <translation>die Voxel brauchen mehr Arbeitsspeicher, als noch frei ist: Wählen Sie größere</translation>
-    </message>
-    <message>
-        <source>the voxels are too small for a part of this size: choose larger ones</source>
-        <translation>die Voxel sind zu klein für ein Teil dieser Größe: Wählen Sie größere</translation>
-    </message>
-    <message>
         <source>there are no triangles, or they have coordinates that are not numbers</source>
         <translation>es gibt keine Dreiecke, oder ihre Koordinaten sind keine Zahlen</translation>
     </message>
@@ -9383,6 +9470,26 @@
     <message>
         <source>only closed bodies can be united: close holes and open sheets, and reverse bodies that are inside out before</source>
         <translation>nur geschlossene Körper können vereinigt werden: schließen Sie vorher Löcher und offene Flächen, und wenden Sie umgestülpte Körper</translation>
+    </message>
+    <message>
+        <source>pull a place of a path</source>
+        <translation>Punkt einer Bahn ziehen</translation>
+    </message>
+    <message>
+        <source>Smudge clay</source>
+        <translation>Ton verwischen</translation>
+    </message>
+    <message>
+        <source>hold the feed</source>
+        <translation>Vorschub anhalten</translation>
+    </message>
+    <message>
+        <source>the feed is held</source>
+        <translation>der Vorschub ist angehalten</translation>
+    </message>
+    <message>
+        <source>go on with the feed</source>
+        <translation>Vorschub fortsetzen</translation>
     </message>
 </context>
 <context>
@@ -9631,6 +9738,10 @@
     <message>
         <source>Hidden</source>
         <translation>Ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Drop bodies here for %1 to carry them</source>
+        <translation>Körper hier ablegen, damit %1 sie trägt</translation>
     </message>
 </context>
 <context>
@@ -9920,6 +10031,29 @@
     <message>
         <source>The bodies were not changed</source>
         <translation>Die Körper wurden nicht geändert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n body(ies)</source>
+        <translation>
+            <numerusform>%n Körper</numerusform>
+            <numerusform>%n Körper</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing carries %1, as before</source>
+        <translation>Nichts trägt %1, wie zuvor</translation>
+    </message>
+    <message>
+        <source>Only links of robots carry bodies; a body carries none.</source>
+        <translation>Nur Glieder von Robotern tragen Körper; ein Körper trägt keinen.</translation>
+    </message>
+    <message>
+        <source>Drop it on a link, or on a body that a link carries.</source>
+        <translation>Legen Sie ihn auf einem Glied ab oder auf einem Körper, den ein Glied trägt.</translation>
+    </message>
+    <message>
+        <source>Attach %1 to %2</source>
+        <translation>%1 an %2 anbringen</translation>
     </message>
 </context>
 <context>
@@ -10542,6 +10676,13 @@
     <message>
         <source>Reading %1</source>
         <translation>%1 wird gelesen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln leg(s) with unchanged ends, still proven free, were kept.</source>
+        <translation>
+            <numerusform>%Ln Abschnitt mit unveränderten Enden, der weiterhin als frei bewiesen ist, wurde beibehalten.</numerusform>
+            <numerusform>%Ln Abschnitte mit unveränderten Enden, die weiterhin als frei bewiesen sind, wurden beibehalten.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12528,6 +12669,26 @@
         <source>The law of the cutting force is not valid for such a cut of %1.</source>
         <translation>Das Gesetz der Schnittkraft gilt nicht für einen solchen Schnitt in %1.</translation>
     </message>
+    <message>
+        <source>%1 has no data for this material, so Kienzle is used.</source>
+        <translation>%1 hat für diesen Werkstoff keine Daten, daher gilt Kienzle.</translation>
+    </message>
+    <message>
+        <source>%1, unverified</source>
+        <translation>%1, ungeprüft</translation>
+    </message>
+    <message>
+        <source>Not all numbers of its table were compared with the handbook.</source>
+        <translation>Nicht alle Zahlen der Tabelle wurden mit dem Handbuch verglichen.</translation>
+    </message>
+    <message>
+        <source>Power law</source>
+        <translation>Potenzgesetz</translation>
+    </message>
+    <message>
+        <source>The cut is outside the range of the network, so the power law fitted to the same data is used.</source>
+        <translation>Der Schnitt liegt außerhalb des Bereichs des Netzwerks, daher gilt das Potenzgesetz, das an dieselben Daten angepasst wurde.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LathePanel</name>
@@ -12832,6 +12993,10 @@
     <message>
         <source>Clockwise: in, to the axis; counts as the read-out does, on the diameter (⌀) or the radius (R). In the view: ↑ and ↓</source>
         <translation>Im Uhrzeigersinn: hinein, zur Achse; zählt wie die Anzeige, im Durchmesser (⌀) oder im Radius (R). In der Ansicht: ↑ und ↓</translation>
+    </message>
+    <message>
+        <source>Δ: travel since the ring was at zero; it is not a size of the part</source>
+        <translation>Δ: Weg, seit der Ring auf null stand; kein Maß des Teils</translation>
     </message>
 </context>
 <context>
@@ -14689,6 +14854,10 @@
     <message>
         <source>Check the patch of %1: %2.</source>
         <translation>Prüfen Sie die Füllfläche von %1: %2.</translation>
+    </message>
+    <message>
+        <source>walls thinner than a voxel were lost: choose smaller voxels</source>
+        <translation>Wände dünner als ein Voxel gingen verloren: kleinere Voxel wählen</translation>
     </message>
 </context>
 <context>
@@ -16654,6 +16823,45 @@
     <message>
         <source>Start with a synthetic skull to be drilled, not that of a patient</source>
         <translation>Mit einem künstlichen Schädel zum Bohren beginnen, der von keinem Patienten stammt</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::VoxelizeQuestion</name>
+    <message>
+        <source>Make a volume</source>
+        <translation>Volumen erzeugen</translation>
+    </message>
+    <message>
+        <source>The volume becomes a document of its own. Whatever is smaller than a voxel is lost.</source>
+        <translation>Das Volumen wird ein eigenes Dokument. Was kleiner als ein Voxel ist, geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Make volume</source>
+        <translation>Volumen &amp;erzeugen</translation>
+    </message>
+    <message>
+        <source>%1 voxels along the largest extent: %2</source>
+        <translation>%1 Voxel entlang der größten Ausdehnung: %2</translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <translation>etwa %1 s</translation>
+    </message>
+    <message>
+        <source>by the resolution rule of drilling, at 1 mm/s and 1 kHz</source>
+        <translation>nach der Auflösungsregel des Bohrens, bei 1 mm/s und 1 kHz</translation>
+    </message>
+    <message>
+        <source>256 to the extent, as the rule of drilling does not suit this size</source>
+        <translation>256 je Ausdehnung, da die Regel des Bohrens zu dieser Größe nicht passt</translation>
+    </message>
+    <message>
+        <source>four to the thickness of a wall</source>
+        <translation>vier je Wandstärke</translation>
+    </message>
+    <message>
+        <source>as chosen</source>
+        <translation>wie gewählt</translation>
     </message>
 </context>
 <context>

@@ -991,22 +991,6 @@
         <translation>请先手动切削零件，或针对目标生成循环。</translation>
     </message>
     <message>
-        <source>passes in a bore cannot be written as a program</source>
-        <translation>孔内的走刀无法写成程序</translation>
-    </message>
-    <message>
-        <source>Write a program of your own for the bore.</source>
-        <translation>请自行为该孔编写程序。</translation>
-    </message>
-    <message>
-        <source>pass %1 was made with a tool that no program moves: a drill, a file, paper or a disk</source>
-        <translation>走刀 %1 所用的工具不由程序移动：钻头、锉刀、砂纸或砂轮</translation>
-    </message>
-    <message>
-        <source>Write passes that were made with turning tools.</source>
-        <translation>请写入用车刀完成的走刀。</translation>
-    </message>
-    <message>
         <source>the cycles collide in line %1</source>
         <translation>循环在第 %1 行发生碰撞</translation>
     </message>
@@ -1311,10 +1295,6 @@
         <translation>没有钻头“%1”</translation>
     </message>
     <message>
-        <source>Write ball, burr or twist with a diameter from 0.05 to 200 mm, such as ball:6.</source>
-        <translation>请写 ball、burr 或 twist，并给出 0.05 至 200 mm 的直径，例如 ball:6。</translation>
-    </message>
-    <message>
         <source>there is no material “%1” to be drilled</source>
         <translation>没有可钻削的材料“%1”</translation>
     </message>
@@ -1525,6 +1505,42 @@
     <message>
         <source>Choose a picture with bright places, or a shape that rises along z.</source>
         <translation>请选择有明亮部位的图片，或沿 z 方向凸起的形状。</translation>
+    </message>
+    <message>
+        <source>pass %1 was made with a file, paper or a disk, or is a thread in a bore</source>
+        <translation>第 %1 次走刀使用了锉刀、砂纸或砂轮，或者是孔内的螺纹</translation>
+    </message>
+    <message>
+        <source>Write passes of tools that turn, bore or drill.</source>
+        <translation>请写入车削、镗孔或钻孔刀具的走刀。</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would need %2 MB, which is more than a quarter of the %3 MB that are available</source>
+        <translation>%1 mm 的体素需要 %2 MB，超过可用内存 %3 MB 的四分之一</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels, or confirm it with --yes.</source>
+        <translation>请选择更大的体素，或用 --yes 确认。</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would keep %2 % of the surface, and at least %3 % are needed</source>
+        <translation>%1 mm 的体素只能保留 %2 % 的表面，至少需要 %3 %</translation>
+    </message>
+    <message>
+        <source>Walls thinner than a voxel are lost: choose smaller voxels, or a wall thickness.</source>
+        <translation>比体素薄的壁会丢失：请选择更小的体素，或设定壁厚。</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would contain %2 mm³, and at least %3 mm³ are needed of what the surface encloses</source>
+        <translation>%1 mm 的体素只包含 %2 mm³，而表面所围体积至少需要保留 %3 mm³</translation>
+    </message>
+    <message>
+        <source>Walls thinner than a voxel are lost: choose smaller voxels.</source>
+        <translation>比体素薄的壁会丢失：请选择更小的体素。</translation>
+    </message>
+    <message>
+        <source>Write ball, burr, twist or saw with a diameter from 0.05 to 200 mm, such as ball:6.</source>
+        <translation>请写 ball、burr、twist 或 saw，并给出 0.05 至 200 mm 的直径，例如 ball:6。</translation>
     </message>
 </context>
 <context>
@@ -3045,6 +3061,10 @@
         <source>pixels of a picture</source>
         <translation>图片的像素数</translation>
     </message>
+    <message>
+        <source>the robot reaches its place in no way with these S and T</source>
+        <translation>机器人无法以这样的 S 和 T 到达该位置</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -4297,6 +4317,10 @@
         <source>Lead the robot</source>
         <translation>引导机器人</translation>
     </message>
+    <message>
+        <source>Pull place %1 of %2</source>
+        <translation>拉动 %2 的位置 %1</translation>
+    </message>
 </context>
 <context>
     <name>HapticSession</name>
@@ -4417,6 +4441,10 @@
     <message>
         <source>free</source>
         <translation>无碰撞</translation>
+    </message>
+    <message>
+        <source>turned off by %1°</source>
+        <translation>偏转 %1°</translation>
     </message>
 </context>
 <context>
@@ -4598,6 +4626,29 @@
     </message>
 </context>
 <context>
+    <name>MemoryQuestion</name>
+    <message>
+        <source>Memory for the voxels</source>
+        <translation>体素所需内存</translation>
+    </message>
+    <message>
+        <source>The voxels need %1. Make them all the same?</source>
+        <translation>体素需要%1。仍要创建吗？</translation>
+    </message>
+    <message>
+        <source>That is more than a quarter, and other programs may become slow. Larger voxels need less.</source>
+        <translation>这超过四分之一，其他程序可能变慢。更大的体素需要更少内存。</translation>
+    </message>
+    <message>
+        <source>&amp;Make them</source>
+        <translation>创建(&amp;M)</translation>
+    </message>
+    <message>
+        <source>about %1 MB of %2 MB available</source>
+        <translation>约 %1 MB（可用 %2 MB）</translation>
+    </message>
+</context>
+<context>
     <name>MeshUi</name>
     <message>
         <source>%1: nothing was changed</source>
@@ -4696,10 +4747,6 @@
         </translation>
     </message>
     <message>
-        <source>No holes, but other defects.</source>
-        <translation>没有孔洞，但有其他缺陷。</translation>
-    </message>
-    <message>
         <source>%1 stays open: %2.</source>
         <translation>%1 未填补：%2。</translation>
     </message>
@@ -4714,10 +4761,6 @@
         <translation>没有孔洞。这是一张开放曲面。</translation>
     </message>
     <message>
-        <source>Watertight.</source>
-        <translation>水密。</translation>
-    </message>
-    <message>
         <source>Saved as %1.</source>
         <translation>已保存为 %1。</translation>
     </message>
@@ -4730,10 +4773,6 @@
         <translation>
             <numerusform>%Ln 个孔洞无法填补。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Closed, but self-intersecting.</source>
-        <translation>封闭，但自相交。</translation>
     </message>
     <message>
         <source>No holes remain except those kept open.</source>
@@ -5296,6 +5335,18 @@
         <source>no points, because “%1” was not met</source>
         <translation>不得分，因为未达到“%1”</translation>
     </message>
+    <message>
+        <source>Walls thinner than a voxel (%1 mm) were lost: %2 % of the surface is farther than a voxel from the surface of the volume. Choose smaller voxels.</source>
+        <translation>比体素 (%1 mm) 薄的壁已丢失：%2 % 的表面与体积表面的距离超过一个体素。请选择更小的体素。</translation>
+    </message>
+    <message>
+        <source>The part in section.</source>
+        <translation>零件剖面。</translation>
+    </message>
+    <message>
+        <source>The part in section, with the outline of the target. Blue: material left over the target. Red: cut too deep.</source>
+        <translation>零件剖面及目标轮廓。蓝色：超出目标的余料。红色：切削过深。</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -5478,10 +5529,6 @@
     <message>
         <source>Triangles</source>
         <translation>三角形</translation>
-    </message>
-    <message>
-        <source>Parts</source>
-        <translation>部件</translation>
     </message>
     <message>
         <source>Size in X</source>
@@ -7192,10 +7239,6 @@
         <translation>Z 向镜像</translation>
     </message>
     <message>
-        <source>Ball or burr</source>
-        <translation>球头或旋转锉</translation>
-    </message>
-    <message>
         <source>Twist drill</source>
         <translation>麻花钻</translation>
     </message>
@@ -7562,6 +7605,62 @@
     <message>
         <source>Surface area (mm²)</source>
         <translation>表面积 (mm²)</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>块</translation>
+    </message>
+    <message>
+        <source>Places of paths</source>
+        <translation>路径的位置</translation>
+    </message>
+    <message>
+        <source>Place taken within</source>
+        <translation>抓取位置的距离</translation>
+    </message>
+    <message>
+        <source>More than a quarter of the memory</source>
+        <translation>超过四分之一的内存</translation>
+    </message>
+    <message>
+        <source>Time for the voxels, about (s)</source>
+        <translation>体素所需时间，约 (s)</translation>
+    </message>
+    <message>
+        <source>Smudge</source>
+        <translation>涂抹</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>Burr</source>
+        <translation>旋转锉</translation>
+    </message>
+    <message>
+        <source>Circular saw</source>
+        <translation>圆锯</translation>
+    </message>
+    <message>
+        <source>Peck by the mouse (0: none)</source>
+        <translation>鼠标啄钻深度（0：无）</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Size of the voxels</source>
+        <translation>体素大小</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>内存</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
     </message>
 </context>
 <context>
@@ -9202,18 +9301,6 @@
         <translation>上下移动</translation>
     </message>
     <message>
-        <source>the part is thinner than the voxels: choose smaller ones</source>
-        <translation>零件比体素还薄：请选择更小的体素</translation>
-    </message>
-    <message>
-        <source>the voxels need more memory than there is left: choose larger ones</source>
-        <translation>体素所需内存超过剩余内存：请选择更大的体素</translation>
-    </message>
-    <message>
-        <source>the voxels are too small for a part of this size: choose larger ones</source>
-        <translation>体素对于此大小的零件过小：请选择更大的体素</translation>
-    </message>
-    <message>
         <source>there are no triangles, or they have coordinates that are not numbers</source>
         <translation>没有三角形，或其坐标不是数字</translation>
     </message>
@@ -9332,6 +9419,26 @@
     <message>
         <source>only closed bodies can be united: close holes and open sheets, and reverse bodies that are inside out before</source>
         <translation>只能合并封闭的体：请先封闭孔洞和开放片，并翻转内外颠倒的体</translation>
+    </message>
+    <message>
+        <source>pull a place of a path</source>
+        <translation>拉动路径的位置</translation>
+    </message>
+    <message>
+        <source>Smudge clay</source>
+        <translation>涂抹黏土</translation>
+    </message>
+    <message>
+        <source>hold the feed</source>
+        <translation>暂停进给</translation>
+    </message>
+    <message>
+        <source>the feed is held</source>
+        <translation>进给已暂停</translation>
+    </message>
+    <message>
+        <source>go on with the feed</source>
+        <translation>继续进给</translation>
     </message>
 </context>
 <context>
@@ -9576,6 +9683,10 @@
     <message>
         <source>Hidden</source>
         <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Drop bodies here for %1 to carry them</source>
+        <translation>将物体拖放到此处，由 %1 携带</translation>
     </message>
 </context>
 <context>
@@ -9865,6 +9976,28 @@
     <message>
         <source>The bodies were not changed</source>
         <translation>物体未更改</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n body(ies)</source>
+        <translation>
+            <numerusform>%n 个物体</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing carries %1, as before</source>
+        <translation>与之前一样，没有部件携带 %1</translation>
+    </message>
+    <message>
+        <source>Only links of robots carry bodies; a body carries none.</source>
+        <translation>只有机器人的连杆能携带物体；物体不能携带物体。</translation>
+    </message>
+    <message>
+        <source>Drop it on a link, or on a body that a link carries.</source>
+        <translation>请将其拖放到连杆上，或拖放到由连杆携带的物体上。</translation>
+    </message>
+    <message>
+        <source>Attach %1 to %2</source>
+        <translation>将 %1 附着到 %2</translation>
     </message>
 </context>
 <context>
@@ -10475,6 +10608,12 @@
     <message>
         <source>Reading %1</source>
         <translation>正在读取 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln leg(s) with unchanged ends, still proven free, were kept.</source>
+        <translation>
+            <numerusform>保留了 %Ln 段端点未变且仍证明无碰撞的路径。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12443,6 +12582,26 @@
         <source>The law of the cutting force is not valid for such a cut of %1.</source>
         <translation>该切削力定律不适用于对 %1 的这种切削。</translation>
     </message>
+    <message>
+        <source>%1 has no data for this material, so Kienzle is used.</source>
+        <translation>%1没有该材料的数据，因此使用 Kienzle。</translation>
+    </message>
+    <message>
+        <source>%1, unverified</source>
+        <translation>%1（未核实）</translation>
+    </message>
+    <message>
+        <source>Not all numbers of its table were compared with the handbook.</source>
+        <translation>其表中的数值并未全部与手册核对。</translation>
+    </message>
+    <message>
+        <source>Power law</source>
+        <translation>幂律</translation>
+    </message>
+    <message>
+        <source>The cut is outside the range of the network, so the power law fitted to the same data is used.</source>
+        <translation>该切削超出神经网络的范围，因此使用由相同数据拟合的幂律。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LathePanel</name>
@@ -12747,6 +12906,10 @@
     <message>
         <source>Clockwise: in, to the axis; counts as the read-out does, on the diameter (⌀) or the radius (R). In the view: ↑ and ↓</source>
         <translation>顺时针：向内，朝轴线；与读数一样按直径 (⌀) 或半径 (R) 计数。视图中：↑ 和 ↓</translation>
+    </message>
+    <message>
+        <source>Δ: travel since the ring was at zero; it is not a size of the part</source>
+        <translation>Δ：自刻度环归零以来的行程，不是零件的尺寸</translation>
     </message>
 </context>
 <context>
@@ -14589,6 +14752,10 @@
     <message>
         <source>Check the patch of %1: %2.</source>
         <translation>请检查 %1 的补片：%2。</translation>
+    </message>
+    <message>
+        <source>walls thinner than a voxel were lost: choose smaller voxels</source>
+        <translation>比体素薄的壁已丢失：请选择更小的体素</translation>
     </message>
 </context>
 <context>
@@ -16540,6 +16707,45 @@
     <message>
         <source>Start with a synthetic skull to be drilled, not that of a patient</source>
         <translation>从一个可供钻孔的合成颅骨开始，并非取自患者</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::VoxelizeQuestion</name>
+    <message>
+        <source>Make a volume</source>
+        <translation>创建体积</translation>
+    </message>
+    <message>
+        <source>The volume becomes a document of its own. Whatever is smaller than a voxel is lost.</source>
+        <translation>体积将成为独立文档。小于体素的细节会丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Make volume</source>
+        <translation>创建体积(&amp;M)</translation>
+    </message>
+    <message>
+        <source>%1 voxels along the largest extent: %2</source>
+        <translation>沿最大尺寸 %1 个体素：%2</translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <translation>约 %1 s</translation>
+    </message>
+    <message>
+        <source>by the resolution rule of drilling, at 1 mm/s and 1 kHz</source>
+        <translation>按钻削分辨率规则，1 mm/s、1 kHz</translation>
+    </message>
+    <message>
+        <source>256 to the extent, as the rule of drilling does not suit this size</source>
+        <translation>沿尺寸 256 个，因为钻削规则不适合此大小</translation>
+    </message>
+    <message>
+        <source>four to the thickness of a wall</source>
+        <translation>每个壁厚四个</translation>
+    </message>
+    <message>
+        <source>as chosen</source>
+        <translation>按所选</translation>
     </message>
 </context>
 <context>
