@@ -1532,16 +1532,16 @@
         <translation>Wände dünner als ein Voxel gehen verloren: Wählen Sie kleinere Voxel oder eine Wandstärke.</translation>
     </message>
     <message>
-        <source>voxels of %1 mm would contain %2 mm³, and at least %3 mm³ are needed of what the surface encloses</source>
-        <translation>Voxel von %1 mm würden %2 mm³ enthalten, und von dem, was die Oberfläche umschließt, sind mindestens %3 mm³ nötig</translation>
-    </message>
-    <message>
         <source>Walls thinner than a voxel are lost: choose smaller voxels.</source>
         <translation>Wände dünner als ein Voxel gehen verloren: Wählen Sie kleinere Voxel.</translation>
     </message>
     <message>
         <source>Write ball, burr, twist or saw with a diameter from 0.05 to 200 mm, such as ball:6.</source>
         <translation>Schreiben Sie ball, burr, twist oder saw mit einem Durchmesser von 0,05 bis 200 mm, zum Beispiel ball:6.</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would contain %2 mm³, and at least %3 mm³ are needed</source>
+        <translation>Voxel von %1 mm würden %2 mm³ enthalten, und mindestens %3 mm³ sind nötig</translation>
     </message>
 </context>
 <context>
@@ -3065,6 +3065,14 @@
     <message>
         <source>the robot reaches its place in no way with these S and T</source>
         <translation>mit diesen Werten von S und T erreicht der Roboter die Stelle auf keine Weise</translation>
+    </message>
+    <message>
+        <source>it is not YAML</source>
+        <translation>es ist kein YAML</translation>
+    </message>
+    <message>
+        <source>there are none, or more than %1</source>
+        <translation>es gibt keine, oder mehr als %1</translation>
     </message>
 </context>
 <context>

@@ -1531,16 +1531,16 @@
         <translation>比体素薄的壁会丢失：请选择更小的体素，或设定壁厚。</translation>
     </message>
     <message>
-        <source>voxels of %1 mm would contain %2 mm³, and at least %3 mm³ are needed of what the surface encloses</source>
-        <translation>%1 mm 的体素只包含 %2 mm³，而表面所围体积至少需要保留 %3 mm³</translation>
-    </message>
-    <message>
         <source>Walls thinner than a voxel are lost: choose smaller voxels.</source>
         <translation>比体素薄的壁会丢失：请选择更小的体素。</translation>
     </message>
     <message>
         <source>Write ball, burr, twist or saw with a diameter from 0.05 to 200 mm, such as ball:6.</source>
         <translation>请写 ball、burr、twist 或 saw，并给出 0.05 至 200 mm 的直径，例如 ball:6。</translation>
+    </message>
+    <message>
+        <source>voxels of %1 mm would contain %2 mm³, and at least %3 mm³ are needed</source>
+        <translation>%1 mm 的体素只包含 %2 mm³，至少需要 %3 mm³</translation>
     </message>
 </context>
 <context>
@@ -3064,6 +3064,14 @@
     <message>
         <source>the robot reaches its place in no way with these S and T</source>
         <translation>机器人无法以这样的 S 和 T 到达该位置</translation>
+    </message>
+    <message>
+        <source>it is not YAML</source>
+        <translation>不是 YAML</translation>
+    </message>
+    <message>
+        <source>there are none, or more than %1</source>
+        <translation>没有，或多于 %1 个</translation>
     </message>
 </context>
 <context>

@@ -51,9 +51,7 @@ const ErrorDescription VolumeErrors::SurfaceIsLost{
 
 const ErrorDescription VolumeErrors::MaterialIsLost{
     .id = "MaterialIsLost",
-    .sentences = {translatable("ErrorText",
-                               "voxels of %1 mm would contain %2 mm³, and at least %3 mm³ are needed of what the "
-                               "surface encloses")},
+    .sentences = {translatable("ErrorText", "voxels of %1 mm would contain %2 mm³, and at least %3 mm³ are needed")},
     .advice = {translatable("ErrorText", "Walls thinner than a voxel are lost: choose smaller voxels.")}};
 
 const ErrorDescription VolumeErrors::NothingLeft{

@@ -272,6 +272,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "there are no fonts"),
     QT_TRANSLATE_NOOP("ErrorWord", "the page cannot be painted"),
     // of robots and planning
+    QT_TRANSLATE_NOOP("ErrorWord", "it is not YAML"),
     QT_TRANSLATE_NOOP("ErrorWord", "a point is too far away"),
     QT_TRANSLATE_NOOP("ErrorWord", "cutting them would take too long"),
     QT_TRANSLATE_NOOP("ErrorWord", "names were expected"),
@@ -295,7 +296,8 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the robot"),
     QT_TRANSLATE_NOOP("ErrorWord", "a cell with several robots as one robot"),
     QT_TRANSLATE_NOOP("ErrorWord", "a saved document as a robot"),
-    // of lathes, programs and exercises
+    // of lathes, programs, drills and exercises
+    QT_TRANSLATE_NOOP("ErrorWord", "there are none, or more than %1"),
     QT_TRANSLATE_NOOP("ErrorWord", "a list was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "a nose radius is impossible"),
     QT_TRANSLATE_NOOP("ErrorWord", "the z of the points is not ascending"),

@@ -53,7 +53,8 @@ FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacl
     if (!isAdded) add(m);
   }
   // Least bend is what the choice among these goes by, but it takes long.
-  if (hole.loopSize <= tolerance::kOptimalFillEdges && options.method != FillMethod::Dihedral) add(FillMethod::Dihedral);
+  if (hole.loopSize <= tolerance::kOptimalFillEdges && options.method != FillMethod::Dihedral)
+    add(FillMethod::Dihedral);
   if (hole.loopSize == 3) return;  // whatever the taste, there is one ear
   for (std::size_t i = 0; i < std::size(kTastes); ++i) {
     m_makers.push_back([this, i] { return ears(m_hole, kBalanced + i, m_progress); });

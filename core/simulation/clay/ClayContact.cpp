@@ -14,7 +14,7 @@ constexpr double kStill = 0.01;  // voxels: a step that is no more is the last
 // Where a simulation removes the material, it has gone from around the tool: there its load counts, and the field only
 // where the hand has come to material that the load does not know of.
 double resistanceTo(const Vec3& hand, const Vec3& tool, const SparseVolume& volume, const ClayFeel& feel,
-                    const CutLoad* load) {
+                    const DrillingLoad* load) {
   constexpr double kBeyond = 0.25;  // voxels
   if (load && load->resistance > 0.0 && (hand - tool).dot(load->way) > 0.0) return load->resistance;
   const VolumeReader reader(volume);
@@ -31,7 +31,7 @@ void ClayContact::place(const Vec3& hand) {
 }
 
 bool ClayContact::follow(const SparseVolume& volume, const ClayFeel& feel, const Vec3& hand, bool isWorking, double dt,
-                         const CutLoad* load) {
+                         const DrillingLoad* load) {
   const bool isFree = isWorking && feel.isFree;
   const bool isInside = VolumeReader(volume).depthAt(hand).depth > 0.0;
   if (isWorking && feel.isCutting && !isFree) {

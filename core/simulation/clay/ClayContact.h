@@ -19,7 +19,7 @@ struct ClayFeel {
 };
 
 // What a tool meets that a simulation removes material with, as the simulation has computed it last.
-struct CutLoad {
+struct DrillingLoad {
   double resistance = 0.0;     // N·s/mm: thrust by the speed of the tool
   Vec3 way = Vec3::Zero();     // of length 1: where the tool went; it resists no way back. 0: it took nothing
   Vec3 torque = Vec3::Zero();  // mm: N·mm to each N of thrust
@@ -35,7 +35,7 @@ class ClayContact {
   // One tick of dt seconds. Returns whether it touches. load: null where no simulation tells it. Material that it does
   // not know of has the resistance of the feel.
   bool follow(const SparseVolume& volume, const ClayFeel& feel, const Vec3& hand, bool isWorking, double dt,
-              const CutLoad* load = nullptr);
+              const DrillingLoad* load = nullptr);
 
   const Vec3& tool() const { return m_tool; }  // mm
 

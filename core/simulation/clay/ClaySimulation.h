@@ -25,7 +25,7 @@ struct ClayState : SimulationState {
 // is freed on the thread that writes the next one.
 struct ClayPatch {
   std::shared_ptr<const ClayState> state;
-  std::optional<CutLoad> load = {};  // of a simulation that computes one; none: not yet
+  std::optional<DrillingLoad> load = {};  // of a simulation that computes one; none: not yet
 };
 
 using ClayChannel = SimulationChannel<ClayPatch>;

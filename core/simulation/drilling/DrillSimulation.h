@@ -89,7 +89,7 @@ class DrillSimulation : public Simulation {
   bool m_isWritten = false;           // the present state is in the channel
   std::optional<DrillTick> m_before;  // the last cycle
   Passage m_passage;                  // since the load was computed
-  std::optional<CutLoad> m_felt;      // none: not yet
+  std::optional<DrillingLoad> m_felt;      // none: not yet
   std::set<std::array<int, 3>> m_changed;
 };
 

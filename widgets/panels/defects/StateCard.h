@@ -10,8 +10,8 @@ namespace handwheel {
 
 class Inspection;
 
-// The state in a word or two, the most important defect first: "3 holes", "Not manifold", "Watertight". The same on panel,
-// card and status bar.
+// The state of a mesh in a word or two: "3 holes", "Watertight". The most important defect comes first; panel, card and
+// status bar say the same.
 QString stateHeadline(const Inspection& inspection);
 
 // Shows the overall state of a document. "Watertight" in green, or its defects, most important first.
