@@ -3074,6 +3074,30 @@
         <source>there are none, or more than %1</source>
         <translation>es gibt keine, oder mehr als %1</translation>
     </message>
+    <message>
+        <source>a joint of the goal is missing</source>
+        <translation>ein Gelenk des Ziels fehlt</translation>
+    </message>
+    <message>
+        <source>a position for each name was expected</source>
+        <translation>eine Stellung für jeden Namen wurde erwartet</translation>
+    </message>
+    <message>
+        <source>one goal with joint_constraints, and nothing else, was expected</source>
+        <translation>ein Ziel mit joint_constraints und nichts sonst wurde erwartet</translation>
+    </message>
+    <message>
+        <source>a square of true and false was expected</source>
+        <translation>ein Quadrat aus true und false wurde erwartet</translation>
+    </message>
+    <message>
+        <source>they are not supported</source>
+        <translation>sie werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>it is not supported</source>
+        <translation>es wird nicht unterstützt</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>

@@ -3073,6 +3073,30 @@
         <source>there are none, or more than %1</source>
         <translation>没有，或多于 %1 个</translation>
     </message>
+    <message>
+        <source>a joint of the goal is missing</source>
+        <translation>缺少目标的一个关节</translation>
+    </message>
+    <message>
+        <source>a position for each name was expected</source>
+        <translation>每个名称应有一个位置</translation>
+    </message>
+    <message>
+        <source>one goal with joint_constraints, and nothing else, was expected</source>
+        <translation>应为仅含 joint_constraints 的一个目标</translation>
+    </message>
+    <message>
+        <source>a square of true and false was expected</source>
+        <translation>应为由 true 和 false 组成的方阵</translation>
+    </message>
+    <message>
+        <source>they are not supported</source>
+        <translation>它们不受支持</translation>
+    </message>
+    <message>
+        <source>it is not supported</source>
+        <translation>不受支持</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>

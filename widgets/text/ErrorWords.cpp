@@ -273,6 +273,12 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the page cannot be painted"),
     // of robots and planning
     QT_TRANSLATE_NOOP("ErrorWord", "it is not YAML"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a joint of the goal is missing"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a position for each name was expected"),
+    QT_TRANSLATE_NOOP("ErrorWord", "one goal with joint_constraints, and nothing else, was expected"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a square of true and false was expected"),
+    QT_TRANSLATE_NOOP("ErrorWord", "they are not supported"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is not supported"),
     QT_TRANSLATE_NOOP("ErrorWord", "a point is too far away"),
     QT_TRANSLATE_NOOP("ErrorWord", "cutting them would take too long"),
     QT_TRANSLATE_NOOP("ErrorWord", "names were expected"),

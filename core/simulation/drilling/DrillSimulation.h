@@ -81,15 +81,15 @@ class DrillSimulation : public Simulation {
   double m_depth = 0.0;         // mm, from there,
   double m_pecked = 0.0;        // mm, and was so deep at the end of the last peck
   Phase m_phase = Phase::Feeding;
-  bool m_isHeld = false;              // the feed
-  std::optional<double> m_begin;      // s, by the clock of the inputs
-  double m_time = 0.0;                // s, since then
-  DrillLoad m_load;                   // largest since the state before
-  bool m_hasTicks = false;            // since then
-  bool m_isWritten = false;           // the present state is in the channel
-  std::optional<DrillTick> m_before;  // the last cycle
-  Passage m_passage;                  // since the load was computed
-  std::optional<DrillingLoad> m_felt;      // none: not yet
+  bool m_isHeld = false;               // the feed
+  std::optional<double> m_begin;       // s, by the clock of the inputs
+  double m_time = 0.0;                 // s, since then
+  DrillLoad m_load;                    // largest since the state before
+  bool m_hasTicks = false;             // since then
+  bool m_isWritten = false;            // the present state is in the channel
+  std::optional<DrillTick> m_before;   // the last cycle
+  Passage m_passage;                   // since the load was computed
+  std::optional<DrillingLoad> m_felt;  // none: not yet
   std::set<std::array<int, 3>> m_changed;
 };
 
