@@ -81,7 +81,8 @@ class ProgramWriterTest : public QObject {
     none.path.clear();
     const std::vector<TurningPass> passes{none, beside, point};
     for (const ToolMove& move : movesOf(passes, kBushBar, 100.0, {}))
-      QVERIFY(move.to.allFinite() && std::isfinite(move.feed) && move.feed > 0.0);
+      QVERIFY(move.to.allFinite() && std::isfinite(move.feed) &&
+              (move.kind == ToolMove::Kind::Rapid || move.feed > 0.0));
     QVERIFY(movesOf({}, kBushBar, 100.0, {}).empty());
   }
 };

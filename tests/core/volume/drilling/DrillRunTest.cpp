@@ -240,25 +240,28 @@ class DrillRunTest : public QObject {
     for (const DrillToolType& type : drillTools()) shapes.push_back(type.tool.shape);
     std::sort(shapes.begin(), shapes.end());
     QVERIFY((shapes == std::vector{DrillShape::Ball, DrillShape::Burr, DrillShape::Twist, DrillShape::Saw}));
-    const auto with = [](const std::string& row) { return drillToolsFromJson("{\"tools\":[" + row + "]}"); };
-    const std::string twist = R"({"id":"t","shape":"twist","diameter":4,"point_angle":90,"length":40})";
+    // With ' for ", which moc does not read in all raw strings.
+    const auto with = [](std::string rows) {
+      std::replace(rows.begin(), rows.end(), '\'', '"');
+      return drillToolsFromJson("{\"tools\":[" + rows + "]}");
+    };
+    const std::string twist = "{'id':'t','shape':'twist','diameter':4,'point_angle':90,'length':40}";
     QVERIFY(with(twist).hasValue());
     QVERIFY(std::abs(with(twist)->front().tool.pointAngle - 0.5 * M_PI) < 1e-12);
     std::string many = twist;
-    for (int i = 0; i < 101; ++i) many += R"(,{"id":")" + std::to_string(i) + R"(","shape":"ball","diameter":4})";
+    for (int i = 0; i < 101; ++i) many += ",{'id':'" + std::to_string(i) + "','shape':'ball','diameter':4}";
     for (const std::string& bad :
-         {std::string(), many, twist + "," + twist, std::string("7"), std::string(R"({"id":"x"})"),
-          std::string(R"({"id":"x","shape":"chisel","diameter":4})"),
-          std::string(R"({"id":"","shape":"ball","diameter":4})"),
-          std::string(R"({"id":"a:b","shape":"ball","diameter":4})"),
-          std::string(R"({"id":"x","shape":"ball","diameter":1e300})"),
-          std::string(R"({"id":"x","shape":"ball","diameter":"4"})"),
-          std::string(R"({"id":"x","shape":"twist","diameter":4,"point_angle":0,"length":40})"),
-          std::string(R"({"id":"x","shape":"twist","diameter":4,"point_angle":118,"length":1e9})"),
-          std::string(R"({"id":"x","shape":"saw","diameter":4,"width":5})"),
-          std::string(R"({"id":"x","shape":"saw","diameter":4})")})
+         {std::string(), many, twist + "," + twist, std::string("7"), std::string("{'id':'x'}"),
+          std::string("{'id':'x','shape':'chisel','diameter':4}"), std::string("{'id':'','shape':'ball','diameter':4}"),
+          std::string("{'id':'a:b','shape':'ball','diameter':4}"),
+          std::string("{'id':'x','shape':'ball','diameter':1e300}"),
+          std::string("{'id':'x','shape':'ball','diameter':'4'}"),
+          std::string("{'id':'x','shape':'twist','diameter':4,'point_angle':0,'length':40}"),
+          std::string("{'id':'x','shape':'twist','diameter':4,'point_angle':118,'length':1e9}"),
+          std::string("{'id':'x','shape':'saw','diameter':4,'width':5}"),
+          std::string("{'id':'x','shape':'saw','diameter':4}")})
       QVERIFY2(!with(bad), bad.c_str());
-    const Error error = with(R"({"id":"flat","shape":"saw","diameter":4,"width":0})").error();
+    const Error error = with("{'id':'flat','shape':'saw','diameter':4,'width':0}").error();
     QVERIFY(error.code == ErrorCode::ElementMalformed && error.arguments.at(1).find("flat") == 0);
     QVERIFY(!drillToolsFromJson("") && !drillToolsFromJson("[]"));
   }
