@@ -11,7 +11,7 @@ using namespace handwheel;
 namespace {
 
 constexpr std::size_t kWindingMost = 6000;  // triangles: the winding number looks at each
-constexpr int kWays = 6, kTicks = 120;
+constexpr int kSideWays = 6, kTicks = 120;
 
 // How often the surface winds around a point, from the solid angles of its triangles (van Oosterom and Strackee 1983):
 // 0 outside of a closed surface, 1 inside, and in between nowhere, however near.
@@ -54,7 +54,7 @@ void ContactSideExtremesTest::everywhere() {
   const double far = isOrdinary(surface.diagonal()) ? 0.75 * surface.diagonal() : 1.0;
   std::mt19937 random(3);
   std::normal_distribution<double> number;
-  for (int way = 0; way < kWays; ++way) {
+  for (int way = 0; way < kSideWays; ++way) {
     const double x = number(random), y = number(random);
     const Vec3 out = far * Vec3(x, y, number(random)).normalized();
     GodObject god;

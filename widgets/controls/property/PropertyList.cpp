@@ -7,6 +7,8 @@
 
 #include <QCoreApplication>
 #include <QLabel>
+#include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -71,6 +73,7 @@ bool PropertyList::fit(const std::vector<Property>& properties) const {
 
 // Rows that still fit are kept, wherever they stand now.
 void PropertyList::rebuild() {
+  const int place = verticalScrollBar()->value();
   std::vector<PropertyRow*> old = std::exchange(m_rows, {});
   for (QWidget* heading : std::exchange(m_headings, {})) {  // one may be the sender
     heading->hide();
@@ -91,7 +94,6 @@ void PropertyList::rebuild() {
     }
     m_rows.push_back(row);
     m_column->addWidget(row);
-    row->show();  // at once: the page must not be short in between, which would scroll it up
   }
   m_column->addStretch();
   for (PropertyRow* row : old) {  // one of them may be the sender of what led here
@@ -101,6 +103,8 @@ void PropertyList::rebuild() {
   foldRows();
   chainTab();
   updateGeometry();
+  // The page is short until it is laid out anew, which scrolls it up.
+  QTimer::singleShot(0, this, [this, place] { verticalScrollBar()->setValue(place); });
 }
 
 // Tab goes down the page, also where rows were moved or added.

@@ -58,7 +58,7 @@ class VolumeKindTest : public QObject {
   void savedIsLoaded() {
     QVERIFY(rc::check([this] {
       const auto part = [](int low, int high) { return *rc::gen::inRange(low, high) / 10.0; };
-      const double x = part(-5000, 5000), size = part(10, 60), voxel = size / part(11, 200);
+      const double x = part(-5000, 5000), size = part(10, 60), voxel = size / part(30, 200);
       const auto value = snapshotOf(moved(cube(size), Vec3(x, -x, 0.3)), voxel);
       Container container;
       m_kind.save(*value, container);

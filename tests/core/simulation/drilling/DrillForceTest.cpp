@@ -164,7 +164,7 @@ class DrillForceTest : public QObject {
     const Vec3 deep = hand.log->state.position;
     for (int i = 1; i <= 100; ++i) {
       hand.run(deep + Vec3(0.0, 0.0, 0.02 * i));
-      QVERIFY(hand.log->last.force.z() > -1e-9);
+      QVERIFY2(hand.log->last.force.z() > -1e-9, qPrintable(QString("%1: %2").arg(i).arg(hand.log->last.force.z())));
     }
     QVERIFY(hand.log->last.isZero());
   }

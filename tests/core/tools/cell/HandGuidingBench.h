@@ -56,7 +56,7 @@ class HandGuidingBench {
   double clearance(const JointValues& joints) { return m_scene->scene.nearest(m_scene->planned(joints), 1e3).distance; }
   const Waypoint& place(std::size_t number) { return document().plans()->path("turn")->places[number]; }
   Pose poseAt(std::size_t number) { return toolPose(place(number).joints); }
-  int steps() { return document().history()->count(); }
+  int steps() { return document().history()->index(); }
   // A path on which the first joint alone turns.
   void addTurn(double angle) {
     CellPlans plans = *document().plans();
