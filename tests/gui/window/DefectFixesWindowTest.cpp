@@ -152,7 +152,7 @@ class DefectFixesWindowTest : public QObject {
     const int crossings = driver.count(DefectKind::SelfIntersection);
     QVERIFY(crossings > 1);
     QCOMPARE(driver.count(DefectKind::NonManifoldEdge), 1);
-    QCOMPARE(driver.text("nextStepTitle"), "Self-intersecting.");
+    QCOMPARE(driver.text("nextStepTitle"), "Not manifold.");
     const QString detail = driver.text("nextStepDetail");
     QVERIFY2(detail.contains("1 non-manifold edge"), qPrintable(detail));
     QVERIFY2(detail.contains(QStringLiteral("%1 self-intersections").arg(crossings)), qPrintable(detail));
