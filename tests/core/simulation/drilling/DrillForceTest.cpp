@@ -154,7 +154,8 @@ class DrillForceTest : public QObject {
     QVERIFY2(std::abs(share - 0.25) < 0.07, qPrintable(QString::number(share)));
   }
 
-  // Drawn back it goes freely, and a device without motors for it is sent no torque.
+  // Drawn back it goes freely, but for what a voxel on its way still has of material, and a device without motors for
+  // it is sent no torque.
   void wayBack() {
     DrillingHand hand(0.0);
     const Vec3 start = hand.log->state.position;
@@ -164,7 +165,7 @@ class DrillForceTest : public QObject {
     const Vec3 deep = hand.log->state.position;
     for (int i = 1; i <= 100; ++i) {
       hand.run(deep + Vec3(0.0, 0.0, 0.02 * i));
-      QVERIFY2(hand.log->last.force.z() > -1e-9, qPrintable(QString("%1: %2").arg(i).arg(hand.log->last.force.z())));
+      QVERIFY2(hand.log->last.force.z() > -0.1, qPrintable(QString("%1: %2").arg(i).arg(hand.log->last.force.z())));
     }
     QVERIFY(hand.log->last.isZero());
   }

@@ -127,7 +127,8 @@ class SharpSurfaceTest : public QObject {
       SparseVolume part(Vec3::Zero(), 0.5);
       const int boxes = *rc::gen::inRange(1, 6);
       for (int i = 0; i < boxes; ++i) {
-        const Vec3 size(number(6, 60), number(6, 60), number(6, 60)), at(number(0, 50), number(0, 50), number(0, 50));
+        const Vec3 size(number(15, 60), number(15, 60), number(15, 60)),
+            at(number(0, 50), number(0, 50), number(0, 50));
         part = *combined(part, boxOfVoxels(size, at, 0.5), i % 3 == 2 ? VolumeBoolean::Subtract : VolumeBoolean::Unite);
       }
       if (!part.isEmpty()) RC_ASSERT(isSound(sharpSurfaceOf(part)));
