@@ -30,7 +30,7 @@ class ScanRepairTest : public QObject {
     QVERIFY(driver.enterFileName("openDialog", data + "/scans/common-3d-test-models/stanford-bunny.obj"));
     QVERIFY(driver.settle());
     QCOMPARE(driver.count(DefectKind::Hole), 5);
-    QCOMPARE(driver.text("figures"), "69,451 triangles");
+    QCOMPARE(driver.text("figures"), QString::fromUtf8("69,451 triangles · 5 holes"));
     picture(driver, "bunny-1-opened");
 
     driver.clickDefect(DefectKind::Hole, 2);
@@ -42,7 +42,7 @@ class ScanRepairTest : public QObject {
     picture(driver, "bunny-3-filled");
     driver.click("quickActions/undo");
     QCOMPARE(driver.count(DefectKind::Hole), 5);
-    QCOMPARE(driver.text("figures"), "69,451 triangles");
+    QCOMPARE(driver.text("figures"), QString::fromUtf8("69,451 triangles · 5 holes"));
     QVERIFY(driver.settle());
     picture(driver, "bunny-4-undone");
     driver.click("quickActions/redo");

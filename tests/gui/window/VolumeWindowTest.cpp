@@ -86,7 +86,8 @@ class VolumeWindowTest : public QObject {
     };
     driver.choose("copyAs/volume");
     const QString memory = text("memory"), seconds = text("seconds"), reason = text("reason");
-    QVERIFY2(memory.contains("MB") && seconds.contains(" s") && reason.contains("resolution rule"), qPrintable(memory + reason));
+    QVERIFY2(memory.contains("MB") && seconds.contains(" s") && reason.contains("resolution rule"),
+             qPrintable(memory + reason));
     auto* const line =
         driver.find<QDialog>("voxelizeDialog")->findChild<QWidget*>("property/voxel")->findChild<QLineEdit*>();
     line->setFocus();
