@@ -88,5 +88,5 @@ build() {
     [[ ! -f $root/build/$preset/build.ninja ]]; then
     step "Configure $preset" "configure-$preset" cmake --fresh -S "$root" --preset "$preset" || return
   fi
-  step "Build $preset${1:+ ($*)}" "build-$preset" cmake --build --preset "$preset" ${1:+--target "$@"}
+  step "Build $preset${1:+ ($*)}" "build-$preset" cmake --build "$root/build/$preset" ${1:+--target "$@"}
 }

@@ -146,7 +146,7 @@ Result<Answer> remeshFile(const Request& request, const OperationValues& values,
     done.text += " of " + std::to_string(made->before) + ", at most " + roundedText(*made->largestDistance) +
                  " mm from the surface";
   done.text += ".\n";
-  if (!done.isSound) done.warnings = notesOn(*written);
+  done.warnings = notesOn(*written);
   return done;
 }
 

@@ -139,7 +139,7 @@ void DefectActions::choose(std::optional<DefectKind> kind, int row) {
 
 void DefectActions::pointAt(const QAction* action, bool isPointed) {
   if (!isPointed && m_pointed != action) return;
-  m_pointed = isPointed ? action : nullptr;
+  m_pointed = isPointed && offeredBy(action) ? action : nullptr;
   m_shown.request(m_document, offered());
 }
 
@@ -200,19 +200,23 @@ void DefectActions::nameThickening() {
           : tr("&Thicken sheets"));
 }
 
-// Of the fix whose button has the pointer; else of what is selected, where a hole has no patch to show.
+// None of an action that changes no mesh, or is disabled.
+std::optional<OfferedFix> DefectActions::offeredBy(const QAction* action) const {
+  if (!action || !action->isEnabled()) return std::nullopt;
+  if (action == &m_thickenSheet)
+    return OfferedFix{action, {}, selectedLoop(), [this] { return std::optional(thickening()); }};
+  if (action == &m_uniteBodies) return OfferedFix{action, {}, -1, [this] { return std::optional(uniting()); }};
+  if (action == &m_resolveIntersections)
+    return OfferedFix{action, {}, -1, [this] { return changeFor(DefectKind::SelfIntersection, -1); }};
+  if (action == &m_reverseBodies)
+    return OfferedFix{action, {}, -1, [this] { return changeFor(DefectKind::InsideOut, -1); }};
+  return std::nullopt;
+}
+
+// Of the button that has the pointer; else of what is selected, where a hole has no patch to show.
 std::optional<OfferedFix> DefectActions::offered() const {
-  const int loop = selectedLoop();
-  if (m_pointed && m_pointed->isEnabled()) {
-    if (m_pointed == &m_thickenSheet)
-      return OfferedFix{m_pointed, {}, loop, [this] { return std::optional(thickening()); }};
-    if (m_pointed == &m_uniteBodies) return OfferedFix{m_pointed, {}, -1, [this] { return std::optional(uniting()); }};
-    if (m_pointed == &m_resolveIntersections)
-      return OfferedFix{m_pointed, {}, -1, [this] { return changeFor(DefectKind::SelfIntersection, -1); }};
-    if (m_pointed == &m_reverseBodies)
-      return OfferedFix{m_pointed, {}, -1, [this] { return changeFor(DefectKind::InsideOut, -1); }};
-  }
-  if (loop >= 0) {
+  if (auto pointed = offeredBy(m_pointed)) return pointed;
+  if (const int loop = selectedLoop(); loop >= 0) {
     if (m_mayCut) return OfferedFix{&m_cutAndClose, {}, loop, [this] { return std::optional(cutting()); }};
     return std::nullopt;
   }

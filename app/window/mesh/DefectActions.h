@@ -66,6 +66,7 @@ class DefectActions : public QObject {
   void nameThickening();
   MeshChange uniting() const;
   MeshChange cutting() const;
+  std::optional<OfferedFix> offeredBy(const QAction* action) const;
   std::optional<OfferedFix> offered() const;
   int selectedLoop() const;         // -1 for none
   std::vector<int> sheets() const;  // loop ids
