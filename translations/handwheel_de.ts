@@ -16895,6 +16895,14 @@
         <source>as chosen</source>
         <translation>wie gewählt</translation>
     </message>
+    <message>
+        <source>Measuring %1</source>
+        <translation>%1 wird vermessen</translation>
+    </message>
+    <message>
+        <source>%1 was not copied</source>
+        <translation>%1 wurde nicht kopiert</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::WorkpieceUi</name>

@@ -16779,6 +16779,14 @@
         <source>as chosen</source>
         <translation>按所选</translation>
     </message>
+    <message>
+        <source>Measuring %1</source>
+        <translation>正在测量 %1</translation>
+    </message>
+    <message>
+        <source>%1 was not copied</source>
+        <translation>未复制 %1</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::WorkpieceUi</name>

@@ -37,8 +37,7 @@ Status MakingNotice::begin(double voxel, double bytes, std::optional<double> sec
   m_bytes += bytes;
   if (seconds) m_seconds = m_seconds.value_or(0.0) + *seconds;
   if (const auto error = consentRefusal(voxel, bytes, m_isAgreed)) return *error;
-  // What exceeds all of the memory is going to be refused.
-  if (!m_job || !m_isSaid || memoryRefusal(voxel, bytes)) return Done{};
+  if (!m_job || !m_isSaid) return Done{};
   m_job->say("Voxels of " + roundedText(voxel) + " mm need about " + roundedText(bytes / 1e6, 2) + " MB of " +
              roundedText(static_cast<double>(systemMemory()) / 1e6, 3) + " MB available" +
              (seconds ? ", and about " + roundedText(*seconds, 1) + " s." : "."));

@@ -109,6 +109,8 @@ Result<std::vector<std::pair<std::string, double>>> goalOf(const Json& request) 
 }
 
 Result<std::map<std::string, double>> startOf(const Json& request) {
+  if (isFilled(under(request, {"start_state", "attached_collision_objects"})))
+    return malformedPair("request.start_state.attached_collision_objects", "they are not supported");
   const Json& names = under(request, {"start_state", "joint_state", "name"});
   const Json& positions = under(request, {"start_state", "joint_state", "position"});
   const auto malformed = malformedPair("request.start_state.joint_state", "a position for each name was expected");
@@ -146,7 +148,12 @@ Result<PlanningSet> readPlanningPair(std::string_view scene, std::string_view re
   const Json problem = {{"start", from}, {"goal", to}, {"objects", *shapes}};
   Result<PlanningSet> set =
       planningSetFrom({{"scene", name}, {"joints", joints}, {"problems", Json::array({problem})}});
-  if (!set) return set.error();
+  if (!set) {
+    Error error = set.error();  // names the set, which nobody wrote
+    const bool isOfScene = error.arguments.at(0).find("objects") != std::string::npos;
+    error.arguments[0] = isOfScene ? "scene.world.collision_objects" : "request";
+    return error;
+  }
   set->problems[0].name = name;
   set->problems[0].allowed = std::move(allowed).value();
   return set;

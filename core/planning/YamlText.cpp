@@ -121,7 +121,7 @@ Result<Json> parseYaml(std::string_view text, std::string_view element) {
   } catch (const YAML::Exception&) {
     return refused("it is not YAML", -1);
   }
-  return made.value();
+  return std::move(made.value());
 }
 
 }  // namespace handwheel

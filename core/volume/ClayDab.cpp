@@ -74,7 +74,7 @@ struct VoxelDab : SweptBall {
   }
   // The longest of those.
   double longestShift() const {
-    if (isWay()) return std::max(1.0, std::abs(strength) * way.norm());
+    if (isWay()) return std::abs(strength) * way.norm();
     if (stamp) return std::abs(strength) * ClayDab::kStampHeight * radius;
     const bool isShift = action == ClayAction::Attract || action == ClayAction::Pinch;
     return isShift ? std::abs(strength) * kLargestShift * radius : 1.0;

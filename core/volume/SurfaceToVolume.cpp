@@ -26,8 +26,9 @@ constexpr double kBytesOfBlock = sizeof(VolumeBlock) + 64.0;
 // What is taken for a while beside the result, and by the triangles that its surface becomes, as shares of it;
 // measured.
 constexpr double kWhileMaking = 1.5, kTriangles = 4.0;
-// Of one thread, for a block with its triangles; measured. The least that a job takes; s.
-constexpr double kSecondsOfBlock = 80e-6, kSecondsOfJob = 0.01;
+// Of one thread, for a block with its triangles: 5.3 s for 61,242 blocks (docs/adr/0041). An estimate of the least that
+// a job takes; s.
+constexpr double kSecondsOfBlock = 87e-6, kSecondsOfJob = 0.01;
 constexpr int kTile = 32;  // voxels along an edge of what is sampled at once; four blocks
 
 using Tile = std::array<int, 3>;  // its number along z, y, x: the order of the map

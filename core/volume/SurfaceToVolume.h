@@ -18,7 +18,7 @@ struct SurfaceVolume {
   SparseVolume volume;
   std::size_t closedBoundaries = 0;  // holes, gaps and turned faces
   double expected = 0.0;   // mm³ inside the surface closed by cones, by its triangles; of overlaps each counts
-  double nearShare = 0.0;  // of the area that bounds material: what is near the volume's surface, the rest is not
+  double nearShare = 0.0;  // of the area that bounds material, about: what is near the volume's surface
                            // within a voxel of it
   std::vector<Vec3> kept;  // mm, places on the surface that certainly bound material, all over it
 };

@@ -33,7 +33,8 @@ bool needsConsent(double bytes) {
 }
 
 std::optional<Error> consentRefusal(double voxel, double bytes, bool isAgreed) {
-  if (isAgreed || !needsConsent(bytes) || memoryRefusal(voxel, bytes)) return std::nullopt;
+  if (isAgreed || !needsConsent(bytes)) return std::nullopt;
+  if (auto refusal = memoryRefusal(voxel, bytes)) return refusal;
   return errorOf(VolumeErrors::NeedsConsent, voxel, bytes);
 }
 

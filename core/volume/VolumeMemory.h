@@ -15,7 +15,8 @@ std::optional<Error> memoryRefusal(double voxel, double bytes);
 // Whether a volume that needs so many bytes is made only after asking: it takes more than a quarter of what is left.
 bool needsConsent(double bytes);
 
-// The error where that is so, nobody has agreed, and it is not refused anyway: VolumeErrors::NeedsConsent.
+// The error where that is so and nobody has agreed: VolumeErrors::NeedsConsent, or TooLarge where it is more than there
+// is. What is predicted may be too much: whoever insists is refused only where the volume itself turns out too large.
 std::optional<Error> consentRefusal(double voxel, double bytes, bool isAgreed);
 
 }  // namespace handwheel

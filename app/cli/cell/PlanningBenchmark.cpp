@@ -179,7 +179,7 @@ std::vector<OwnOverlap> ownOverlaps(const RobotScene& scene, const PlanningProbl
   std::vector<OwnOverlap> all;
   for (const bool isGoal : {false, true}) {
     for (const RobotScene::Nearest& each : scene.overlappingLinks(valuesOf(isGoal ? problem.goal : problem.start)))
-      all.push_back({isGoal, std::minmax(each.link, each.otherLink), -each.distance});
+      all.push_back({isGoal, std::minmax(each.link, each.otherLink), 0.0 - each.distance});
   }
   return all;
 }

@@ -137,7 +137,9 @@ int runRepairBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
   const BothWays& both = result->value();
   if (both.run.output.empty()) return reportNothingWritten(both.run, byTriangles);
   reportLosses(both.run.file);
-  const int code = print(arguments.has("json") ? jsonOf(both).dump() + "\n" : tableOf(both, byTriangles));
+  nlohmann::ordered_json report = jsonOf(both);
+  notice.addTo(report);
+  const int code = print(arguments.has("json") ? report.dump() + "\n" : tableOf(both, byTriangles));
   if (code != kExitDone) return code;
   return (both.isByVolume ? *both.volume : both.triangles).after.isSound() ? kExitDone : kExitSomethingLeft;
 }

@@ -36,8 +36,9 @@ VolumeUi::VolumeUi(const WindowContext& window)
       m_reshape(new ReshapeActions(window, this)),
       m_remesh(new RemeshAction(window, this)),
       m_stamp(new StampAction(window, this)),
-      m_voxelize(new VoxelizeQuestion(window.window, this)) {
+      m_voxelize(new VoxelizeQuestion(window.window, window.jobs, this)) {
   connect(m_segmentation, &Segmentation::message, this, &VolumeUi::message);
+  connect(m_voxelize, &VoxelizeQuestion::message, this, &KindUi::message);
   setFelt(false);  // through the depths of the volume, not through triangles
   window.viewport.addLayer(m_volumeLayer);
   connect(&window.tools, &ToolHost::updated, this, &VolumeUi::followTool);
@@ -138,7 +139,8 @@ void VolumeUi::followTool() {
   const auto make = [channel, feel](const TouchContext& context) {
     ClayFeel inScene = feel;
     inScene.stiffness = context.mapping.sceneStiffness(context.touch.stiffness);
-    inScene.resistance = context.mapping.sceneStiffness(feel.resistance);
+    // That of a drill follows from its thrust in the scene, as that of its simulation does.
+    if (feel.spindle == 0.0) inScene.resistance = context.mapping.sceneStiffness(feel.resistance);
     return std::make_unique<ClayForce>(channel, inScene);
   };
   parts().touch.setSource(kClaySource, make, isSame);

@@ -5,7 +5,10 @@
 #include "controls/property/PropertyDialog.h"
 #include "document/Document.h"
 #include "document/volume/VolumeMaking.h"
+#include "panels/MessageBar.h"
+#include "text/ErrorText.h"
 #include "volume/repair/TriangleWalls.h"
+#include "window/JobRunner.h"
 #include "window/MemoryQuestion.h"
 
 #include <QLocale>
@@ -21,11 +24,30 @@ Property said(const char* id, const char* label, const QString& text) {
 
 }  // namespace
 
-VoxelizeQuestion::VoxelizeQuestion(QWidget* window, QObject* parent) : QObject(parent), m_window(window) {}
+VoxelizeQuestion::VoxelizeQuestion(QWidget* window, JobRunner& jobs, QObject* parent)
+    : QObject(parent), m_window(window), m_jobs(jobs) {}
 
 void VoxelizeQuestion::ask(const Document& from, std::function<void(MakeOfSurface)> start) {
   if (m_dialog) return m_dialog->raise();
-  m_settings.emplace(placedSoup(from.kind().display(*from.snapshot())));
+  Job job;
+  job.name = tr("Measuring %1").arg(from.name());
+  job.owner = &from;
+  job.failed = [this, name = from.name()](const Error& error) {
+    if (error.code == ErrorCode::Cancelled) return;
+    emit message({Message::Weight::Error, tr("%1 was not copied").arg(name), errorSentence(error), errorAdvice(error)});
+  };
+  job.work = [this, &kind = from.kind(), content = from.snapshot(), unit = from.displayUnit(),
+              start = std::move(start)](const Progress&) -> Job::Finish {
+    return [this, settings = VoxelizeSettings(placedSoup(kind.display(*content))), unit, start] {
+      if (m_dialog) return;
+      m_settings = settings;
+      open(unit, start);
+    };
+  };
+  m_jobs.start(std::move(job));
+}
+
+void VoxelizeQuestion::open(LengthUnit unit, std::function<void(MakeOfSurface)> start) {
   m_dialog = new PropertyDialog(
       {tr("Make a volume"), tr("The volume becomes a document of its own. Whatever is smaller than a voxel is lost."),
        tr("&Make volume")},
@@ -37,7 +59,7 @@ void VoxelizeQuestion::ask(const Document& from, std::function<void(MakeOfSurfac
       m_window);
   m_dialog->setObjectName(QStringLiteral("voxelizeDialog"));
   m_dialog->setModal(true);
-  m_dialog->setLengthUnit(from.displayUnit());
+  m_dialog->setLengthUnit(unit);
   m_dialog->followTyping();
   connect(m_dialog, &QDialog::finished, this, [this, start = std::move(start)](int result) {
     if (result == QDialog::Accepted)

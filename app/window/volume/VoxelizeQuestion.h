@@ -9,25 +9,31 @@
 
 namespace handwheel {
 
+class JobRunner;
 class PropertyDialog;
 
 // The dialog that asks how a volume is made of the surface of another document. It shows what that is going to take,
-// while numbers are typed, and remembers nothing. Window thread.
+// while numbers are typed, and remembers nothing. The surface is measured by a job before. Window thread.
 class VoxelizeQuestion : public QObject {
   Q_OBJECT
 
  public:
-  VoxelizeQuestion(QWidget* window, QObject* parent);
+  VoxelizeQuestion(QWidget* window, JobRunner& jobs, QObject* parent);
 
   // start: called with what makes the volume, unless the user declines.
   void ask(const Document& from, std::function<void(MakeOfSurface)> start);
 
+ signals:
+  void message(const Message& message);
+
  private:
+  void open(LengthUnit unit, std::function<void(MakeOfSurface)> start);
   std::vector<Property> shown() const;
   QString reasonText() const;
   MakeOfSurface wanted() const;
 
   QWidget* m_window;
+  JobRunner& m_jobs;
   QPointer<PropertyDialog> m_dialog;
   std::optional<VoxelizeSettings> m_settings;  // while the dialog is open
 };

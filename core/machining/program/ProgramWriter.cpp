@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace handwheel {
 
@@ -199,7 +200,8 @@ bool isDrilled(const TurningPass& pass) {
 class PassMoves {
  public:
   PassMoves(const StockCylinder& stock, double zero, const PassProgram& how, std::uint16_t tool)
-      : m_above(0.5 * stock.diameter + how.clearance),
+      : m_radius(0.5 * stock.diameter),
+        m_above(m_radius + how.clearance),
         m_front(stock.length - zero + how.clearance),
         m_zero(zero),
         m_tolerance(how.tolerance) {
@@ -244,16 +246,21 @@ class PassMoves {
     go(ToolMove::Kind::Feed, {std::max(m_above, m_move.to.x()), m_move.to.y()});
   }
 
-  // In and out along the axis, clear of what it cuts. A drill feeds all the way in: a rapid move does not drill.
+  // In and out along the axis, clear of what it cuts and of what passes before with the same tool have left: a pass may
+  // begin in a groove behind a narrower mouth. A drill feeds all the way in: a rapid move does not drill. A path that
+  // ends beside the bar goes up from there.
   void bore(const std::vector<ProfilePoint>& path, bool isDrill) {
     double inner = path.front().x();
     for (const ProfilePoint& point : path) inner = std::min(inner, point.x());
     inner = isDrill ? 0.0 : std::max(0.0, inner - kClearOfWall);
+    double& narrowest = m_narrowest.try_emplace(m_move.tool, inner).first->second;
+    inner = narrowest = std::min(narrowest, inner);
     go(ToolMove::Kind::Rapid, {inner, m_front});
     if (!isDrill) go(ToolMove::Kind::Rapid, {inner, std::min(m_front, path.front().y() + kClearOfWall)});
     for (const ProfilePoint& point : path) go(ToolMove::Kind::Feed, point);
-    go(ToolMove::Kind::Feed, {inner, m_move.to.y()});
-    go(ToolMove::Kind::Rapid, {inner, std::max(m_front, m_move.to.y())});
+    const bool isBeside = m_move.to.x() >= m_radius;
+    go(ToolMove::Kind::Feed, {isBeside ? m_above : inner, m_move.to.y()});
+    go(ToolMove::Kind::Rapid, {m_move.to.x(), std::max(m_front, m_move.to.y())});
     go(ToolMove::Kind::Rapid, {m_above, m_move.to.y()});
   }
 
@@ -272,7 +279,8 @@ class PassMoves {
     go(ToolMove::Kind::Rapid, {m_above, m_move.to.y()});
   }
 
-  double m_above, m_front, m_zero, m_tolerance;  // mm, in the coordinates of the program
+  double m_radius, m_above, m_front, m_zero, m_tolerance;  // mm, in the coordinates of the program
+  std::map<std::uint16_t, double> m_narrowest;             // mm, where a tool has gone into a bore
   ToolMove m_move;
   std::vector<ToolMove> m_moves;
 };

@@ -40,7 +40,7 @@ NumericalIkResult solvedNumerically(const SerialArm& arm, const Pose& tip, const
 inline constexpr Eigen::Index kJointsOfAnyPose = 6;
 
 // The same for an arm that cannot reach all poses: brings the tip to the place of the pose, turned as near to it as
-// this lets it be. Solved: it is at the place.
+// this lets it be, from the start that is given; from random ones, anyhow. Solved: it is at the place.
 NumericalIkResult solvedForPlace(const SerialArm& arm, const Pose& tip, const ArmValues& start,
                                  const NumericalIkSettings& settings = {}, Progress progress = {});
 

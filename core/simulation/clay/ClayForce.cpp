@@ -19,7 +19,7 @@ void ClayForce::follow(const ForceSource& previous) noexcept {
   m_share = other->m_share;
   m_angle = other->m_angle;
   m_give = other->m_give;
-  m_isPlaced = other->m_isPlaced;
+  m_isPlaced = other->m_isPlaced && other->m_feel.reach == m_feel.reach;  // else another point of the tool is felt
 }
 
 ForceBounds ClayForce::advance(const TipState& tip, ForceOut& out) noexcept {

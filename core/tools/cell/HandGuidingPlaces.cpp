@@ -47,7 +47,9 @@ std::optional<HandGuidingTool::PathPlace> HandGuidingTool::placeNear(const Point
     if (event.device) {
       distance = (each.point - event.device->translation()).norm();
     } else {
-      distance = (each.point - event.ray.origin).cross(event.ray.direction).norm();
+      const Vec3 away = each.point - event.ray.origin;
+      if (away.dot(event.ray.direction) < 0.0) continue;  // behind the eye
+      distance = away.cross(event.ray.direction).norm();
       const double pixel = event.pickRay().pixelAt(each.point);
       if (pixel > 0.0) within = std::max(within, kGraspPixels * pixel);
     }

@@ -78,7 +78,7 @@ ToolReply HandGuidingTool::pointer(const PointerEvent& given) {
 ToolReply HandGuidingTool::press(const PointerEvent& event) {
   if (event.button == PointerButton::Second) {
     if (!event.device) return m_guidance ? perform("revert") : ToolReply::Ignored;
-    if (m_guidance && m_guidance->pulled) return perform("revert");
+    if (m_guidance && m_guidance->pulled) return perform("place");
     const bool wasLeading = isLeading();
     perform("place");
     if (wasLeading) begin(event);
@@ -211,6 +211,7 @@ void HandGuidingTool::settle() {
 
 ToolReply HandGuidingTool::perform(std::string_view action) {
   if (action == "place") {
+    if (m_guidance && m_guidance->pulled) return perform("revert");  // the robot does not stand where it is shown
     if (m_guidance) release();
     m_services.addPlace();
     return ToolReply::Used;

@@ -147,12 +147,16 @@ std::optional<Vec3> DrillingTool::startOfFeed(const PointerEvent& event) {
   if (m_head.shape != DrillShape::Saw && !event.modifiers.shift && !volume.holes.empty() &&
       !volume.holes.back()->poses.empty()) {
     const DrillRecord& before = *volume.holes.back();
-    const DrillPose last = before.poses[before.poses.size() - 1];
+    // The deepest: a drill that pecks may have ended on its way out.
+    DrillPose last = before.poses[0];
+    for (std::size_t i = 1; i < before.poses.size(); ++i)
+      if ((before.poses[i].place() - last.place()).dot(last.direction()) < 0.0) last = before.poses[i];
     const Vec3 way = hit->point - last.place(), axis = last.direction();
     const double across = (way - way.dot(axis) * axis).norm(), slack = 2.0 * volume.volume.voxel();
     const bool isInHole =
         across < before.setup.tool.radius() + slack && way.dot(axis) > -before.setup.tool.reach() - slack;
-    if (isInHole && before.setup.tool.radius() >= m_head.radius()) {
+    const bool isHole = before.setup.tool.shape != DrillShape::Saw;
+    if (isHole && isInHole && before.setup.tool.radius() >= m_head.radius()) {
       m_feed->axis = axis;
       m_feed->way = -axis;
       return last.place();
@@ -222,6 +226,7 @@ void DrillingTool::documentChanged() {
 
 // The edit comes back as documentChanged(), and the next simulation begins there.
 ToolReply DrillingTool::release() {
+  m_isHeld = false;
   const std::unique_ptr<Simulation> ended = m_gesture.end();
   m_last = std::static_pointer_cast<const DrillState>(ended->state());
   if (m_last->changedBlocks == 0) {
@@ -245,6 +250,7 @@ ToolReply DrillingTool::perform(std::string_view action) {
     m_isHeld = !m_isHeld;
     m_gesture.look([this](Simulation& drilling) { static_cast<DrillSimulation&>(drilling).holdFeed(m_isHeld); });
   } else if (action == "revert" && m_gesture.isOn()) {
+    m_isHeld = false;
     m_gesture.restart();
   } else {
     return ToolReply::Ignored;

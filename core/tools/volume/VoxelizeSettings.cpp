@@ -24,7 +24,7 @@ Vec3 extentOf(const TriangleSoup& surface) {
 }  // namespace
 
 VoxelizeSettings::VoxelizeSettings(const TriangleSoup& surface)
-    : m_area(surfaceArea(surface)),
+    : m_measure(measureForWalls(surface)),
       m_extent(extentOf(surface)),
       m_usual(usualVoxel(surface)),
       m_values(voxelizeOperation()) {}
@@ -78,7 +78,7 @@ double VoxelizeSettings::across() const {
 }
 
 double VoxelizeSettings::area() const {
-  return wall() ? 2.0 * m_area : m_area;
+  return m_measure.areaWith(wall().value_or(0.0));
 }
 
 double VoxelizeSettings::bytes() const {

@@ -6,6 +6,7 @@
 #include "document/Operation.h"
 #include "mesh/structure/TriangleSoup.h"
 #include "volume/SurfaceDensity.h"
+#include "volume/repair/TriangleWalls.h"
 
 #include <optional>
 #include <vector>
@@ -43,7 +44,7 @@ class VoxelizeSettings {
   double proposed(Reason& reason) const;
   double area() const;  // mm², with both sides of walls
 
-  double m_area;
+  WallMeasure m_measure;
   Vec3 m_extent;
   double m_usual;
   OperationValues m_values;

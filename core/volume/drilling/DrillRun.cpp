@@ -56,7 +56,7 @@ Vec3 DrillRun::aheadOf(const Vec3& axis, const Vec3& way, bool isCutting) {
 // A hand trembles: what counts is where the tip is, not where this cycle went. Where it has come out on the other side,
 // there is material behind it; where it is drawn back, or slips over the surface, there is none.
 void DrillRun::watchTip(const Vec3& ahead, double way, double time) {
-  if (m_breakthrough) return;
+  if (m_breakthrough || (m_setup.tool.shape == DrillShape::Saw && !m_ahead)) return;
   const VolumeReader before(m_before);
   const Vec3 tip = *m_place + m_setup.tool.edge() * ahead;
   const auto isInside = [&](double behind) { return before.depthAt(tip - behind * ahead).depth > 0.0; };

@@ -24,4 +24,15 @@ TriangleSoup wallsOf(const TriangleSoup& surface, double thickness) {
   return walls;
 }
 
+WallMeasure measureForWalls(const TriangleSoup& surface) {
+  WallMeasure measure;
+  for (const Triangle& t : surface.triangles) {
+    const Vec3 &a = surface.points[t[0]], &b = surface.points[t[1]], &c = surface.points[t[2]];
+    const double area = 0.5 * (b - a).cross(c - a).norm();
+    measure.area += area;
+    if (area > 0.0) measure.edges += (b - a).norm() + (c - b).norm() + (a - c).norm();
+  }
+  return measure;
+}
+
 }  // namespace handwheel

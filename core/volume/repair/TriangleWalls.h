@@ -11,4 +11,15 @@ namespace handwheel {
 // meet, and leave a notch of half the thickness on the outside of a bend. Triangles without area are left out.
 TriangleSoup wallsOf(const TriangleSoup& surface, double thickness);
 
+// What the area of a surface and of its walls follows from.
+struct WallMeasure {
+  double area = 0.0;   // mm², of the triangles
+  double edges = 0.0;  // mm, of each triangle by itself
+
+  // mm², of wallsOf(); of the surface itself without a thickness (0).
+  double areaWith(double thickness) const { return thickness > 0.0 ? 2.0 * area + thickness * edges : area; }
+};
+// O(n).
+WallMeasure measureForWalls(const TriangleSoup& surface);
+
 }  // namespace handwheel

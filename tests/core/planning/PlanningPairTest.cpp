@@ -92,6 +92,7 @@ class PlanningPairTest : public QObject {
     row("a goal without a name", false, "joint_name: a", "joint_name: 3");
     row("a joint without a start", false, "[grip, b, a]", "[grip, b, c]");
     row("a position too few", false, "[9, 2, 1]", "[9, 2]");
+    row("carried from the start", false, "  joint_state:", "  attached_collision_objects: [{}]\n  joint_state:");
     row("far away", false, "[9, 2, 1]", "[9, 2, 1e99]");
     row("infinitely far", false, "position: 0.5", "position: .inf");
   }
@@ -108,6 +109,8 @@ class PlanningPairTest : public QObject {
     const auto set = readPlanningPair(scene, request, "p");
     QVERIFY(!set);
     QVERIFY(set.error().code == ErrorCode::ElementMalformed);
+    QVERIFY2(set.error().arguments.at(0).starts_with(isScene ? "scene" : "request"),
+             set.error().arguments.at(0).c_str());
   }
 
   // Of each set of MotionBenchMaker a pair is there as it was; the sets in JSON were made of them, with nine digits

@@ -33,8 +33,9 @@ class VolumeMemoryTest : public QObject {
     QCOMPARE(refused->arguments[0], std::string("0.1"));
     QVERIFY(std::abs(std::stod(refused->arguments[1]) / (0.5e-6 * left) - 1.0) < 0.01);  // three digits
     QVERIFY(!consentRefusal(0.1, 0.5 * left, true));
-    // Nobody can agree to what is not there.
-    QVERIFY(!consentRefusal(0.1, 2.0 * left, false));
+    const auto tooLarge = consentRefusal(0.1, 2.0 * left, false);
+    QVERIFY(tooLarge && tooLarge->code == VolumeErrors::TooLarge);
+    QVERIFY(!consentRefusal(0.1, 2.0 * left, true));
     QVERIFY(memoryRefusal(0.1, 2.0 * left));
     QVERIFY(!memoryRefusal(0.1, 0.5 * left));
   }

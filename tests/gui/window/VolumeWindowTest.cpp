@@ -32,6 +32,7 @@ class VolumeWindowTest : public QObject {
   // As the dialog proposes it.
   static void copyAsVolume(WindowDriver& driver) {
     driver.choose("copyAs/volume");
+    QVERIFY(driver.settle());
     driver.find<QPushButton>("propertiesAccept")->click();
   }
 
@@ -85,6 +86,7 @@ class VolumeWindowTest : public QObject {
       return all.join(QLatin1Char('|'));
     };
     driver.choose("copyAs/volume");
+    QVERIFY(driver.settle());
     const QString memory = text("memory"), seconds = text("seconds"), reason = text("reason");
     QVERIFY2(memory.contains("MB") && seconds.contains(" s") && reason.contains("resolution rule"),
              qPrintable(memory + reason));
@@ -102,6 +104,7 @@ class VolumeWindowTest : public QObject {
     QCOMPARE(driver.tabs(), 1);
     QTRY_VERIFY(!driver.window().findChild<QDialog*>(QStringLiteral("voxelizeDialog")));
     driver.choose("copyAs/volume");
+    QVERIFY(driver.settle());
     QCOMPARE(text("reason"), reason);
     driver.find<QDialog>("voxelizeDialog")->reject();
     QVERIFY(driver.settle());

@@ -209,6 +209,7 @@ Result<TaskPointer> DrillingSubject::withTarget(const ExerciseTask& task, const 
   DrillingTask changed = drillingOf(task);
   const DrilledHoles& holes = workOf(work).holes;
   for (auto hole = holes.rbegin(); hole != holes.rend(); ++hole) {
+    if ((*hole)->setup.tool.shape == DrillShape::Saw) continue;  // its slot does not go along the axis
     const VolumeReader reader(changed.volume());
     const PagedArray<DrillPose>& poses = (*hole)->poses;
     for (std::size_t i = 0; i < poses.size(); ++i) {

@@ -90,7 +90,11 @@ class LegPlanning {
       m_steps += check.steps();
       if (!isFree) return false;
     }
-    path.places.insert(path.places.end(), leg.begin() + 1, leg.end());
+    for (Waypoint place : leg.subspan(1)) {
+      place.speed = leg.back().speed;  // as it is now: those between go as plan() lets them
+      place.blend = leg.back().blend;
+      path.places.push_back(std::move(place));
+    }
     return true;
   }
 

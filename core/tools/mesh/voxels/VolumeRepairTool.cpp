@@ -40,16 +40,13 @@ void VolumeRepairTool::measure() {
   Box box;
   for (const Vec3& p : surface.points) box.extend(p);
   m_extent = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
-  m_area = surfaceArea(surface);
+  m_measure = measureForWalls(surface);
   m_usual = surface.triangles.empty() ? 0.0 : usualVoxel(surface);
 }
 
-double VolumeRepairTool::voxelArea() const {
-  return m_wish.wall > 0.0 ? 2.0 * m_area : m_area;
-}
-
 double VolumeRepairTool::predictedBytes() const {
-  return predictedRepairBytes(voxelArea(), m_extent, {.voxel = voxelFor(m_wish, m_usual), .gaps = m_wish.gaps});
+  return predictedRepairBytes(m_measure.areaWith(m_wish.wall), m_extent,
+                              {.voxel = voxelFor(m_wish, m_usual), .gaps = m_wish.gaps});
 }
 
 void VolumeRepairTool::documentChanged() {
@@ -95,7 +92,7 @@ std::vector<Property> VolumeRepairTool::settings() const {
   Property seconds;
   seconds.id = "seconds";
   seconds.label = QT_TRANSLATE_NOOP("Property", "Time for the voxels, about (s)");
-  seconds.value = roundedTo(predictedMakingSeconds(voxelArea(), voxelFor(m_wish, m_usual)));
+  seconds.value = roundedTo(predictedMakingSeconds(m_measure.areaWith(m_wish.wall), voxelFor(m_wish, m_usual)));
   seconds.editable = false;
   Property wall = volumeRepairOperation().find("wall")->property;
   wall.value = m_wish.wall;

@@ -6,6 +6,7 @@
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshServices.h"
 #include "tools/mesh/voxels/VolumeRepairChange.h"
+#include "volume/repair/TriangleWalls.h"
 
 namespace handwheel {
 
@@ -34,13 +35,12 @@ class VolumeRepairTool : public Tool {
 
  private:
   void measure();
-  double voxelArea() const;  // mm², with either side of walls
   double predictedBytes() const;
 
   MeshDocument& m_document;
   MeshServices m_services;
   AskForMemory m_ask;
-  double m_area = 0.0;           // of the mesh, mm²
+  WallMeasure m_measure;         // of the mesh
   Vec3 m_extent = Vec3::Zero();  // of the mesh, mm
   double m_usual = 0.0;          // voxel, mm; 0: there are no triangles
   VolumeRepairWish m_wish;

@@ -72,6 +72,29 @@ class ProgramWriterTest : public QObject {
       QVERIFY(std::abs(part.inner(static_cast<std::size_t>(std::lround(z / 0.05))) - r) < 2e-3);
   }
 
+  // A pass that begins in a groove, as after a pause in it, goes in through the mouth that the pass before has left;
+  // one that ends beside the bar goes up, and not through the bar.
+  void groovesAndPathsBesideTheBar() {
+    const std::vector<TurningPass> bush = bushPasses();
+    TurningPass groove = bush[1], beside = bush[1];
+    groove.path = {{13.0, 75.0}, {13.5, 75.0}, {13.5, 70.0}, {12.5, 70.0}};
+    beside.path = {{11.5, 101.0}, {11.5, 104.0}, {23.0, 104.0}, {23.0, 70.0}};
+    groove.times = beside.times = {0.0, 1.0, 2.0, 3.0};
+    const double mouth = 11.0 - 1e-9, front = 100.0;
+    const std::vector<TurningPass> grooved{bush[0], bush[1], groove}, along{bush[0], beside};
+    int rapids = 0;
+    for (const ToolMove& move : movesOf(grooved, kBushBar, 0.0, {})) {
+      if (move.kind != ToolMove::Kind::Rapid || std::min(move.from.y(), move.to.y()) >= front) continue;
+      ++rapids;
+      QVERIFY(std::max(move.from.x(), move.to.x()) < mouth);
+    }
+    QVERIFY(rapids >= 4);
+    for (const ToolMove& move : movesOf(along, kBushBar, 0.0, {})) {
+      const bool isInside = std::min(move.from.y(), move.to.y()) < front;
+      QVERIFY(!isInside || move.from.x() < 20.0 || move.to.x() >= 20.0);
+    }
+  }
+
   // Not even a drill of a file's making that is beside the axis, or a pass of one point, is a move that is no number.
   void strangePasses() {
     TurningPass beside = bushPasses().front(), point = bushPasses()[1], none = point;

@@ -45,7 +45,8 @@ class HandGuidingPlacesTest : public QObject {
     }
   }
 
-  // Planning the path again passes the place, also where it was planned along a curve, or the place by a planner.
+  // It is one that planning again has to pass, also where the path was planned along a curve, or the place by a
+  // planner.
   void aPulledPlaceIsKept() {
     HandGuidingBench bench;
     bench.addTurn(-0.6);

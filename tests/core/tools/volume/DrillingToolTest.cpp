@@ -170,6 +170,15 @@ class DrillingToolTest : public QObject {
     QVERIFY(bench.depthAt({1.6, 0.0, 19.0}) > 0.0 && bench.depthAt({-1.6, 0.0, 19.0}) > 0.0);
     const auto hole = bench.document.volume()->holes.front();
     QVERIFY(hole->setup.tool.shape == DrillShape::Saw && hole->setup.tool.width == 2.0);
+    // A drill beside its slot begins on the surface, and goes across it.
+    bench.runner.setSetting("head", PropertyValue(0.0));
+    bench.runner.setSetting("diameter", PropertyValue(4.0));
+    bench.event(PointerEvent::Kind::Press, 3.0, 0.0);
+    QVERIFY(QTest::qWaitFor([&] { return bench.setting("removed") > 5.0; }, 20'000));
+    bench.event(PointerEvent::Kind::Release, 3.0, 0.0);
+    const auto& beside = bench.document.volume()->holes.back()->poses;
+    QVERIFY(beside[0].direction().z() > 0.9 && beside[0].place().z() > 15.0);
+    QVERIFY(std::abs(beside[0].place().x() - beside[beside.size() - 1].place().x()) < 1.0);
   }
 
   // A key holds the feed and lets it go on; there is none to hold before. Pecks are a setting.

@@ -24,6 +24,8 @@ class TriangleWallsTest : public QObject {
     soup.triangles.push_back({0, 0, 1});
     const TriangleSoup walls = wallsOf(soup, 0.25);
     QVERIFY(test::countEdges(walls).sound());
+    QVERIFY(std::abs(measureForWalls(soup).areaWith(0.25) / test::area(walls) - 1.0) < 1e-9);
+    QVERIFY(std::abs(measureForWalls(soup).areaWith(0.0) / test::area(soup) - 1.0) < 1e-9);
     QVERIFY(std::abs(test::volume(walls) - 0.25 * test::area(soup)) < 1e-9 * test::area(soup));
   }
 
