@@ -102,8 +102,8 @@ void PropertyRow::arrange(QWidget* editor, bool besideLabel, QWidget* below, QWi
   auto* line = new QHBoxLayout;
   line->setSpacing(8);
   m_label->setVisible(besideLabel);
-  if (besideLabel) line->addWidget(m_label, 2, Qt::AlignTop);
-  line->addWidget(editor, 3);
+  if (besideLabel) line->addWidget(m_label, kLabelStretch, Qt::AlignTop);
+  line->addWidget(editor, kEditorStretch);
   if (after) line->addWidget(after);
   m_label->setMinimumHeight(editor->sizeHint().height());
   m_label->setBuddy(editor);

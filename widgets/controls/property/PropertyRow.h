@@ -31,6 +31,9 @@ class PropertyRow : public QWidget {
   void typed(const PropertyValue& value);  // before it is entered
 
  protected:
+  // How label and editor share the width of a line.
+  static constexpr int kLabelStretch = 2, kEditorStretch = 3;
+
   enum class Kind { Number, Switch, Text, LongText, Colour, Choice, List, ReadOnly };
   static Kind kindOf(const Property& property);
   static QString translated(const std::string& english);

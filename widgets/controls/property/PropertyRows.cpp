@@ -348,8 +348,11 @@ void ChoiceRow::showValue(const Property& property, LengthUnit) {
     m_box->clear();
     m_box->addItems(choices);
     // Long names, as those of materials, have all of the width, below the label; the list is as wide as they are.
+    const bool isBelow = longest > kMostBeside;
     auto* const line = static_cast<QBoxLayout*>(layout()->itemAt(0)->layout());
-    line->setDirection(longest > kMostBeside ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    line->setDirection(isBelow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    line->setStretch(0, isBelow ? 0 : kLabelStretch);  // the stretches are those of widths
+    line->setStretch(1, isBelow ? 0 : kEditorStretch);
     m_box->view()->setMinimumWidth(m_box->view()->sizeHintForColumn(0) + kListMargin);
   }
   m_box->setCurrentIndex(choiceOf(property));
