@@ -1196,7 +1196,7 @@
         <translation>bei Bewegung %1 ist %2 im Programm %4 und in der Bahn %3</translation>
     </message>
     <message>
-        <source>Report this to the author of the post; the program was not written.</source>
+        <source>Report this to the author of the post-processor; the program was not written.</source>
         <translation>Melden Sie dies dem Autor des Postprozessors; das Programm wurde nicht geschrieben.</translation>
     </message>
     <message>
@@ -1288,8 +1288,8 @@
         <translation>Setzen Sie „;“ zwischen die Namen mehrerer Kriterien. Es gibt: %3.</translation>
     </message>
     <message>
-        <source>Add what is marked in “Marks” first.</source>
-        <translation>Fügen Sie zuerst unter „Bewertung“ hinzu, was bewertet wird.</translation>
+        <source>Add what is marked in “Criteria” first.</source>
+        <translation>Fügen Sie zuerst unter „Kriterien“ hinzu, was bewertet wird.</translation>
     </message>
     <message>
         <source>there is no drill “%1”</source>
@@ -4514,7 +4514,7 @@
     </message>
 </context>
 <context>
-    <name>LatheFigures</name>
+    <name>LatheReadout</name>
     <message>
         <source>Kosilova</source>
         <translation>Kosilova</translation>
@@ -4772,7 +4772,7 @@
     </message>
 </context>
 <context>
-    <name>NextSteps</name>
+    <name>Suggestions</name>
     <message numerus="yes">
         <source>%Ln hole(s) found.</source>
         <translation>
@@ -11506,8 +11506,8 @@
         <translation>Aufgabe</translation>
     </message>
     <message>
-        <source>Marks</source>
-        <translation>Bewertung</translation>
+        <source>Criteria</source>
+        <translation>Kriterien</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -11562,7 +11562,7 @@
         <translation>Die gewählte Zeile nach unten verschieben</translation>
     </message>
     <message>
-        <source>Choose the marks of a step</source>
+        <source>Choose the criteria of a step</source>
         <translation>Kriterien eines Schritts wählen</translation>
     </message>
     <message>
@@ -11990,8 +11990,8 @@
         </translation>
     </message>
     <message>
-        <source>“Task” shows where it lies in the bar, “Marks” what is measured.</source>
-        <translation>„Aufgabe“ zeigt, wo es in der Stange liegt, „Bewertung“, was gemessen wird.</translation>
+        <source>“Task” shows where it lies in the bar, “Criteria” what is measured.</source>
+        <translation>„Aufgabe“ zeigt, wo es in der Stange liegt, „Kriterien“, was gemessen wird.</translation>
     </message>
 </context>
 <context>
@@ -12584,7 +12584,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::LatheFigures</name>
+    <name>handwheel::LatheReadout</name>
     <message>
         <source>Force</source>
         <translation>Kraft</translation>
@@ -13571,7 +13571,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::NextStepCard</name>
+    <name>handwheel::SuggestionCard</name>
     <message>
         <source>Do not show this card for this document again</source>
         <translation>Diese Karte für dieses Dokument nicht mehr zeigen</translation>
@@ -16132,9 +16132,9 @@
     </message>
 </context>
 <context>
-    <name>handwheel::StepEditor</name>
+    <name>handwheel::InstructionEditor</name>
     <message>
-        <source>Done when these marks are met:</source>
+        <source>Done when these criteria are met:</source>
         <translation>Erledigt, wenn diese Kriterien erfüllt sind:</translation>
     </message>
     <message>
@@ -16151,7 +16151,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::StepsFile</name>
+    <name>handwheel::ScriptExport</name>
     <message>
         <source>Save s&amp;teps…</source>
         <translation>Sch&amp;ritte speichern…</translation>

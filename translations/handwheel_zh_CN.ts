@@ -1195,7 +1195,7 @@
         <translation>运动 %1 的 %2 在程序中为 %4，在路径中为 %3</translation>
     </message>
     <message>
-        <source>Report this to the author of the post; the program was not written.</source>
+        <source>Report this to the author of the post-processor; the program was not written.</source>
         <translation>请向后处理器的作者报告此问题；程序未写入。</translation>
     </message>
     <message>
@@ -1287,8 +1287,8 @@
         <translation>多个评分项的名称之间请用“;”分隔。现有：%3。</translation>
     </message>
     <message>
-        <source>Add what is marked in “Marks” first.</source>
-        <translation>请先在“评分”中添加要评分的内容。</translation>
+        <source>Add what is marked in “Criteria” first.</source>
+        <translation>请先在“评分项”中添加要评分的内容。</translation>
     </message>
     <message>
         <source>there is no drill “%1”</source>
@@ -4513,7 +4513,7 @@
     </message>
 </context>
 <context>
-    <name>LatheFigures</name>
+    <name>LatheReadout</name>
     <message>
         <source>Kosilova</source>
         <translation>Kosilova</translation>
@@ -4771,7 +4771,7 @@
     </message>
 </context>
 <context>
-    <name>NextSteps</name>
+    <name>Suggestions</name>
     <message numerus="yes">
         <source>%Ln hole(s) found.</source>
         <translation>
@@ -11435,8 +11435,8 @@
         <translation>任务</translation>
     </message>
     <message>
-        <source>Marks</source>
-        <translation>评分</translation>
+        <source>Criteria</source>
+        <translation>评分项</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -11491,7 +11491,7 @@
         <translation>下移所选行</translation>
     </message>
     <message>
-        <source>Choose the marks of a step</source>
+        <source>Choose the criteria of a step</source>
         <translation>选择步骤的评分项</translation>
     </message>
     <message>
@@ -11913,8 +11913,8 @@
         </translation>
     </message>
     <message>
-        <source>“Task” shows where it lies in the bar, “Marks” what is measured.</source>
-        <translation>“任务”显示它在棒料中的位置，“评分”显示测量的项目。</translation>
+        <source>“Task” shows where it lies in the bar, “Criteria” what is measured.</source>
+        <translation>“任务”显示它在棒料中的位置，“评分项”显示测量的项目。</translation>
     </message>
 </context>
 <context>
@@ -12497,7 +12497,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::LatheFigures</name>
+    <name>handwheel::LatheReadout</name>
     <message>
         <source>Force</source>
         <translation>力</translation>
@@ -13479,7 +13479,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::NextStepCard</name>
+    <name>handwheel::SuggestionCard</name>
     <message>
         <source>Do not show this card for this document again</source>
         <translation>不再为此文档显示此卡片</translation>
@@ -16016,9 +16016,9 @@
     </message>
 </context>
 <context>
-    <name>handwheel::StepEditor</name>
+    <name>handwheel::InstructionEditor</name>
     <message>
-        <source>Done when these marks are met:</source>
+        <source>Done when these criteria are met:</source>
         <translation>达到以下评分项时完成：</translation>
     </message>
     <message>
@@ -16035,7 +16035,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::StepsFile</name>
+    <name>handwheel::ScriptExport</name>
     <message>
         <source>Save s&amp;teps…</source>
         <translation>保存步骤(&amp;T)…</translation>

@@ -6,7 +6,7 @@
 #include "cli/Messages.h"
 #include "cli/ProgressBar.h"
 #include "document/AtomicFile.h"
-#include "process/EndingSignals.h"
+#include "process/TerminationSignals.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -114,7 +114,7 @@ class JobRun {
 };
 
 void watchSignals() {
-  for (int signal : kEndingSignals) watch(signal, noteSignal);
+  for (int signal : kTerminationSignals) watch(signal, noteSignal);
 }
 
 bool wasInterrupted() {
@@ -122,12 +122,12 @@ bool wasInterrupted() {
 }
 
 void endWhenInterrupted() {
-  for (int signal : kEndingSignals) watch(signal, endAtOnce);
+  for (int signal : kTerminationSignals) watch(signal, endAtOnce);
   if (signalled) endAtOnce(0);
 }
 
 void ignoreSignals() {
-  for (int signal : kEndingSignals) watch(signal, SIG_IGN);
+  for (int signal : kTerminationSignals) watch(signal, SIG_IGN);
 }
 
 void runInterruptible(std::string_view label, const std::function<void(CommandJob&)>& work) {

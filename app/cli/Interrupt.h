@@ -32,7 +32,7 @@ class CommandJob {
 // what work throws.
 void runInterruptible(std::string_view label, const std::function<void(CommandJob&)>& work);
 
-// Installs handlers for the signals that ask the program to end (kEndingSignals). To be called first.
+// Installs handlers for the signals that ask the program to end (kTerminationSignals). To be called first.
 void watchSignals();
 
 // Whether one of these signals has arrived.

@@ -29,13 +29,14 @@ Json toJson(const MeshReport& report) {
   LoopNumbers numbers;
   for (const LoopReport& loop : report.loops) {
     loops.push_back({{"id", loop.id},
-                     {"number", numbers.take(loop.rim)},
+                     {"number", numbers.take(loop.isSheetBoundary)},
                      {"edges", loop.edges},
                      {"length_mm", loop.lengthMm},
                      {"area_mm2", loop.areaMm2},
                      {"planarity", loop.planarity},
                      {"islands", loop.islands},
-                     {"rim", loop.rim}});
+                     {"sheet_boundary", loop.isSheetBoundary}});
+    addFormerKeys(loops.back(), {{"sheet_boundary", "rim"}});
   }
   return {
       {"triangles", report.triangles},
@@ -60,6 +61,13 @@ Json toJson(const MeshReport& report) {
       {"volume_mm3", orNull(report.volumeMm3)},
       {"bounding_box_mm", toJson(report.box)},
   };
+}
+
+void addFormerKeys(Json& object, std::initializer_list<std::pair<const char*, const char*>> renamed) {
+  for (const auto& [present, former] : renamed) {
+    Json value = object.at(present);  // an insertion may move what it refers to
+    object[former] = std::move(value);
+  }
 }
 
 std::string textOf(const Json& json) {

@@ -4,14 +4,19 @@
 
 #include "mesh/defects/MeshReport.h"
 
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 namespace handwheel {
 
 // The report as JSON, as "handwheel inspect --json" prints it. The keys are in that order; volume_mm3 is null for an
 // open mesh.
 nlohmann::ordered_json toJson(const MeshReport& report);
+
+// Repeats values under the keys that they had before. {present key, former key} of an object; it has the present ones.
+void addFormerKeys(nlohmann::ordered_json& object, std::initializer_list<std::pair<const char*, const char*>> renamed);
 
 // Formats JSON with an indent of two, ending in a line feed. Names that are not UTF-8 get replacement characters.
 std::string textOf(const nlohmann::ordered_json& json);

@@ -30,16 +30,16 @@ std::string disagreementText(const MeshReport& report) {
 
 // Of the holes, or of the outer edges of open sheets; nothing where there is none. name: as the window has it; id: as
 // options and steps have it.
-std::string loopTable(const std::vector<LoopReport>& loops, bool isOfRims, const std::string& title) {
+std::string loopTable(const std::vector<LoopReport>& loops, bool isOfSheets, const std::string& title) {
   constexpr std::size_t kName = 20;
   std::string table = "\n" + title + "\n" + std::string(kName - 4, ' ') +
                       "name    id   edges     length (mm)      area (mm2)   planarity   islands\n";
   bool isAny = false;
   LoopNumbers numbers;
   for (const LoopReport& loop : loops) {
-    if (loop.rim != isOfRims) continue;
+    if (loop.isSheetBoundary != isOfSheets) continue;
     isAny = true;
-    table += rightAligned(boundaryLoopName(isOfRims, numbers.take(isOfRims)).toStdString(), kName) +
+    table += rightAligned(boundaryLoopName(isOfSheets, numbers.take(isOfSheets)).toStdString(), kName) +
              rightAligned(std::to_string(loop.id), 6) + rightAligned(std::to_string(loop.edges), 8) +
              rightAligned(roundedText(loop.lengthMm), 16) + rightAligned(roundedText(loop.areaMm2), 16) +
              rightAligned(roundedText(loop.planarity), 12) + rightAligned(std::to_string(loop.islands), 10) + "\n";

@@ -21,8 +21,9 @@ std::vector<std::string> namesOf(const std::vector<LoopResult>& loops) {
   LoopNumbers numbers;
   std::vector<std::string> names;
   for (const LoopResult& loop : loops)
-    names.push_back(loop.id < 0 ? "A hole opened by the repair"
-                                : boundaryLoopName(loop.rim, numbers.take(loop.rim)).toStdString());
+    names.push_back(loop.id < 0
+                        ? "A hole opened by the repair"
+                        : boundaryLoopName(loop.isSheetBoundary, numbers.take(loop.isSheetBoundary)).toStdString());
   return names;
 }
 
@@ -117,9 +118,9 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
   for (std::size_t i = 0; i < names.size(); ++i) {
     const LoopResult& loop = repair.loops[i];
     const bool isOpen = loop.outcome != LoopOutcome::Filled;
-    if (isOpen && loop.reason == FillFailure::Rim) {
+    if (isOpen && loop.reason == FillFailure::SheetBoundary) {
       ++sheets;
-    } else if (isOpen && loop.reason == FillFailure::WasRim) {
+    } else if (isOpen && loop.reason == FillFailure::WasSheetBoundary) {
       ++formerSheets;
     } else if (isOpen) {
       lines.push_back(leftOpen(loop, names[i]));
@@ -127,14 +128,14 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
   }
   const bool areAllFormer = lines.empty();  // the holes of the result
   if (sheets > 0) {
-    lines.push_back(
-        counted(sheets, "outer boundary of an open sheet stays", "outer boundaries of open sheets stay") +
-        " open. --rims back thickens the sheets to thin bodies, --rims fill closes the boundaries as holes.");
+    lines.push_back(counted(sheets, "outer boundary of an open sheet stays", "outer boundaries of open sheets stay") +
+                    " open. --open-sheets back thickens the sheets to thin bodies, --open-sheets fill closes the "
+                    "boundaries as holes.");
   }
   if (formerSheets > 0) {
     const bool isOne = formerSheets == 1;
-    const auto holesNow = static_cast<std::size_t>(
-        std::count_if(after.loops.begin(), after.loops.end(), [](const LoopReport& loop) { return !loop.rim; }));
+    const auto holesNow = static_cast<std::size_t>(std::count_if(
+        after.loops.begin(), after.loops.end(), [](const LoopReport& loop) { return !loop.isSheetBoundary; }));
     lines.push_back(
         counted(formerSheets, "outer boundary of an open sheet", "outer boundaries of open sheets") +
         ", which the repair has changed, " + (isOne ? "looks like a hole" : "look like holes") + " now" +

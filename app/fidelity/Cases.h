@@ -73,7 +73,7 @@ std::vector<FidelityCase> turnMethodCases();
 std::vector<FidelityCase> turnResolutionCases();
 
 // turn.step: a lathe whose lever is thrown, and whose tool a hand leads.
-std::vector<FidelityCase> turnStepCases();
+std::vector<FidelityCase> turnIncrementCases();
 
 // view.block_faces: display blocks that are rebuilt after an edit of one face.
 FidelitySetting blockFacesSetting();

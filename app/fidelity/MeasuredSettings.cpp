@@ -35,7 +35,7 @@ FidelityRegistry measuredSettings() {
   registry.add(turnSpacingSetting(), turnSpacingCases());
   registry.add(turnMethodSetting(), turnMethodCases());
   registry.add(turnResolutionSetting(), turnResolutionCases());
-  registry.add(turnStepSetting(), turnStepCases());
+  registry.add(turnStepSetting(), turnIncrementCases());
   registry.add(forceModelSetting(), forceModelCases());
   registry.add(undoGranularitySetting(), undoGranularityCases());
   registry.add(blockFacesSetting(), blockFacesCases());

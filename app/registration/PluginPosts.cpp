@@ -12,15 +12,15 @@ Q_DECLARE_INTERFACE(handwheel::PostPlugin, HANDWHEEL_POST_PLUGIN)
 
 namespace handwheel {
 
-std::vector<std::unique_ptr<Post>> pluginPosts() {
-  std::vector<std::unique_ptr<Post>> posts;
+std::vector<std::unique_ptr<PostProcessor>> pluginPosts() {
+  std::vector<std::unique_ptr<PostProcessor>> posts;
   for (const std::string& folder : pluginFolders()) {
     for (const std::string& file : pluginFiles(folder + "/posts")) {
       PluginInfo listing;
       QObject* const object = loadPluginObject(file, HANDWHEEL_POST_PLUGIN, listing);
       if (listing.error) complain(fullSentenceFor(*listing.error));
       if (auto* const plugin = object ? qobject_cast<PostPlugin*>(object) : nullptr) {
-        if (std::unique_ptr<Post> post = plugin->post()) posts.push_back(std::move(post));
+        if (std::unique_ptr<PostProcessor> post = plugin->post()) posts.push_back(std::move(post));
       }
     }
   }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "robot/posts/Post.h"
+#include "robot/posts/PostProcessor.h"
 
 namespace handwheel {
 
 // The posts of the plugins in the folder "posts" of the plugin folders. What cannot be loaded is reported on stderr.
 // Needs a QCoreApplication.
-std::vector<std::unique_ptr<Post>> pluginPosts();
+std::vector<std::unique_ptr<PostProcessor>> pluginPosts();
 
 }  // namespace handwheel

@@ -23,7 +23,7 @@ QString setCommand(const QString& from, const std::vector<Property>& before, con
 QString newCommand(const std::string& kind, const std::vector<Property>& before, const std::vector<Property>& now,
                    const QString& to);
 
-// The command line that applies editing steps (tools/mesh/MeshSteps.h), or a file of them.
+// The command line that applies editing steps (tools/mesh/MeshScript.h), or a file of them.
 QString editCommandLine(const QString& from, const std::vector<std::string>& steps, const QString& to);
 QString editCommandLine(const QString& from, const QString& stepsFile, const QString& to);
 // The command line for a step that is also a command with the same arguments.

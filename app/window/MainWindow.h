@@ -39,7 +39,7 @@ class DocumentTabs;
 class HintBar;
 class JobBar;
 class MessageBar;
-class NextStepCard;
+class SuggestionCard;
 class PropertyList;
 class StartPage;
 class StatusPanel;
@@ -144,7 +144,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* m_kindPanels;
   QToolBar* m_kindBar;
   MessageBar* m_messages;
-  NextStepCard* m_card;
+  SuggestionCard* m_card;
   HintBar* m_hints;
   JobBar* m_jobBar;
   QLabel* m_figures;

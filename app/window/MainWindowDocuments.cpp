@@ -7,8 +7,8 @@
 #include "panels/HintBar.h"
 #include "panels/JobBar.h"
 #include "panels/MessageBar.h"
-#include "panels/NextStepCard.h"
 #include "panels/StartPage.h"
+#include "panels/SuggestionCard.h"
 #include "viewport/Viewport.h"
 #include "window/MainWindow.h"
 #include "window/ViewActions.h"
@@ -110,11 +110,11 @@ void MainWindow::connectMessages() {
                              {},
                              m_shown ? &m_shown->document : nullptr});
   });
-  connect(m_card, &NextStepCard::dismissed, this, [this] {
+  connect(m_card, &SuggestionCard::dismissed, this, [this] {
     m_tabs->current()->cardDismissed = true;
     updateCard();
   });
-  connect(m_card, &NextStepCard::covers, m_viewport, &Viewport::setCovered);
+  connect(m_card, &SuggestionCard::covers, m_viewport, &Viewport::setCovered);
 }
 
 void MainWindow::connectTools() {
@@ -240,7 +240,7 @@ void MainWindow::updateFigures() {
 
 void MainWindow::updateCard() {
   const DocumentTab* document = m_tabs->current();
-  m_card->showStep(document && !document->cardDismissed ? document->ui.nextStep() : NextStep{});
+  m_card->showStep(document && !document->cardDismissed ? document->ui.suggestion() : Suggestion{});
 }
 
 void MainWindow::updateHints() {

@@ -9,8 +9,8 @@
 #include "panels/JobBar.h"
 #include "panels/LogPanel.h"
 #include "panels/MessageBar.h"
-#include "panels/NextStepCard.h"
 #include "panels/StartPage.h"
+#include "panels/SuggestionCard.h"
 #include "viewport/Viewport.h"
 #include "window/MainWindow.h"
 #include "window/PanelToggle.h"
@@ -89,7 +89,7 @@ void MainWindow::buildCentre() {
   new HapticFidelity(m_fidelity, m_haptics, m_touch, this);
   new DevicePointer(m_haptics, *m_viewport, *m_tools, m_touch);
   m_toolChoice = new ToolChoice(*m_tools, this);
-  m_card = new NextStepCard(m_viewport);
+  m_card = new SuggestionCard(m_viewport);
   connect(m_viewport, &Viewport::graphicsFailed, m_messages, [this](const QString& problem) {
     m_messages->showMessage({Message::Weight::Error,
                              tr("The 3D view cannot be drawn"),

@@ -52,7 +52,7 @@ QString Document::name() const {
   return m_file.copyOf.empty() ? tr("Untitled") : QFileInfo(pathOf(m_file.copyOf)).completeBaseName();
 }
 
-void Document::markSaved(const QString& path, bool isContainer, const std::optional<FileStamp>& stamp) {
+void Document::markSaved(const QString& path, bool isContainer, const std::optional<FileTimestamp>& stamp) {
   m_file.stamp = stamp;
   m_file.path = QFile::encodeName(path).toStdString();
   m_file.isContainer = isContainer;
@@ -71,14 +71,14 @@ void Document::markSaved(const QString& path, bool isContainer, const std::optio
   emit fileChanged();
 }
 
-void Document::markOverwritten(const std::optional<FileStamp>& stamp) {
+void Document::markOverwritten(const std::optional<FileTimestamp>& stamp) {
   m_file.stamp = stamp;
   m_isFileBeforeFirst = false;
   m_history.resetClean();
   emit fileChanged();
 }
 
-void Document::markRecovered(const QString& path, const std::optional<FileStamp>& stamp, bool isPartial) {
+void Document::markRecovered(const QString& path, const std::optional<FileTimestamp>& stamp, bool isPartial) {
   m_file.stamp = stamp;
   m_file.isPartial = isPartial;
   m_file.path = QFile::encodeName(path).toStdString();

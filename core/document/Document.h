@@ -41,12 +41,12 @@ class Document : public QObject {
     return m_recovered || m_isRecordedAnew || !(m_history.isClean() || (m_isFileBeforeFirst && m_history.index() == 0));
   }
   // To be called after its present state was written to this path; a container keeps id and unknown keys.
-  void markSaved(const QString& path, bool isContainer, const std::optional<FileStamp>& stamp = {});
+  void markSaved(const QString& path, bool isContainer, const std::optional<FileTimestamp>& stamp = {});
   // To be called after an earlier state of it was written to its own file: no state that is known is in the file now.
-  void markOverwritten(const std::optional<FileStamp>& stamp);
+  void markOverwritten(const std::optional<FileTimestamp>& stamp);
   // Marks it as in no file: restored from an autosave of the document of this path, or made of another one (empty).
   // stamp, isPartial: as DocumentFile has them, of the file at the path.
-  void markRecovered(const QString& path, const std::optional<FileStamp>& stamp = {}, bool isPartial = false);
+  void markRecovered(const QString& path, const std::optional<FileTimestamp>& stamp = {}, bool isPartial = false);
 
   // Sets the exercise that it is work on, and the attempt. No undo step, so that an undo takes back what was made, but
   // no time and no hint. isChange: it is modified then; else the next save takes it along.

@@ -5,7 +5,7 @@
 #include "base/Error.h"
 #include "base/Units.h"
 #include "document/AssignedExercise.h"
-#include "document/FileStamp.h"
+#include "document/FileTimestamp.h"
 #include "document/Note.h"
 #include "document/Snapshot.h"
 #include "document/StoredRecording.h"
@@ -22,11 +22,11 @@ class DocumentKind;
 
 // What a document stores about the file that it was read from.
 struct DocumentFile {
-  std::string id;                       // UUID; made when a document is imported, kept in containers
-  std::string path;                     // absolute, as bytes; empty for a document that was never saved
-  std::string title = {};               // what a document without a file is called, UTF-8; empty: nothing
-  std::string copyOf = {};              // as path: the file whose surface it was made of; it is to be saved beside that
-  std::optional<FileStamp> stamp = {};  // of that file as it was read or written; none where that is not known
+  std::string id;           // UUID; made when a document is imported, kept in containers
+  std::string path;         // absolute, as bytes; empty for a document that was never saved
+  std::string title = {};   // what a document without a file is called, UTF-8; empty: nothing
+  std::string copyOf = {};  // as path: the file whose surface it was made of; it is to be saved beside that
+  std::optional<FileTimestamp> stamp = {};  // of that file as it was read or written; none where that is not known
   LengthUnit displayUnit = LengthUnit::Millimetre;
   std::vector<StoredRecording> recordings;  // of haptic devices; in the order in which they were made
   AssignedExercise assigned = {};           // that it is work on

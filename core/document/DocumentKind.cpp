@@ -186,7 +186,7 @@ const DocumentKind* DocumentKinds::withId(std::string_view id) const {
 
 Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const ReadOptions& options,
                                        Progress progress) const {
-  const std::optional<FileStamp> stamp = stampOf(path);
+  const std::optional<FileTimestamp> stamp = timestampOf(path);
   Result<OpenedFile> opened = catchOutOfMemory([&] { return openAny(*this, path, options, progress); });
   if (opened) {
     std::error_code ignored;

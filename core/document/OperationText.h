@@ -31,13 +31,13 @@ std::vector<std::pair<std::string, std::string>> writtenOptions(const OperationV
 // The same as a line: "--faces 700 --keep-borders".
 std::string optionLine(const OperationValues& values);
 
-// "--rims takes keep, back or fill, not 'off'".
+// "--open-sheets takes keep, back or fill, not 'off'".
 std::string refusal(const Parameter& parameter, std::string_view word);
 
 // "fair, ridge or ear".
 std::string choicesText(const std::vector<std::string>& words);
 
-// The syntax of a step: "repair [--rims HOW] [--max-hole N] [FILL]".
+// The syntax of a step: "repair [--open-sheets HOW] [--max-hole N] [FILL]".
 std::string syntaxOf(const Operation& operation);
 // The meaning of a parameter with its choices, range and default.
 std::string helpOf(const Parameter& parameter);

@@ -74,7 +74,7 @@ ExerciseText reasonFor(const MarkingCriterion& c, const Mark& mark, const std::s
           {value, beyond, withUnit(limit, unit)}};
 }
 
-Mark markFor(const MarkingCriterion& c, const Figure* figure, const std::string& unit) {
+Mark markFor(const MarkingCriterion& c, const Measurement* figure, const std::string& unit) {
   Mark mark;
   mark.criterion = c.id;
   mark.of = hundredths(c.points);
@@ -148,13 +148,13 @@ double earnedShare(const MarkingCriterion& criterion, double value) {
   return 1.0 - excess / criterion.slack;
 }
 
-Marking markFigures(const Exercise& exercise, const std::vector<Figure>& figures,
-                    const std::vector<std::string>& units) {
+Marking markMeasurements(const Exercise& exercise, const std::vector<Measurement>& figures,
+                         const std::vector<std::string>& units) {
   Marking marking;
   for (std::size_t i = 0; i < exercise.criteria.size(); ++i) {
     const MarkingCriterion& c = exercise.criteria[i];
     const auto figure =
-        std::find_if(figures.begin(), figures.end(), [&](const Figure& each) { return each.criterion == c.id; });
+        std::find_if(figures.begin(), figures.end(), [&](const Measurement& each) { return each.criterion == c.id; });
     const std::string unit = i < units.size() ? units[i] : std::string();
     marking.marks.push_back(markFor(c, figure == figures.end() ? nullptr : &*figure, unit));
     marking.of = hundredths(marking.of + marking.marks.back().of);

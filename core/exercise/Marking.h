@@ -16,7 +16,7 @@ struct ExerciseText {
 };
 
 // A figure that was measured for a criterion.
-struct Figure {
+struct Measurement {
   std::string criterion;        // its id
   std::optional<double> value;  // in the unit of the figure; none: it could not be measured
   ExerciseText remark = {};     // where that was, or why there is none
@@ -44,8 +44,8 @@ struct Marking {
 // Marks figures by a scheme. Deterministic: the same figures give the same marks. Criteria without a figure count as
 // not measured, and so do those with points and without a limit. units: of the figures, by criterion in the same order,
 // for the reasons; may be shorter.
-Marking markFigures(const Exercise& exercise, const std::vector<Figure>& figures,
-                    const std::vector<std::string>& units = {});
+Marking markMeasurements(const Exercise& exercise, const std::vector<Measurement>& figures,
+                         const std::vector<std::string>& units = {});
 
 // A measured figure to as many digits as mean something in its unit: mm to a micrometre, µm to a hundredth.
 std::string measuredText(double value, const std::string& unit);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "machining/PoleCut.h"
+#include "machining/ControlPointCut.h"
 #include "machining/lathe/LatheTool.h"
 #include "machining/thread/ThreadCut.h"
 
@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// How a nose cuts: exactly what it sweeps, or by moving control points (PoleCut).
+// How a nose cuts: exactly what it sweeps, or by moving control points (ControlPointCut).
 enum class TurningMethod { Trim, Poles };
 
 // One pass of a tool along a turned part, as it was recorded. Repeating the passes of a part on its stock gives the

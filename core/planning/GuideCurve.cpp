@@ -71,8 +71,8 @@ void FollowingTry::add(double time, const Vec3& place) {
   m_isOver = m_along >= (1.0 - kEnd) * length;
 }
 
-FollowingFigures FollowingTry::figures() const {
-  FollowingFigures figures;
+FollowingStatistics FollowingTry::figures() const {
+  FollowingStatistics figures;
   if (!hasBegun()) return figures;
   figures.seconds = m_time - m_begin;
   figures.rms = figures.seconds > 0.0 ? std::sqrt(m_squares / figures.seconds) : m_deviation;

@@ -39,7 +39,7 @@ class GuideCurve {
 
 // How well a tool was led along a curve, from where it was first near to the begin until it was at the end (He 2008,
 // chapter 6: eyes, force, force and fixture compared).
-struct FollowingFigures {
+struct FollowingStatistics {
   double rms = 0.0;      // mm from the curve, over time
   double most = 0.0;     // mm
   double seconds = 0.0;  // from begin to end
@@ -59,7 +59,7 @@ class FollowingTry {
   bool hasBegun() const { return m_begin >= 0.0; }
   bool isOver() const { return m_isOver; }
   double deviation() const { return m_deviation; }  // mm, of the last place
-  FollowingFigures figures() const;
+  FollowingStatistics figures() const;
 
  private:
   const GuideCurve& m_curve;

@@ -3,7 +3,7 @@
 #include "process/ChildProcess.h"
 
 #include "process/ArgumentVector.h"
-#include "process/EndingSignals.h"
+#include "process/TerminationSignals.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -105,7 +105,7 @@ bool placeStreams(const ChildStart& start) {
 
 [[noreturn]] void become(const ChildStart& start) {
   prctl(PR_SET_PDEATHSIG, start.limits ? SIGKILL : SIGTERM);
-  for (int signal : kEndingSignals) forgetHandler(signal);
+  for (int signal : kTerminationSignals) forgetHandler(signal);
   if (getppid() != start.parent) _exit(kNotStarted);  // it ended before we could ask for the signal
   if (!placeStreams(start) || (start.limits && !confine(*start.limits))) _exit(kNotStarted);
   sigset_t none;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "proximity/FourFloats.h"
+#include "proximity/SimdFloat4.h"
 
 #include <Eigen/Core>
 #include <bit>

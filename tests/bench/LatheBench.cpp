@@ -7,7 +7,7 @@
 #include "haptics/servo/RealTimeThread.h"
 #include "machining/force/TrainedForceModel.h"
 #include "machining/lathe/LatheJson.h"
-#include "nurbs/StepFile.h"
+#include "nurbs/StepWriter.h"
 #include "simulation/SimulationLoop.h"
 #include "simulation/turning/LatheForce.h"
 

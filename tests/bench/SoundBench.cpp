@@ -97,7 +97,7 @@ Verdict judge(const std::string& name, const std::string& input, const TriangleS
   });
   // Open sheets stay open unless asked; here everything is to be closed.
   program.start(HANDWHEEL_PROGRAM,
-                {"repair", QString::fromStdString(input), "-o", output, "--rims", "back", "--report", report});
+                {"repair", QString::fromStdString(input), "-o", output, "--open-sheets", "back", "--report", report});
   if (!program.waitForFinished(kPatienceMs)) {
     program.kill();
     program.waitForFinished();

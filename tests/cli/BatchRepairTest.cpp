@@ -55,7 +55,7 @@ class BatchRepairTest : public QObject {
     QVERIFY(lineWith(ran, "sheet").contains("left open at 1 place, no holes, "));
     QVERIFY(lineWith(ran, "sheet").contains("1 outer boundary of an open sheet stays open"));
     QCOMPARE(bench.run({"repair", "in/none.off", "in/a.off", "-o", "out"}).code, 1);
-    QCOMPARE(bench.run({"repair", "in", "-o", "out", "--rims", "fill", "--max-hole", "4"}).code, 2);
+    QCOMPARE(bench.run({"repair", "in", "-o", "out", "--open-sheets", "fill", "--max-hole", "4"}).code, 2);
   }
 
   // A line of JSON for each, and one for a single file.

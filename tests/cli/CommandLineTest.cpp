@@ -63,8 +63,9 @@ class CommandLineTest : public QObject {
     }
     for (const QString& line : table.split('\n', Qt::SkipEmptyParts))
       QVERIFY2(line.startsWith(QString(22, ' ')) || command.match(line).hasMatch(), qPrintable(line));
-    for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",
-                               "--keep-folded-regions", "--unit", "--partial", "--report", "--screenshot"}) {
+    for (const char* option :
+         {"-o", "--fill", "--continuity", "--keep-open", "--open-sheets", "--max-hole", "--remove-debris",
+          "--keep-folded-regions", "--unit", "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);
     }
   }

@@ -69,6 +69,7 @@ const char* const kOpenCubeJson = R"({
       "area_mm2": 0.25,
       "planarity": 0.0,
       "islands": 0,
+      "sheet_boundary": false,
       "rim": false
     }
   ],

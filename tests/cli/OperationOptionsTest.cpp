@@ -103,7 +103,7 @@ class OperationOptionsTest : public QObject {
     const nlohmann::json decimation = toJson(values);
     QVERIFY2(decimation == expected, decimation.dump().c_str());
     const nlohmann::json repair = toJson(OperationValues(meshOperation("repair")));
-    QCOMPARE(repair.at("rims").get<std::string>(), std::string("keep"));
+    QCOMPARE(repair.at("open_sheets").get<std::string>(), std::string("keep"));
     QVERIFY(repair.at("numbers").is_null());
     QCOMPARE(repair.at("ears").get<std::vector<double>>(), std::vector<double>({1.0, 1.0, 1.0, 2.0}));
   }

@@ -121,7 +121,7 @@ class RepairLongLoopsTest : public QObject {
              ran.err);
     QCOMPARE(filled(report) + 1, report.at("loops").size());
     QVERIFY(report.at("replaced_faces").get<int>() > 0);
-    QVERIFY(report.at("untouched_vertices_identical").get<bool>());
+    QVERIFY(report.at("unmodified_vertices_identical").get<bool>());
 
     QCOMPARE(bench.run({"repair", scan, "-o", "c.stl", "--keep-tangles", "--report", "k.json"}).code,
              2);  // the former name

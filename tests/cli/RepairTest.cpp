@@ -52,8 +52,8 @@ class RepairTest : public QObject {
     QCOMPARE(loop.at("method").get<std::string>(), std::string("minimal"));
     QVERIFY(loop.at("reason").is_null());
     QCOMPARE(loop.at("new_faces").get<int>(), 2);
-    QCOMPARE(report.at("touched_vertices").get<int>(), 0);
-    QVERIFY(report.at("untouched_vertices_identical").get<bool>());
+    QCOMPARE(report.at("modified_vertices").get<int>(), 0);
+    QVERIFY(report.at("unmodified_vertices_identical").get<bool>());
   }
 
   void reportHasItsKeysInOrder() {
@@ -61,44 +61,24 @@ class RepairTest : public QObject {
     bench.put("a.off", openCube().off());
     QCOMPARE(bench.run({"repair", "a.off", "-o", "b.ply", "--report", "r.json", "--unit", "cm"}).code, 0);
     const auto report = nlohmann::ordered_json::parse(bench.content("r.json").toStdString());
-    const std::vector<std::string> expected{"input",
-                                            "output",
-                                            "options",
-                                            "before",
-                                            "after",
-                                            "loops",
-                                            "loop_counts",
-                                            "removed_degenerate",
-                                            "removed_duplicates",
-                                            "removed_flaps",
-                                            "removed_debris",
-                                            "turned_faces",
-                                            "turned_bodies",
-                                            "sheets_thickened",
-                                            "sheets_left_open",
-                                            "sheet_thickness_mm",
-                                            "merged_vertices",
-                                            "cut_crossings",
-                                            "cut_faces",
-                                            "inner_faces",
-                                            "replaced_faces",
-                                            "removed_part",
-                                            "lost_loops",
-                                            "one_sided_cuts",
-                                            "parted_vertices",
-                                            "parting_cut_short",
-                                            "cutting_cut_short",
-                                            "rounding_moved_mm",
-                                            "touched_vertices",
-                                            "untouched_vertices_identical",
-                                            "unit",
-                                            "lost_attributes",
-                                            "damage",
-                                            "seconds"};
+    const std::vector<std::string> expected{
+        "input", "output", "options", "before", "after", "loops", "loop_counts", "removed_degenerate",
+        "removed_duplicates", "removed_flaps", "removed_debris", "reoriented_faces", "reoriented_bodies",
+        "sheets_thickened", "sheets_left_open", "sheet_thickness_mm", "merged_vertices", "cut_crossings", "cut_faces",
+        "inner_faces", "replaced_faces", "farthest_removed_vertex", "lost_loops", "non_orientable_cuts",
+        "separated_vertices", "separation_incomplete", "intersection_removal_incomplete", "rounding_moved_mm",
+        "modified_vertices", "unmodified_vertices_identical", "unit", "lost_attributes", "damage", "seconds",
+        // The former keys.
+        "turned_faces", "turned_bodies", "removed_part", "one_sided_cuts", "parted_vertices", "parting_cut_short",
+        "cutting_cut_short", "touched_vertices", "untouched_vertices_identical"};
     QVERIFY(keysOf(report) == expected);
-    const std::vector<std::string> loopKeys{"id",     "rim",       "edges",    "outcome",         "method",
-                                            "reason", "new_faces", "bend_deg", "bend_around_deg", "ms"};
+    const std::vector<std::string> loopKeys{"id",     "sheet_boundary", "edges",    "outcome",         "method",
+                                            "reason", "new_faces",      "bend_deg", "bend_around_deg", "ms",
+                                            "rim"};
     QVERIFY(keysOf(report["loops"][0]) == loopKeys);
+    QVERIFY(report["modified_vertices"] == report["touched_vertices"]);
+    QVERIFY(report["options"]["rims"] == "keep" && report["options"]["open_sheets"] == "keep");
+    QVERIFY(report["loop_counts"]["sheet_edges"] == report["loop_counts"]["sheet_boundaries"]);
     QCOMPARE(report["input"].get<std::string>(), std::string("a.off"));
     QCOMPARE(report["unit"].get<std::string>(), std::string("cm"));
     // The unit is a word in the report; nothing is scaled by it.
@@ -166,7 +146,7 @@ class RepairTest : public QObject {
     QCOMPARE(report.at("removed_duplicates").get<int>(), 1);
     QCOMPARE(report.at("removed_degenerate").get<int>(), 1);
     QCOMPARE(report.at("after").at("triangles").get<int>(), 12);
-    QVERIFY(report.at("untouched_vertices_identical").get<bool>());
+    QVERIFY(report.at("unmodified_vertices_identical").get<bool>());
   }
 
   // Left as it is unless it is asked for; but such a part is not sound, and the exit code says so. Two cubes of which
@@ -211,7 +191,7 @@ class RepairTest : public QObject {
     const Json report = bench.json("r.json");
     QVERIFY(!report.at("before").at("oriented").get<bool>());
     QVERIFY(report.at("after").at("oriented").get<bool>());
-    QCOMPARE(report.at("turned_faces").get<int>(), 1);
+    QCOMPARE(report.at("reoriented_faces").get<int>(), 1);
     QVERIFY(std::abs(report.at("after").at("volume_mm3").get<double>() - 1.0) < 1e-12);
   }
 
@@ -225,9 +205,9 @@ class RepairTest : public QObject {
     const Json report = bench.json("r.json");
     QCOMPARE(report.at("after").at("components").get<int>(), 2);
     QVERIFY(std::abs(report.at("after").at("volume_mm3").get<double>() - 2.0) < 1e-5);
-    QVERIFY(report.at("parted_vertices").get<int>() > 0);
-    QVERIFY(report.at("touched_vertices").get<int>() > 0);
-    QVERIFY(report.at("untouched_vertices_identical").get<bool>());
+    QVERIFY(report.at("separated_vertices").get<int>() > 0);
+    QVERIFY(report.at("modified_vertices").get<int>() > 0);
+    QVERIFY(report.at("unmodified_vertices_identical").get<bool>());
   }
 
   // A hole, and an edge with four triangles.
@@ -260,8 +240,8 @@ class RepairTest : public QObject {
     const Json after = report.at("after");
     QVERIFY(after.at("closed").get<bool>() && after.at("manifold").get<bool>() && after.at("oriented").get<bool>());
     QCOMPARE(after.at("self_intersecting_pairs").get<int>(), 0);
-    QCOMPARE(report.at("touched_vertices").get<int>(), 0);
-    QVERIFY(report.at("untouched_vertices_identical").get<bool>());
+    QCOMPARE(report.at("modified_vertices").get<int>(), 0);
+    QVERIFY(report.at("unmodified_vertices_identical").get<bool>());
   }
 
   // The shell of a conveyor, open below, gets no lid of 1 by 1.5 m that nobody asked for.
@@ -280,7 +260,7 @@ class RepairTest : public QObject {
     if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");
     const Bench bench;
     const QString scan = data + "/scans/meshlab-rangemaps/lato180.ply";
-    bench.run({"repair", scan, "-o", "b.ply", "--rims", "back", "--report", "r.json"});
+    bench.run({"repair", scan, "-o", "b.ply", "--open-sheets", "back", "--report", "r.json"});
     const Json report = bench.json("r.json"), after = report.at("after");
     QVERIFY(after.at("closed").get<bool>());
     QCOMPARE(after.at("self_intersecting_pairs").get<int>(), 0);

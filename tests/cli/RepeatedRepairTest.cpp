@@ -60,7 +60,7 @@ Shape difficult() {
 std::set<QByteArray> writtenBy(int processes, const Bench& bench, const QString& input, const QString& output) {
   std::set<QByteArray> written;
   for (int i = 0; i < processes; ++i) {
-    bench.run({"repair", input, "-o", output, "--rims", "fill"});
+    bench.run({"repair", input, "-o", output, "--open-sheets", "fill"});
     written.insert(bench.content(output));
   }
   return written;

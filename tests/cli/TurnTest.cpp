@@ -163,8 +163,8 @@ class TurnTest : public QObject {
     QVERIFY(bench.run({"inspect", "part.handwheel"}).out.contains("outside Ra 0.31"));
   }
 
-  // By control points a taper comes near to what the nose sweeps, the nearer the closer they are: PoleCutTest. The
-  // method is kept with the pass, so that it is replayed as it was.
+  // By control points a taper comes near to what the nose sweeps, the nearer the closer they are: ControlPointCutTest.
+  // The method is kept with the pass, so that it is replayed as it was.
   void byControlPoints() {
     const Bench bench;
     bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,27,0,10\n10,20,0,80\n11,28,0,80\n");

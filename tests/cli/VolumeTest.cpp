@@ -440,7 +440,8 @@ class VolumeTest : public QObject {
     QTest::newRow("no way") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "hand"} << QByteArray("--by");
     QTest::newRow("voxel 0") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0"}
                              << QByteArray("above 0");
-    QTest::newRow("both ways") << QStringList{"repair", "a.off", "-o", "b.stl", "--by", "volume", "--rims", "fill"}
+    QTest::newRow("both ways") << QStringList{"repair", "a.off",         "-o",  "b.stl", "--by",
+                                              "volume", "--open-sheets", "fill"}
                                << QByteArray("no meaning");
     QTest::newRow("no way to combine") << QStringList{"boolean", "a.off", "a.off", "-o", "b.stl"}
                                        << QByteArray("Choose one of --unite");

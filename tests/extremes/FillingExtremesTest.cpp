@@ -218,7 +218,7 @@ void FillingExtremesTest::bridges() {
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
   for (std::size_t i = 0; i < std::min(loops.size(), kMostLoops); ++i) {
     const std::size_t n = loops[i].halfEdges.size();
-    const std::vector<LoopChord> bridges = filler.proposeLoopChords(loops[i], kPieceEdges);
+    const std::vector<HoleBridge> bridges = filler.proposeHoleBridges(loops[i], kPieceEdges);
     if (n <= kPieceEdges) QVERIFY(bridges.empty());
     const auto pieces = splitHole(n, bridges);
     QVERIFY(pieces);

@@ -7,7 +7,7 @@
 #include "mesh/boundary/BoundaryWelding.h"
 #include "mesh/boundary/Islands.h"
 #include "mesh/boundary/Peninsulas.h"
-#include "mesh/boundary/VertexPull.h"
+#include "mesh/boundary/VertexDrag.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
 
@@ -50,7 +50,7 @@ bool work(HalfEdgeMesh& mesh, int deed, std::mt19937& random) {
     case 0:
       return moveVertices(mesh, smoothBoundary(*near, loop).moves);
     case 1: {
-      const VertexPull pull(near, mesh.from(ends.a));
+      const VertexDrag pull(near, mesh.from(ends.a));
       const Vec3 target = 0.5 * pull.start() + 0.5 * mesh.position(static_cast<Vertex>(random() % mesh.vertexSlots()));
       return pull.apply(mesh, pull.towards(target).point);
     }

@@ -145,7 +145,7 @@ void MeshExtremesTest::repairs() {
   const TriangleSoup soup = extreme.soup();
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
   RepairOptions options;
-  options.rims = RimHandling::Thicken;
+  options.sheets = SheetHandling::Thicken;
   const RepairReport report = repair(mesh, options);
   QVERIFY(!report.cancelled);
   QCOMPARE(QString::fromStdString(validate(mesh)), QString());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/SrdfReader.h"
 #include "robot/dh/DhTable.h"
-#include "robot/posts/Post.h"
+#include "robot/posts/PostProcessor.h"
 #include "robot/program/PathFile.h"
 
 #include <cstddef>
@@ -27,7 +27,7 @@ void judgePrograms(std::string_view text, const RobotProgram& frame) {
   for (const auto& post : posts()) {
     const auto motions = post->read(text, frame);
     if (!motions) continue;
-    require(motions->size() <= Post::kMostMotions, "too many motions");
+    require(motions->size() <= PostProcessor::kMostMotions, "too many motions");
     for (const ReadMotion& motion : *motions) {
       require(motion.joints.has_value() != motion.pose.has_value(), "neither joints nor a pose, or both");
       if (motion.joints) require(motion.joints->size() == frame.arm.size(), "another number of joints");

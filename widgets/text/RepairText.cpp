@@ -113,7 +113,7 @@ QString patchWarning(const PatchComparison& shape) {
   return {};
 }
 
-QString removalWarning(const RemovedPart& removed, LengthUnit unit) {
+QString removalWarning(const FarthestRemovedVertex& removed, LengthUnit unit) {
   const auto at = [&](int axis) { return lengthText(removed.place[axis], unit); };
   return RepairWords::tr("A part of the surface that stood out by %1 was removed, at X %2, Y %3, Z %4.")
       .arg(lengthText(removed.distance, unit), at(0), at(1), at(2));
@@ -125,9 +125,9 @@ QString fillFailureReason(FillFailure failure) {
       return {};
     case FillFailure::Cancelled:
       return RepairWords::tr("cancelled");
-    case FillFailure::Rim:
+    case FillFailure::SheetBoundary:
       return RepairWords::tr("it is the outer boundary of an open sheet");
-    case FillFailure::WasRim:
+    case FillFailure::WasSheetBoundary:
       return RepairWords::tr(
           "it was the outer boundary of an open sheet, which has been changed so that it looks like a hole now");
     case FillFailure::KeptOpen:
@@ -152,8 +152,8 @@ QString fillFailureReason(FillFailure failure) {
   return {};
 }
 
-QString boundaryLoopName(bool isRim, int number) {
-  return isRim ? RepairWords::tr("Outer boundary %1").arg(number) : RepairWords::tr("Hole %1").arg(number);
+QString boundaryLoopName(bool isSheetBoundary, int number) {
+  return isSheetBoundary ? RepairWords::tr("Outer boundary %1").arg(number) : RepairWords::tr("Hole %1").arg(number);
 }
 
 QStringList outcomeTexts(const LoopCounts& loops) {
@@ -161,7 +161,7 @@ QStringList outcomeTexts(const LoopCounts& loops) {
   const auto add = [&parts](std::size_t count, const auto& phrase) {
     if (count > 0) parts << phrase(asInt(count));
   };
-  const OutcomeCounts &holes = loops.holes, &edges = loops.sheetEdges;
+  const OutcomeCounts &holes = loops.holes, &edges = loops.sheetBoundaries;
   if (holes.closed + holes.removed + holes.kept + holes.joined + holes.failed > 0)
     parts << RepairWords::tr("%1 of %n hole(s) filled", nullptr, asInt(holes.all)).arg(holes.closed);
   add(holes.removed, [](int n) { return RepairWords::tr("%n removed together with other triangles", nullptr, n); });

@@ -19,9 +19,9 @@ QString fillMethodHint(FillMethod method);
 // Why a person should look at a patch; empty where it is like its surroundings.
 QString patchWarning(const PatchComparison& shape);
 // A sentence about what a repair took away from the outside.
-QString removalWarning(const RemovedPart& removed, LengthUnit unit);
+QString removalWarning(const FarthestRemovedVertex& removed, LengthUnit unit);
 // The name of a boundary loop, "Hole 3" or "Outer boundary 1". number: by LoopNumbers.
-QString boundaryLoopName(bool isRim, int number);
+QString boundaryLoopName(bool isSheetBoundary, int number);
 // Why a hole stayed open, as the end of a sentence. Example: "every patch would intersect the part".
 QString fillFailureReason(FillFailure failure);
 

@@ -64,9 +64,10 @@ Result<nlohmann::json> waysJson(const OperationValues& values, const RobotCellSn
   if (!scene) return scene.error();
   nlohmann::json list = nlohmann::json::array();
   for (const CellIkSolution& way : ikSolutionsTo(*scene, *cell.plans, *pose, scene->planned(cell.joints))) {
-    const QString stance = way.arm.stance ? stanceText(*way.arm.stance) : QString();
+    const QString configuration = way.arm.configuration ? configurationText(*way.arm.configuration) : QString();
     list.push_back({{"joints", toJson(cell.robot->model, scene->whole(way.arm.values))},
-                    {"stance", stance.toStdString()},
+                    {"configuration", configuration.toStdString()},
+                    {"stance", configuration.toStdString()},  // the former key
                     {"within_limits", way.isWithinLimits()},
                     {"free", way.isFree()},
                     {"problem", problemText(*scene, way).toStdString()},
@@ -84,8 +85,8 @@ int listWays(const OperationValues& values, const RobotCellSnapshot& cell, bool 
   std::string text = ways->empty() ? "The arm cannot bring its tool there.\n" : "";
   for (std::size_t i = 0; i < ways->size(); ++i) {
     const nlohmann::json& way = (*ways)[i];
-    const std::string stance = way["stance"], problem = way["problem"], turned = way["turned_off"];
-    text += std::to_string(i + 1) + ": " + (stance.empty() ? std::string() : stance + ", ") +
+    const std::string configuration = way["configuration"], problem = way["problem"], turned = way["turned_off"];
+    text += std::to_string(i + 1) + ": " + (configuration.empty() ? std::string() : configuration + ", ") +
             (problem.empty() ? "free" : problem) + (turned.empty() ? "" : ", " + turned) + "\n  ";
     for (const auto& [joint, value] : way["joints"].items())
       text += " " + joint + "=" + roundedText(std::round(1e6 * value.get<double>()) / 1e6, 9);

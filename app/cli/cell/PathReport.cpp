@@ -125,8 +125,8 @@ Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& ce
   if (const RobotPath* path = cell.plans->path(name)) return *path;
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored)) return Error{CellError::PathMissing, {name}, {}, {}};
-  const Result<std::string> bytes = readFileHead(name, Post::kLargestText + 1);  // what is larger is refused
-  const Post* const post = postForEnding(name);
+  const Result<std::string> bytes = readFileHead(name, PostProcessor::kLargestText + 1);  // what is larger is refused
+  const PostProcessor* const post = postForEnding(name);
   Result<RobotPath> path =
       !bytes ? Result<RobotPath>(bytes.error())
       : post ? pathFromProgram(scene, cell, *post, *bytes)

@@ -22,7 +22,7 @@ std::string controllers() {
 
 int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "post");
-  const Post* const post = postCalled(arguments.valueOf("controller"));
+  const PostProcessor* const post = postCalled(arguments.valueOf("controller"));
   if (!post) return failUsage("The option --controller takes one of " + controllers() + ".", "post");
   const Result<CellFile> file = openCellForArm(arguments, kinds, arguments.operands[1]);
   if (!file) return fail(file.error());

@@ -33,7 +33,7 @@ struct TeleopRun {
   double leastClearance = 1'000.0;                     // mm
   double largestForce = 0.0;                           // N
   ArmValues end;
-  FollowingFigures following;  // of the path, if there is one
+  FollowingStatistics following;  // of the path, if there is one
 };
 
 // How a hand is followed.
@@ -101,7 +101,7 @@ TeleopRun teleoperated(const CellScene& scene, const RobotCellSnapshot& cell, co
   return run;
 }
 
-nlohmann::ordered_json jsonOf(const FollowingFigures& figures) {
+nlohmann::ordered_json jsonOf(const FollowingStatistics& figures) {
   return {{"rms_mm", figures.rms},
           {"max_mm", figures.most},
           {"seconds", figures.seconds},
@@ -123,7 +123,7 @@ nlohmann::ordered_json jsonOf(const TeleopRun& run, bool hasPath) {
   return report;
 }
 
-std::string sentenceOf(const FollowingFigures& figures) {
+std::string sentenceOf(const FollowingStatistics& figures) {
   if (figures.share <= 0.0) return "the tool did not reach the beginning of the path";
   return roundedText(figures.rms, 3) + " mm from the path (RMS), at most " + roundedText(figures.most, 3) + " mm, in " +
          roundedText(figures.seconds, 4) + " s" +

@@ -85,7 +85,7 @@ int runMark(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!scheme) return refuse(arguments.operands[0] + " is not an exercise.");
   if (scheme->isForStudents) return fail({ExerciseError::WithoutScheme, {}, {}, arguments.operands[0]});
 
-  ClassReport report{scheme->exercise, figureTypes(*scheme->subject), {}};
+  ClassReport report{scheme->exercise, measurementTypes(*scheme->subject), {}};
   bool isCancelled = false;
   runInterruptible("Marking", [&](CommandJob& job) {
     const std::size_t count = arguments.operands.size() - 1;

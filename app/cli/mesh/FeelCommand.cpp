@@ -8,9 +8,9 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/TipTrajectory.h"
-#include "cli/mesh/FeelAgain.h"
 #include "cli/mesh/FeelSnap.h"
 #include "cli/mesh/HapticPathOptions.h"
+#include "cli/mesh/RecordingReplay.h"
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "document/mesh/MeshSnapshot.h"
@@ -96,7 +96,7 @@ std::string readRequest(const Arguments& arguments, FeelRequest& request) {
 // What the device can carry, and a note where that is less than what is asked.
 void limitBy(const DeviceCapabilities& device, FeelRequest& request) {
   HapticPathOptions& run = request.run;
-  const LoopTiming timing{1.0 / run.rate, device.latency, device.inherentDamping};
+  const ServoTiming timing{1.0 / run.rate, device.latency, device.inherentDamping};
   const double stable = stiffnessLimit(timing, 0.0);
   const bool isByTheDevice = device.maxStiffness > 0.0 && device.maxStiffness < stable;
   run.stiffnessLimit = isByTheDevice ? device.maxStiffness : stable;
@@ -112,8 +112,8 @@ void limitBy(const DeviceCapabilities& device, FeelRequest& request) {
     complain("The damping is capped at " + roundedText(damping, 4) + " N·s/mm, half of the device's own.");
 }
 
-// The rims of what was read; nothing, and said so, where there are none.
-std::optional<SnapAttraction> rimsOf(const FeelRequest& request, const Input& input, Progress progress) {
+// The boundary loops of what was read; nothing, and said so, where there are none.
+std::optional<SnapAttraction> boundaryAttraction(const FeelRequest& request, const Input& input, Progress progress) {
   if (!request.snap.isOn) return std::nullopt;
   const MeshSnapshot* document = input.meshDocument();
   const HalfEdgeMesh mesh = document ? document->mesh.mesh : buildMesh(input.mesh->soup, progress.part(0.0, 0.6)).mesh;
@@ -158,7 +158,7 @@ Result<MeshHaptics> sceneOf(const FeelRequest& request, const DocumentKinds& kin
     return scene;
   }
   const MeshSnapshot* document = input->meshDocument();
-  scene.snap = rimsOf(request, *input, progress.part(0.3, 0.5));
+  scene.snap = boundaryAttraction(request, *input, progress.part(0.3, 0.5));
   TriangleSoup soup = document ? document->mesh.mesh.compact().soup : weld(input->mesh->soup, progress.part(0.5, 0.6));
   scene.surface->surface =
       touchableSurface(std::move(soup.points), std::move(soup.triangles), {}, progress.part(0.6, 1.0));
@@ -216,7 +216,7 @@ int runFeel(const Arguments& arguments, const DocumentKinds& kinds) {
     error.subject = request.path.string();
     return fail(error);
   }
-  if (isRecordingCsv(*text)) return feelAgain(arguments, *text, kinds);
+  if (isRecordingCsv(*text)) return replayRecording(arguments, *text, kinds);
   TipTrajectory path = readTipTrajectory(*text);
   if (!path.problem.empty()) return refuse(request.path.string() + ": " + path.problem);
   request.run.from = path.poses.front().time;

@@ -3,7 +3,7 @@
 #include "cli/mesh/FeelSnap.h"
 
 #include "haptics/snap/SnapFidelity.h"
-#include "tools/mesh/LoopFeatures.h"
+#include "tools/mesh/BoundarySnapFeatures.h"
 
 #include <algorithm>
 #include <array>
@@ -42,10 +42,10 @@ std::string readSnap(const Arguments& arguments, SnapRequest& request) {
 std::optional<SnapAttraction> snapAttraction(const SnapRequest& request, const HalfEdgeMesh& mesh,
                                              std::span<const BoundaryLoop> loops, const FidelityValues& values,
                                              Progress progress) {
-  LoopSnapField rims = loopFeatures(mesh, loops, {}, progress);
-  if (rims.field.empty()) return std::nullopt;
-  const SnapProfile profile(request.shape, request.stiffness, rims.distance(values));
-  return SnapAttraction{std::move(rims.field), profile, request.method,
+  LoopSnapField boundary = boundarySnapFeatures(mesh, loops, {}, progress);
+  if (boundary.field.empty()) return std::nullopt;
+  const SnapProfile profile(request.shape, request.stiffness, boundary.distance(values));
+  return SnapAttraction{std::move(boundary.field), profile, request.method,
                         static_cast<std::size_t>(values.of(snapFeaturesSetting()))};
 }
 

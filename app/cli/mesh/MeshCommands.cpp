@@ -4,7 +4,7 @@
 
 #include "cli/mesh/CompareCommand.h"
 #include "cli/mesh/DecimateCommand.h"
-#include "cli/mesh/EditSteps.h"
+#include "cli/mesh/EditCommand.h"
 #include "cli/mesh/FeelCommand.h"
 #include "cli/mesh/RepairCommand.h"
 #include "cli/mesh/SectionCommand.h"

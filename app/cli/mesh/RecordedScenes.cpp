@@ -188,7 +188,7 @@ bool RecordedScenes::doStep(const std::string& step) {
     m_steps.push_back(step);
     return true;
   }
-  const Result<StepOutcome> done = applyStep(*m_document, step, m_progress.unlimited(), m_readMesh);
+  const Result<ScriptLineOutcome> done = applyScriptLine(*m_document, step, m_progress.unlimited(), m_readMesh);
   if (!done) {
     m_problem = sentenceFor(done.error());
     return false;

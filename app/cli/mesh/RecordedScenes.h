@@ -8,7 +8,7 @@
 #include "haptics/recording/Recording.h"
 #include "haptics/scene/MeshHaptics.h"
 #include "haptics/scene/SceneForces.h"
-#include "tools/mesh/MeshSteps.h"
+#include "tools/mesh/MeshScript.h"
 
 #include <map>
 #include <memory>

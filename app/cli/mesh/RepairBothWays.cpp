@@ -4,7 +4,7 @@
 
 #include "base/NumberText.h"
 #include "cli/Interrupt.h"
-#include "cli/MakingNotice.h"
+#include "cli/MemoryNotice.h"
 #include "cli/Messages.h"
 #include "cli/ReportText.h"
 #include "cli/mesh/RepairArguments.h"
@@ -42,7 +42,7 @@ struct BothWays {
 };
 
 Result<BothWays> repairFileBothWays(const RepairRequest& byTriangles, const VolumeRepairRequest& byVolume,
-                                    const DocumentKinds& kinds, MakingNotice& notice, Progress progress) {
+                                    const DocumentKinds& kinds, MemoryNotice& notice, Progress progress) {
   Result<RepairRun> run = repairFile(byTriangles, kinds, progress.part(0.0, 0.4));
   if (!run) return run.error();
   BothWays both;
@@ -128,7 +128,7 @@ int runRepairBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!problem.empty()) return failUsage(problem, "repair");
   byTriangles.compare = true;
 
-  MakingNotice notice(arguments);
+  MemoryNotice notice(arguments);
   std::optional<Result<BothWays>> result;
   runInterruptible("Repairing", [&](CommandJob& job) {
     result = repairFileBothWays(byTriangles, byVolume, kinds, notice.during(job), job.progress());

@@ -6,7 +6,7 @@
 #include "cli/FidelityOption.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
-#include "cli/MakingNotice.h"
+#include "cli/MemoryNotice.h"
 #include "cli/Messages.h"
 #include "cli/Wording.h"
 #include "cli/mesh/MeshOutput.h"
@@ -50,7 +50,7 @@ struct VolumeRepairRun {
 };
 
 Result<VolumeRepairRun> repairFileByVolume(const VolumeRepairRequest& request, const DocumentKinds& kinds,
-                                           MakingNotice& notice, Progress progress) {
+                                           MemoryNotice& notice, Progress progress) {
   const Result<Input> input = readInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
   if (!input) return input.error();
   VolumeRepairRun run{input->opened.file, refusalToReplace(request.output, input->opened.file), {}};
@@ -74,7 +74,7 @@ std::string volumeRepairText(const RepairedByVolume& done, const VolumeRepairReq
          (request.gaps > 0.0 ? "Gaps filled: " + roundedText(done.repair.filled, 3) + " mm³.\n" : std::string());
 }
 
-nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done, const MakingNotice& notice) {
+nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done, const MemoryNotice& notice) {
   nlohmann::ordered_json report = {{"by", "volume"},
                                    {"voxel_mm", done.voxel},
                                    {"closed_boundaries", done.repair.closedBoundaries},
@@ -125,7 +125,7 @@ std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& r
 }
 
 Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRepairRequest& request,
-                                             MakingNotice& notice, Progress progress) {
+                                             MemoryNotice& notice, Progress progress) {
   const Result<TriangleSoup> soup = surfaceIn(input, request);
   if (!soup) return soup.error();
   RepairedByVolume done;
@@ -167,7 +167,7 @@ int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!isContainerName(request.output)) {
     if (const auto format = formatForOutput(request.output); !format) return fail(format.error());
   }
-  MakingNotice notice(arguments);
+  MemoryNotice notice(arguments);
   std::optional<Result<VolumeRepairRun>> result;
   runInterruptible("Repairing", [&](CommandJob& job) {
     result = repairFileByVolume(request, kinds, notice.during(job), job.progress());

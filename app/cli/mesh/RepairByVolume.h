@@ -14,7 +14,7 @@
 
 namespace handwheel {
 
-class MakingNotice;
+class MemoryNotice;
 
 // The parameters of the repair of one file by the volume that it encloses.
 struct VolumeRepairRequest {
@@ -41,10 +41,10 @@ std::vector<OptionSpec> volumeRepairOptions();
 // nothing.
 std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& request);
 
-// Repairs what was read and writes nothing. Errors: those of repairByVolume(), deviation() and MakingNotice::begin(),
+// Repairs what was read and writes nothing. Errors: those of repairByVolume(), deviation() and MemoryNotice::begin(),
 // Unsupported where a document is to hold the surface of what is no mesh.
 Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRepairRequest& request,
-                                             MakingNotice& notice, Progress progress);
+                                             MemoryNotice& notice, Progress progress);
 
 // Writes the result in the format of the output. Errors: those of writeMesh() and exportMesh().
 Status writeRepairedByVolume(const Input& input, const RepairedByVolume& repaired, const VolumeRepairRequest& request,

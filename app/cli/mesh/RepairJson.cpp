@@ -41,16 +41,16 @@ Json toJson(const SheetThickness& thickness) {
           {"thin_vertices", thickness.thinVertices}};
 }
 
-Json toJson(const std::optional<RemovedPart>& removed) {
+Json toJson(const std::optional<FarthestRemovedVertex>& removed) {
   if (!removed) return nullptr;
   return {{"distance_mm", removed->distance}, {"at", {removed->place.x(), removed->place.y(), removed->place.z()}}};
 }
 
 Json toJson(const LoopResult& loop) {
   const bool filled = loop.outcome == LoopOutcome::Filled;
-  return {
+  Json json = {
       {"id", loop.id},
-      {"rim", loop.rim},
+      {"sheet_boundary", loop.isSheetBoundary},
       {"edges", loop.edges},
       {"outcome", wordFor(loop.outcome)},
       {"method", filled ? Json(methodWord(loop.method)) : Json(nullptr)},
@@ -60,24 +60,27 @@ Json toJson(const LoopResult& loop) {
       {"bend_around_deg", loop.shape.isKnown() ? Json(loop.shape.bendAround / kRadiansPerDegree) : Json(nullptr)},
       {"ms", loop.milliseconds},
   };
+  addFormerKeys(json, {{"sheet_boundary", "rim"}});
+  return json;
 }
 
 // The members of LoopCounts by their keys in JSON.
 constexpr struct {
   const char* key;
+  const char* former;  // of older files; null: it is the same
   OutcomeCounts LoopCounts::*loops;
   std::size_t OutcomeCounts::*count;
 } kCounts[] = {
-    {"holes", &LoopCounts::holes, &OutcomeCounts::all},
-    {"filled", &LoopCounts::holes, &OutcomeCounts::closed},
-    {"removed", &LoopCounts::holes, &OutcomeCounts::removed},
-    {"kept_open", &LoopCounts::holes, &OutcomeCounts::kept},
-    {"not_filled", &LoopCounts::holes, &OutcomeCounts::failed},
-    {"sheet_edges", &LoopCounts::sheetEdges, &OutcomeCounts::all},
-    {"sheet_edges_closed", &LoopCounts::sheetEdges, &OutcomeCounts::closed},
-    {"sheet_edges_removed", &LoopCounts::sheetEdges, &OutcomeCounts::removed},
-    {"sheet_edges_kept_open", &LoopCounts::sheetEdges, &OutcomeCounts::kept},
-    {"sheet_edges_not_closed", &LoopCounts::sheetEdges, &OutcomeCounts::failed},
+    {"holes", nullptr, &LoopCounts::holes, &OutcomeCounts::all},
+    {"filled", nullptr, &LoopCounts::holes, &OutcomeCounts::closed},
+    {"removed", nullptr, &LoopCounts::holes, &OutcomeCounts::removed},
+    {"kept_open", nullptr, &LoopCounts::holes, &OutcomeCounts::kept},
+    {"not_filled", nullptr, &LoopCounts::holes, &OutcomeCounts::failed},
+    {"sheet_boundaries", "sheet_edges", &LoopCounts::sheetBoundaries, &OutcomeCounts::all},
+    {"sheet_boundaries_closed", "sheet_edges_closed", &LoopCounts::sheetBoundaries, &OutcomeCounts::closed},
+    {"sheet_boundaries_removed", "sheet_edges_removed", &LoopCounts::sheetBoundaries, &OutcomeCounts::removed},
+    {"sheet_boundaries_kept_open", "sheet_edges_kept_open", &LoopCounts::sheetBoundaries, &OutcomeCounts::kept},
+    {"sheet_boundaries_not_closed", "sheet_edges_not_closed", &LoopCounts::sheetBoundaries, &OutcomeCounts::failed},
 };
 
 std::size_t countFrom(const nlohmann::json& object, const char* key) {
@@ -89,6 +92,7 @@ Json optionsJson(const RepairOptions& options) {
   Json json = toJson(valuesOf(options));
   json.erase("numbers");  // those of the output
   json["keep_open"] = options.keepOpen;
+  addFormerKeys(json, {{"open_sheets", "rims"}});
   return json;
 }
 
@@ -99,7 +103,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
   for (const LoopResult& loop : run.repair.loops) loops.push_back(toJson(loop));
   Json lost = Json::array();
   for (const QString& name : lostNames(run.file)) lost.push_back(name.toStdString());
-  return {
+  Json json = {
       {"input", request.input.string()},
       {"output", request.output.string()},
       {"options", optionsJson(request.options)},
@@ -111,8 +115,8 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"removed_duplicates", run.repair.removedDuplicates},
       {"removed_flaps", run.repair.removedFlaps},
       {"removed_debris", run.repair.removedDebris},
-      {"turned_faces", run.repair.reversedFaces},
-      {"turned_bodies", run.repair.reversedBodies},
+      {"reoriented_faces", run.repair.reversedFaces},
+      {"reoriented_bodies", run.repair.reversedBodies},
       {"sheets_thickened", run.repair.sheets.thickened},
       {"sheets_left_open", run.repair.sheets.leftCount()},
       {"sheet_thickness_mm", toJson(run.repair.sheets.thickness)},
@@ -121,25 +125,38 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"cut_faces", run.repair.cutFaces},
       {"inner_faces", run.repair.innerFaces},
       {"replaced_faces", run.repair.replacedFaces},
-      {"removed_part", toJson(run.repair.removed)},
+      {"farthest_removed_vertex", toJson(run.repair.removed)},
       {"lost_loops", run.repair.lostLoops},
-      {"one_sided_cuts", run.repair.nonOrientableCuts},
-      {"parted_vertices", run.repair.separatedVertices},
-      {"parting_cut_short", run.repair.isSeparationIncomplete},
-      {"cutting_cut_short", run.repair.isIntersectionRemovalIncomplete},
+      {"non_orientable_cuts", run.repair.nonOrientableCuts},
+      {"separated_vertices", run.repair.separatedVertices},
+      {"separation_incomplete", run.repair.isSeparationIncomplete},
+      {"intersection_removal_incomplete", run.repair.isIntersectionRemovalIncomplete},
       {"rounding_moved_mm", run.roundingMove},
-      {"touched_vertices", run.modified.size()},
-      {"untouched_vertices_identical", run.unmodifiedIdentical},
+      {"modified_vertices", run.modified.size()},
+      {"unmodified_vertices_identical", run.unmodifiedIdentical},
       {"unit", unit},
       {"lost_attributes", lost},
       {"damage", damageSentences(run.file)},
       {"seconds", run.seconds},
   };
+  addFormerKeys(json, {{"reoriented_faces", "turned_faces"},
+                       {"reoriented_bodies", "turned_bodies"},
+                       {"farthest_removed_vertex", "removed_part"},
+                       {"non_orientable_cuts", "one_sided_cuts"},
+                       {"separated_vertices", "parted_vertices"},
+                       {"separation_incomplete", "parting_cut_short"},
+                       {"intersection_removal_incomplete", "cutting_cut_short"},
+                       {"modified_vertices", "touched_vertices"},
+                       {"unmodified_vertices_identical", "untouched_vertices_identical"}});
+  return json;
 }
 
 Json toJson(const LoopCounts& loops) {
   Json json;
-  for (const auto& [key, of, count] : kCounts) json[key] = loops.*of.*count;
+  for (const auto& [key, former, of, count] : kCounts) {
+    json[key] = loops.*of.*count;
+    if (former) json[former] = loops.*of.*count;
+  }
   json["new_openings"] = loops.newOpenings;
   json["pieces"] = loops.pieces ? Json(*loops.pieces) : Json(nullptr);
   return json;
@@ -147,7 +164,8 @@ Json toJson(const LoopCounts& loops) {
 
 LoopCounts loopCountsFrom(const nlohmann::json& object) {
   LoopCounts loops;
-  for (const auto& [key, of, count] : kCounts) loops.*of.*count = countFrom(object, key);
+  for (const auto& [key, former, of, count] : kCounts)
+    loops.*of.*count = countFrom(object, !former || object.contains(key) ? key : former);
   loops.newOpenings = countFrom(object, "new_openings");
   if (const std::size_t pieces = countFrom(object, "pieces"); pieces > 0) loops.pieces = pieces;
   return loops;

@@ -5,7 +5,7 @@
 #include "base/NumberText.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
-#include "cli/MakingNotice.h"
+#include "cli/MemoryNotice.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/VolumeFiles.h"
@@ -36,7 +36,7 @@ struct BooleanAnswer {
   SparseVolume first, second, made;
 };
 
-Result<BooleanAnswer> combineFiles(const BooleanRequest& request, const DocumentKinds& kinds, MakingNotice& notice,
+Result<BooleanAnswer> combineFiles(const BooleanRequest& request, const DocumentKinds& kinds, MemoryNotice& notice,
                                    Progress progress) {
   if (const Status can = canWriteVolume(request.output, kinds); !can) return can.error();
   const Result<OpenedFile> first = kinds.open(request.first, request.read, progress.part(0.0, 0.1));
@@ -70,7 +70,7 @@ Result<BooleanAnswer> combineFiles(const BooleanRequest& request, const Document
   return done;
 }
 
-nlohmann::ordered_json reportOf(const BooleanAnswer& done, const MakingNotice& notice) {
+nlohmann::ordered_json reportOf(const BooleanAnswer& done, const MemoryNotice& notice) {
   nlohmann::ordered_json report = {{"voxel_mm", done.made.voxel()},        {"first_mm3", done.first.material()},
                                    {"second_mm3", done.second.material()}, {"volume_mm3", done.made.material()},
                                    {"blocks", done.made.blockCount()},     {"bytes", done.made.bytes()}};
@@ -117,7 +117,7 @@ int runBoolean(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!problem.empty()) return failUsage(problem, "boolean");
   request.voxel = values.given("voxel");
   request.read.partial = arguments.has("partial");
-  MakingNotice notice(arguments);
+  MemoryNotice notice(arguments);
   std::optional<Result<BooleanAnswer>> result;
   runInterruptible("Combining the volumes",
                    [&](CommandJob& job) { result = combineFiles(request, kinds, notice.during(job), job.progress()); });

@@ -5,7 +5,7 @@
 #include "base/NumberText.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
-#include "cli/MakingNotice.h"
+#include "cli/MemoryNotice.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/TipTrajectory.h"
@@ -112,7 +112,7 @@ void takeTask(const DrillingTask& task, const OperationValues& values, DrillSetu
 }
 
 Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues& values, std::vector<HandPose> poses,
-                              const DocumentKinds& kinds, MakingNotice& notice, Progress progress) {
+                              const DocumentKinds& kinds, MemoryNotice& notice, Progress progress) {
   Result<DrillSetup> setup = drillSetupOf(values);
   if (!setup) return setup.error();
   const Result<OpenedFile> opened = kinds.open(request.part, request.read, progress.part(0.0, 0.1));
@@ -143,7 +143,7 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   return done;
 }
 
-nlohmann::ordered_json reportOf(const DrillAnswer& done, const MakingNotice& notice) {
+nlohmann::ordered_json reportOf(const DrillAnswer& done, const MemoryNotice& notice) {
   const Drilled& drilled = done.drilled;
   nlohmann::ordered_json report = {{"removed_mm3", drilled.removed},
                                    {"max_thrust_N", drilled.maxThrust},
@@ -224,7 +224,7 @@ int runDrill(const Arguments& arguments, const DocumentKinds& kinds) {
     if (!path.problem.empty()) return refuse(request.path.string() + ": " + path.problem);
     poses = std::move(path.poses);
   }
-  MakingNotice notice(arguments);
+  MemoryNotice notice(arguments);
   std::optional<Result<DrillAnswer>> result;
   runInterruptible("Drilling", [&](CommandJob& job) {
     result = drillFile(request, values, poses, kinds, notice.during(job), job.progress());

@@ -5,7 +5,7 @@
 #include "base/NumberText.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
-#include "cli/MakingNotice.h"
+#include "cli/MemoryNotice.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/OutputName.h"
@@ -35,7 +35,7 @@ Error about(const fs::path& path, Error error) {
 }
 
 Result<Segment> segmentFile(const fs::path& input, const fs::path& output, const OperationValues& values,
-                            const DocumentKinds& kinds, MakingNotice& notice, Progress progress) {
+                            const DocumentKinds& kinds, MemoryNotice& notice, Progress progress) {
   const DocumentKind& kind = *kinds.withId("volume");
   if (const auto endings = writtenEndings(kind.formats()); !hasOneOf(output, endings))
     return unknownEnding(output, endings);
@@ -55,7 +55,7 @@ Result<Segment> segmentFile(const fs::path& input, const fs::path& output, const
   return done;
 }
 
-nlohmann::ordered_json reportOf(const Segment& done, const MakingNotice& notice) {
+nlohmann::ordered_json reportOf(const Segment& done, const MemoryNotice& notice) {
   const SparseVolume& volume = done.segmented.volume;
   const auto end = [](double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); };
   nlohmann::ordered_json report = {{"voxels", std::llround(volume.material() / std::pow(volume.voxel(), 3))},
@@ -90,7 +90,7 @@ int runSegment(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!problem.empty()) return failUsage(problem, "segment");
   const fs::path input = arguments.operands[0], output = arguments.valueOf("output");
   if (const std::string refusal = refusalToOverwrite(output, {input}); !refusal.empty()) return refuse(refusal);
-  MakingNotice notice(arguments);
+  MemoryNotice notice(arguments);
   std::optional<Result<Segment>> result;
   runInterruptible("Segmenting", [&](CommandJob& job) {
     result = segmentFile(input, output, values, kinds, notice.during(job), job.progress());

@@ -6,7 +6,7 @@
 #include "cli/FidelityOption.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
-#include "cli/MakingNotice.h"
+#include "cli/MemoryNotice.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/BooleanCommand.h"
@@ -77,7 +77,7 @@ std::vector<std::string> volumeEndings() {
 }
 
 Result<Answer> voxelizeFile(const Request& request, const OperationValues& values, const DocumentKinds& kinds,
-                            MakingNotice& notice, Progress progress) {
+                            MemoryNotice& notice, Progress progress) {
   if (!hasOneOf(request.output, volumeEndings())) return unknownEnding(request.output, volumeEndings());
   const Result<OpenedFile> opened = kinds.open(request.input, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
@@ -185,7 +185,7 @@ int runVoxelize(const Arguments& arguments, const DocumentKinds& kinds) {
     problem = readFidelity(arguments, "voxelize", read, request.fidelity);
   }
   if (!problem.empty()) return failUsage(problem, "voxelize");
-  MakingNotice notice(arguments);
+  MemoryNotice notice(arguments);
   std::optional<Result<Answer>> result;
   runInterruptible("Making the volume", [&](CommandJob& job) {
     result = voxelizeFile(request, values, kinds, notice.during(job), job.progress());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/volume/VolumeFiles.h"
 
-#include "cli/MakingNotice.h"
+#include "cli/MemoryNotice.h"
 #include "cli/volume/OutputName.h"
 #include "document/volume/VolumeMaking.h"
 #include "volume/VolumeErrors.h"
@@ -14,7 +14,7 @@ std::shared_ptr<const VolumeSnapshot> volumeIn(const OpenedFile& opened) {
 }
 
 Result<SparseVolume> materialOf(const OpenedFile& opened, const std::filesystem::path& path,
-                                std::optional<double> voxel, const std::optional<Vec3>& alignedTo, MakingNotice& notice,
+                                std::optional<double> voxel, const std::optional<Vec3>& alignedTo, MemoryNotice& notice,
                                 Progress progress) {
   if (const auto volume = volumeIn(opened)) return volume->volume;
   const TriangleSoup surface = placedSoup(opened.kind->display(*opened.content));

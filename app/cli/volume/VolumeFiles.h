@@ -11,16 +11,16 @@
 
 namespace handwheel {
 
-class MakingNotice;
+class MemoryNotice;
 
 // The content of a document of a volume; null where it is of another kind.
 std::shared_ptr<const VolumeSnapshot> volumeIn(const OpenedFile& opened);
 
 // The material of a document: its own volume, or what its surface encloses, in voxels of this edge (mm; none: the usual
-// one). alignedTo: as in volumeOfSurface(). Errors: those of volumeOfSurface() and MakingNotice::begin(), about the
+// one). alignedTo: as in volumeOfSurface(). Errors: those of volumeOfSurface() and MemoryNotice::begin(), about the
 // path.
 Result<SparseVolume> materialOf(const OpenedFile& opened, const std::filesystem::path& path,
-                                std::optional<double> voxel, const std::optional<Vec3>& alignedTo, MakingNotice& notice,
+                                std::optional<double> voxel, const std::optional<Vec3>& alignedTo, MemoryNotice& notice,
                                 Progress progress);
 
 // Whether a volume can be written under this name: as one, or its surface as a mesh. Error: that of unknownEnding().

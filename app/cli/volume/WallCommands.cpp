@@ -5,7 +5,7 @@
 #include "base/NumberText.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
-#include "cli/MakingNotice.h"
+#include "cli/MemoryNotice.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/VolumeFiles.h"
@@ -34,7 +34,7 @@ struct WallAnswer {
 };
 
 Result<WallAnswer> changeFile(const WallRequest& request, const OperationValues& values, Change change,
-                              const DocumentKinds& kinds, MakingNotice& notice, Progress progress) {
+                              const DocumentKinds& kinds, MemoryNotice& notice, Progress progress) {
   if (const Status can = canWriteVolume(request.output, kinds); !can) return can.error();
   const Result<OpenedFile> opened = kinds.open(request.input, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
@@ -56,7 +56,7 @@ Result<WallAnswer> changeFile(const WallRequest& request, const OperationValues&
   return done;
 }
 
-nlohmann::ordered_json reportOf(const WallAnswer& done, const MakingNotice& notice) {
+nlohmann::ordered_json reportOf(const WallAnswer& done, const MemoryNotice& notice) {
   nlohmann::ordered_json report = {{"voxel_mm", done.after.voxel()},
                                    {"volume_before_mm3", done.before.material()},
                                    {"volume_mm3", done.after.material()},
@@ -82,7 +82,7 @@ int runChange(const Arguments& arguments, const DocumentKinds& kinds, const Oper
   if (!problem.empty()) return failUsage(problem, operation.id);
   WallRequest request{arguments.operands[0], arguments.valueOf("output"), sampling.given("voxel"), {}};
   request.read.partial = arguments.has("partial");
-  MakingNotice notice(arguments);
+  MemoryNotice notice(arguments);
   std::optional<Result<WallAnswer>> result;
   runInterruptible("Changing the volume", [&](CommandJob& job) {
     result = changeFile(request, values, change, kinds, notice.during(job), job.progress());

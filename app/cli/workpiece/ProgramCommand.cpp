@@ -6,8 +6,8 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
-#include "cli/workpiece/BarWord.h"
-#include "cli/workpiece/TurnedFigures.h"
+#include "cli/workpiece/BarStockArgument.h"
+#include "cli/workpiece/TurnStatistics.h"
 #include "document/AtomicFile.h"
 #include "document/workpiece/PassesProgram.h"
 #include "machining/TurningFidelity.h"
@@ -46,7 +46,7 @@ std::string readProgramRequest(const Arguments& arguments, ProgramRequest& reque
   if (dialect != "linuxcnc" && dialect != "fanuc") return "--dialect is linuxcnc or fanuc.";
   request.dialect = dialect == "fanuc" ? ProgramDialect::Fanuc : ProgramDialect::LinuxCnc;
   if (arguments.has("stock")) {
-    BarWord word = readBar(arguments.valueOf("stock"));
+    BarStockArgument word = readBar(arguments.valueOf("stock"));
     if (!word.problem.empty()) return std::move(word.problem);
     if (!word.bar) return "--stock is a bar such as cylinder:40x100.";
     request.stock = word.bar;

@@ -49,8 +49,8 @@ std::string collisionSentence(const ProgramCollision& collision) {
 
 }  // namespace
 
-Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request, TurnedFigures& figures,
-                                        std::vector<std::string>& remarks, Progress progress) {
+Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request,
+                                        TurnStatistics& figures, std::vector<std::string>& remarks, Progress progress) {
   const Result<std::string> text = readFileBytes(request.program);
   if (!text) {
     Error error = text.error();

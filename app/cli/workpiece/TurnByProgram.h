@@ -3,13 +3,13 @@
 #pragma once
 
 #include "cli/workpiece/TurnRequest.h"
-#include "cli/workpiece/TurnedFigures.h"
+#include "cli/workpiece/TurnStatistics.h"
 
 namespace handwheel {
 
 // The workpiece after the program of the request, in the chuck of its lathe. remarks: gets notes and collisions, with
 // their lines. Errors: those of the files, of runProgram(), Cancelled.
-Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request, TurnedFigures& figures,
-                                        std::vector<std::string>& remarks, Progress progress);
+Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request,
+                                        TurnStatistics& figures, std::vector<std::string>& remarks, Progress progress);
 
 }  // namespace handwheel

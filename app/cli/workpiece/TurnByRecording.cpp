@@ -89,7 +89,7 @@ Result<WorkpieceSnapshot> turn(WorkpieceSnapshot workpiece, std::vector<TurningP
 }  // namespace
 
 Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, const TurnRequest& request,
-                                          TurnedFigures& figures, std::string& unreadable, Progress progress) {
+                                          TurnStatistics& figures, std::string& unreadable, Progress progress) {
   Result<std::vector<TurningPass>> passes =
       readPasses(request, workpiece.stock.position, unreadable, progress.part(0.0, 0.2));
   if (!passes) return passes.error();

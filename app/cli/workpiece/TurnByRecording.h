@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cli/workpiece/TurnRequest.h"
-#include "cli/workpiece/TurnedFigures.h"
+#include "cli/workpiece/TurnStatistics.h"
 
 namespace handwheel {
 
@@ -11,6 +11,6 @@ namespace handwheel {
 // unreadable: a sentence about the file, which is not cut as the arguments of an Error are; empty where it was read.
 // Errors: those of the file, Cancelled.
 Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, const TurnRequest& request,
-                                          TurnedFigures& figures, std::string& unreadable, Progress progress);
+                                          TurnStatistics& figures, std::string& unreadable, Progress progress);
 
 }  // namespace handwheel

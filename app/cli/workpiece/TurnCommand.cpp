@@ -14,7 +14,7 @@
 #include "cli/workpiece/TurnByProgram.h"
 #include "cli/workpiece/TurnByRecording.h"
 #include "cli/workpiece/TurnRequest.h"
-#include "cli/workpiece/TurnedFigures.h"
+#include "cli/workpiece/TurnStatistics.h"
 #include "document/workpiece/FinishReport.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/exercise/ExerciseStock.h"
@@ -46,10 +46,10 @@ std::string replayReport(const WorkpieceSnapshot& workpiece, bool isSame, bool a
          (isSame ? "Replayed, the passes give the same part.\n" : "Replayed, the passes give a different part.\n");
 }
 
-std::string report(const WorkpieceSnapshot& workpiece, const TurnedFigures& figures, bool asJson) {
-  if (asJson) return figuresAsJson(figures);
+std::string report(const WorkpieceSnapshot& workpiece, const TurnStatistics& figures, bool asJson) {
+  if (asJson) return statisticsAsJson(figures);
   return "Passes: " + std::to_string(passCount(workpiece)) + ". Volume: " + roundedText(volumeOf(workpiece)) +
-         " mm³. " + figuresAsText(figures);
+         " mm³. " + statisticsAsText(figures);
 }
 
 const WorkpieceSnapshot* workpieceIn(const OpenedFile& opened) {
@@ -128,7 +128,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   if (exercise) useMachineOf(*exercise->task, arguments, request);
   std::string unreadable;
   std::vector<std::string> remarks;
-  TurnedFigures figures;
+  TurnStatistics figures;
   std::optional<Result<TargetProfile>> target;
   std::optional<Result<WorkpieceSnapshot>> turned;
   std::optional<Result<WrittenFile>> written;

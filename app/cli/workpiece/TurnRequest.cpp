@@ -3,7 +3,7 @@
 #include "cli/workpiece/TurnRequest.h"
 
 #include "base/NumberText.h"
-#include "cli/workpiece/BarWord.h"
+#include "cli/workpiece/BarStockArgument.h"
 #include "machining/program/ToolPath.h"
 
 namespace handwheel {
@@ -64,7 +64,7 @@ std::string readNose(const Arguments& arguments, TurnRequest& request) {
 
 std::string readTurnRequest(const Arguments& arguments, TurnRequest& request) {
   request.input = arguments.operands[0];
-  BarWord word = readBar(request.input);
+  BarStockArgument word = readBar(request.input);
   if (!word.problem.empty()) return std::move(word.problem);
   request.bar = word.bar;
   request.recording = arguments.valueOf("recording");

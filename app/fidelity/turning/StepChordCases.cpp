@@ -4,7 +4,7 @@
 #include "fidelity/Cases.h"
 #include "fidelity/SeededInput.h"
 #include "nurbs/CylinderDistance.h"
-#include "nurbs/StepFile.h"
+#include "nurbs/StepWriter.h"
 
 #include <algorithm>
 #include <cmath>

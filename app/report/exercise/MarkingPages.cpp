@@ -87,8 +87,8 @@ std::string nameOf(const ReportedWork& work) {
   return work.row.attempt.student.empty() ? work.row.file : work.row.attempt.student;
 }
 
-std::string figureLine(const ClassReport& report, const ReportFigure& each) {
-  const FigureType* const type = figureType(report.figures, each.figure);
+std::string figureLine(const ClassReport& report, const ReportMeasurement& each) {
+  const MeasurementType* const type = measurementType(report.figures, each.figure);
   if (!type) return {};
   const QString label = QCoreApplication::translate("Figure", type->label.c_str());
   return "<p>" + escaped(label.toStdString() + ": " + measuredText(each.value, type->unit) + " " + type->unit) +
@@ -121,7 +121,7 @@ std::string workSection(const ClassReport& report, const ReportedWork& work, con
     html += "</tr>\n";
   }
   html += "</table>\n";
-  for (const ReportFigure& each : work.details.figures) html += figureLine(report, each);
+  for (const ReportMeasurement& each : work.details.figures) html += figureLine(report, each);
   if (!work.details.events.empty()) {
     html += "<h3>" + said(QT_TRANSLATE_NOOP("Note", "Events")) + "</h3>\n<ul>\n";
     for (const ReportEvent& event : work.details.events)

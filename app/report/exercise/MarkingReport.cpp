@@ -51,8 +51,8 @@ Json jsonOf(const ClassReport& report, const Mark& mark) {
           {"remark", mark.remark.inEnglish()}};
 }
 
-Json jsonOf(const ClassReport& report, const ReportFigure& each) {
-  const FigureType* const type = figureType(report.figures, each.figure);
+Json jsonOf(const ClassReport& report, const ReportMeasurement& each) {
+  const MeasurementType* const type = measurementType(report.figures, each.figure);
   return {{"figure", each.figure}, {"unit", type ? type->unit : std::string()}, {"measured", each.value}};
 }
 
@@ -133,7 +133,7 @@ Json toJson(const ClassReport& report) {
     json["marks"] = Json::array();
     for (const Mark& mark : row.marking.marks) json["marks"].push_back(jsonOf(report, mark));
     json["figures"] = Json::array();
-    for (const ReportFigure& each : work.details.figures) json["figures"].push_back(jsonOf(report, each));
+    for (const ReportMeasurement& each : work.details.figures) json["figures"].push_back(jsonOf(report, each));
     json["events"] = Json::array();
     for (const ReportEvent& event : work.details.events)
       json["events"].push_back({{"time_s", event.seconds}, {"text", event.text.inEnglish()}});

@@ -19,7 +19,7 @@ struct ReportedWork {
 // The marks of a class for a report.
 struct ClassReport {
   Exercise exercise;
-  std::vector<FigureType> figures;
+  std::vector<MeasurementType> figures;
   std::vector<ReportedWork> works;
 };
 

@@ -22,7 +22,7 @@ std::string limitsOf(const MarkingCriterion& c) {
 }  // namespace
 
 std::string unitOf(const ClassReport& report, const MarkingCriterion& c) {
-  const FigureType* type = figureType(report.figures, c.figure);
+  const MeasurementType* type = measurementType(report.figures, c.figure);
   return type ? type->unit : std::string();
 }
 

@@ -31,19 +31,19 @@ QString fileNameOf(const std::string& path) {
   return name;
 }
 
-QString filterOf(const Post& post) {
+QString filterOf(const PostProcessor& post) {
   return QStringLiteral("%1 (*%2)").arg(QLatin1String(post.title()), QLatin1String(post.ending()));
 }
 
-const Post& postOf(const QString& filter) {
+const PostProcessor& postOf(const QString& filter) {
   const auto found =
       std::find_if(posts().begin(), posts().end(), [&](const auto& post) { return filterOf(*post) == filter; });
   return found == posts().end() ? *posts().front() : **found;
 }
 
 // The name with the ending of the post, in place of that of another.
-QString withEnding(const QString& file, const Post& post) {
-  const Post* const other = postForEnding(file.toStdString());
+QString withEnding(const QString& file, const PostProcessor& post) {
+  const PostProcessor* const other = postForEnding(file.toStdString());
   const qsizetype ending = other ? static_cast<qsizetype>(std::string_view(other->ending()).size()) : 0;
   return file.chopped(ending) + QLatin1String(post.ending());
 }
@@ -113,7 +113,7 @@ void CellPaths::askForProgram(OutdatedPath outdated) {
   if (!checked()) return requestProgram();  // it has changed since
   QStringList filters;
   for (const auto& post : posts()) filters += filterOf(*post);
-  const Post& usual = usualPost(prepared->plannedArm());
+  const PostProcessor& usual = usualPost(prepared->plannedArm());
   auto* dialog = new QFileDialog(m_parts.window, tr("Export a robot program"), folderFor(m_document->document),
                                  filters.join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("exportProgramDialog"));
@@ -124,7 +124,7 @@ void CellPaths::askForProgram(OutdatedPath outdated) {
   dialog->setDefaultSuffix(QLatin1String(usual.ending()));
   dialog->selectFile(withEnding(fileNameOf(path()->name), usual));
   connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-    const Post& post = postOf(filter);
+    const PostProcessor& post = postOf(filter);
     dialog->setDefaultSuffix(QLatin1String(post.ending()));
     const QStringList files = dialog->selectedFiles();
     if (!files.isEmpty()) dialog->selectFile(withEnding(QFileInfo(files.front()).fileName(), post));
@@ -138,8 +138,8 @@ void CellPaths::askForProgram(OutdatedPath outdated) {
 }
 
 // The ending of the file tells the language; only a name without one gets that of the chosen type.
-void CellPaths::exportAs(const QString& file, const Post& chosen, const ProgramRequest& request) {
-  if (const Post* const post = postForEnding(file.toStdString())) return exportProgram(*post, file, request);
+void CellPaths::exportAs(const QString& file, const PostProcessor& chosen, const ProgramRequest& request) {
+  if (const PostProcessor* const post = postForEnding(file.toStdString())) return exportProgram(*post, file, request);
   const QString whole = withEnding(file, chosen);
   if (!QFileInfo::exists(whole)) return exportProgram(chosen, whole, request);
   emit message(
@@ -157,7 +157,7 @@ void CellPaths::exportAs(const QString& file, const Post& chosen, const ProgramR
 }
 
 // Checking and reading back takes long for long paths.
-void CellPaths::exportProgram(const Post& post, const QString& file, const ProgramRequest& request) {
+void CellPaths::exportProgram(const PostProcessor& post, const QString& file, const ProgramRequest& request) {
   if (!m_document) return;
   const auto scene = m_collisions.scene();
   if (!scene) return reportUnprepared();
@@ -193,7 +193,7 @@ void CellPaths::reportNotWritten(const std::string& path) {
   emit message(changed);
 }
 
-void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& written, const Post& post,
+void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
                               const QString& file, const QString& partMoved) {
   const QLocale locale;
   QString detail = tr("%Ln motion(s), read back within %1 mm.", nullptr, static_cast<int>(written.check.motions))
@@ -234,8 +234,8 @@ void CellPaths::importProgram(const QString& file) {
   job.work = [this, &tab, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
               file](Progress progress) -> Job::Finish {
     const std::string name = QFile::encodeName(file).toStdString();
-    const Result<std::string> bytes = readFileHead(name, Post::kLargestText + 1);  // what is larger is refused
-    const Post* const post = postForEnding(name);
+    const Result<std::string> bytes = readFileHead(name, PostProcessor::kLargestText + 1);  // what is larger is refused
+    const PostProcessor* const post = postForEnding(name);
     Result<RobotPath> read =
         !bytes ? Result<RobotPath>(bytes.error())
         : post ? pathFromProgram(*scene, *content, *post, *bytes, progress)

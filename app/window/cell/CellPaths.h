@@ -142,12 +142,12 @@ class CellPaths : public QObject {
     OutdatedPath outdated;
   };
   bool choosePath(const std::string& name);
-  void exportAs(const QString& file, const Post& chosen, const ProgramRequest& request);
-  void exportProgram(const Post& post, const QString& file, const ProgramRequest& request);
+  void exportAs(const QString& file, const PostProcessor& chosen, const ProgramRequest& request);
+  void exportProgram(const PostProcessor& post, const QString& file, const ProgramRequest& request);
   void reportNotWritten(const std::string& path);
   // tab: null where it was closed.
-  void reportWritten(const DocumentTab* tab, const WrittenProgram& written, const Post& post, const QString& file,
-                     const QString& partMoved);
+  void reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
+                     const QString& file, const QString& partMoved);
   void importProgram(const QString& file);
   void verify();
   void verifyAgain();

@@ -420,7 +420,7 @@ std::vector<StartAction> RobotCellUi::startActions() const {
        true}};
 }
 
-NextStep RobotCellUi::nextStep() {
+Suggestion RobotCellUi::suggestion() {
   if (!document() || document()->document.history()->count() > 0) return {};
   const CellRobot& robot = static_cast<const RobotCellDocument&>(document()->document).robot();
   return {panelIcon(), themeColours(currentTheme()).accent,

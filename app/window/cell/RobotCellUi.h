@@ -47,7 +47,7 @@ class RobotCellUi : public RigidPartsUi {
   std::vector<StartAction> startActions() const override;
   void begin(const QString& startAction) override;
   std::vector<ToolDescriptor> tools() override;
-  NextStep nextStep() override;
+  Suggestion suggestion() override;
   QString statistics() const override;
   QString openedText(const DocumentTab& document) const override;
 

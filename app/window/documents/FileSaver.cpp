@@ -27,7 +27,7 @@ namespace {
 // Whether another program wrote the document's own file since it was read or saved. A file that is gone is no loss.
 bool wasChanged(const DocumentFile& file, const std::filesystem::path& target) {
   if (!file.stamp || target.string() != file.path) return false;
-  const std::optional<FileStamp> now = stampOf(target);
+  const std::optional<FileTimestamp> now = timestampOf(target);
   return now && *now != *file.stamp;
 }
 
@@ -55,7 +55,7 @@ void FileSaver::save(DocumentTab* document, const QString& path, std::function<v
   // Null once it is closed: another document may have the address of its tab then.
   const QPointer<const Document> open = &document->document;
   // What the saves before this one have written is no change by another program.
-  const auto stamp = std::make_shared<std::optional<FileStamp>>(document->document.file().stamp);
+  const auto stamp = std::make_shared<std::optional<FileTimestamp>>(document->document.file().stamp);
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
   job.starting = [open, stamp] {
@@ -76,7 +76,7 @@ void FileSaver::save(DocumentTab* document, const QString& path, std::function<v
       return [failed, target] { failed({DocumentError::ChangedOnDisk, {}, {}, target.string()}); };
     const auto written = saveDocument(kind, file, *content, target, progress);
     if (!written) return [failed, error = written.error()] { failed(error); };
-    state.stamp = stampOf(target);
+    state.stamp = timestampOf(target);
     return [this, document, open, state, ended, written = written.value()] {
       const bool isOpen = !open.isNull();
       if (isOpen) saved(document, state, written);

@@ -51,7 +51,7 @@ class FileSaver : public QObject {
     std::uint64_t revision;
     std::vector<Property> properties;
     LengthUnit displayUnit;
-    std::optional<FileStamp> stamp;  // of the file afterwards
+    std::optional<FileTimestamp> stamp;  // of the file afterwards
   };
   void saved(DocumentTab* document, const Written& state, const WrittenFile& written);
   bool reportLosses(DocumentTab* document, const Written& state, const WrittenFile& written);

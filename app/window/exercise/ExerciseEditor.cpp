@@ -10,7 +10,7 @@
 #include "panels/ActionButton.h"
 #include "window/documents/DocumentProperties.h"
 #include "window/exercise/ClassView.h"
-#include "window/exercise/StepEditor.h"
+#include "window/exercise/InstructionEditor.h"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -54,8 +54,8 @@ std::vector<Property> withoutLists(std::vector<Property> all) {
 
 // "⌀30, Diameter: From Z −38, To Z −1": heights as on the drawing.
 QString describedSize(const ExerciseSnapshot& exercise, const MarkingCriterion& size) {
-  const std::vector<FigureType> types = figureTypes(*exercise.subject);
-  const FigureType* type = figureType(types, size.figure);
+  const std::vector<MeasurementType> types = measurementTypes(*exercise.subject);
+  const MeasurementType* type = measurementType(types, size.figure);
   QString text = QString::fromStdString(size.name);
   if (!type) return text;
   const double zero = exercise.subject->drawingZero(*exercise.task).value_or(0.0);
@@ -89,7 +89,7 @@ ExerciseEditor::ExerciseEditor(QWidget* parent)
       menu->clear();
       if (!m_document) return;
       addSizes(*menu);
-      const std::vector<FigureType> types = figureTypes(*m_document->exercise().subject);
+      const std::vector<MeasurementType> types = measurementTypes(*m_document->exercise().subject);
       for (std::size_t i = 0; i < types.size(); ++i) {
         QAction* action = menu->addAction(QCoreApplication::translate("Figure", types[i].label.c_str()));
         connect(action, &QAction::triggered, this, [this, i] { addCriterion(i); });
@@ -114,12 +114,12 @@ ExerciseEditor::ExerciseEditor(QWidget* parent)
     if (m_document && row >= 0)
       change(tr("Remove a step"), withoutStep(m_document->exercise(), static_cast<std::size_t>(row)));
   });
-  makeStepEditor();
+  makeInstructionEditor();
   connectMoves(m_criteria, tr("Move a criterion"), withMovedCriterion);
   connectMoves(m_steps, tr("Move a step"), withMovedStep);
   m_class = new ClassView(this);
   addTab(m_taskPage, tr("Task"));
-  addTab(m_criteria.page, tr("Marks"));
+  addTab(m_criteria.page, tr("Criteria"));
   addTab(m_steps.page, tr("Steps"));
   addTab(m_class, tr("Class"));
 }
@@ -169,20 +169,20 @@ ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString
 }
 
 // What a step has several of, in lists of their own.
-void ExerciseEditor::makeStepEditor() {
-  m_step = new StepEditor(m_steps.page);
+void ExerciseEditor::makeInstructionEditor() {
+  m_step = new InstructionEditor(m_steps.page);
   m_steps.page->layout()->addWidget(new ScrolledPanel(m_step, ScrolledPanel::Ways::Vertical));
-  connect(m_step, &StepEditor::markToggled, this, &ExerciseEditor::toggleMark);
-  connect(m_step, &StepEditor::hintAdded, this, [this] {
+  connect(m_step, &InstructionEditor::markToggled, this, &ExerciseEditor::toggleMark);
+  connect(m_step, &InstructionEditor::hintAdded, this, [this] {
     changeHints([](std::vector<std::string>& hints) { hints.push_back(tr("New hint").toStdString()); });
   });
-  connect(m_step, &StepEditor::hintChanged, this, [this](std::size_t hint, const std::string& text) {
+  connect(m_step, &InstructionEditor::hintChanged, this, [this](std::size_t hint, const std::string& text) {
     changeHints([&](std::vector<std::string>& hints) {
       if (hint < hints.size()) hints[hint] = text;
       std::erase(hints, std::string());
     });
   });
-  connect(m_step, &StepEditor::hintRemoved, this, [this](std::size_t hint) {
+  connect(m_step, &InstructionEditor::hintRemoved, this, [this](std::size_t hint) {
     changeHints([&](std::vector<std::string>& hints) {
       if (hint < hints.size()) hints.erase(hints.begin() + static_cast<std::ptrdiff_t>(hint));
     });
@@ -203,7 +203,7 @@ void ExerciseEditor::toggleMark(const std::string& id) {
   ExerciseSnapshot exercise = m_document->exercise();
   std::vector<std::string>& met = exercise.exercise.steps[static_cast<std::size_t>(row)].criteria;
   if (std::erase(met, id) == 0) met.push_back(id);
-  change(tr("Choose the marks of a step"), std::move(exercise));
+  change(tr("Choose the criteria of a step"), std::move(exercise));
 }
 
 void ExerciseEditor::connectMoves(Rows& rows, const QString& text, Move moved) {
@@ -287,7 +287,7 @@ void ExerciseEditor::addSizes(QMenu& menu) {
 void ExerciseEditor::addCriterion(std::size_t figure) {
   if (!m_document) return;
   const ExerciseSnapshot& exercise = m_document->exercise();
-  change(tr("Add a criterion"), withNewCriterion(exercise, figureTypes(*exercise.subject)[figure]));
+  change(tr("Add a criterion"), withNewCriterion(exercise, measurementTypes(*exercise.subject)[figure]));
   m_criteria.list->setCurrentRow(m_criteria.list->count() - 1);
 }
 

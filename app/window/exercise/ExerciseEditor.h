@@ -15,7 +15,7 @@ namespace handwheel {
 
 class ClassView;
 class PropertyList;
-class StepEditor;
+class InstructionEditor;
 
 // The panel in which a teacher prepares an exercise. It has pages for the task, the marking scheme, the steps, and the
 // class.
@@ -48,7 +48,7 @@ class ExerciseEditor : public QTabWidget {
   void connectMoves(Rows& rows, const QString& text, Move moved);
   void addCriterion(std::size_t figure);
   void addSizes(QMenu& menu);
-  void makeStepEditor();
+  void makeInstructionEditor();
   void toggleMark(const std::string& id);
   void changeHints(const std::function<void(std::vector<std::string>&)>& changing);
   void change(const QString& text, ExerciseSnapshot exercise);
@@ -57,7 +57,7 @@ class ExerciseEditor : public QTabWidget {
   PropertyList* m_task;
   QWidget* m_taskPage;
   Rows m_criteria, m_steps;
-  StepEditor* m_step;
+  InstructionEditor* m_step;
   ClassView* m_class;
 };
 

@@ -41,7 +41,7 @@ LessonStep lessonStep(const Exercise& exercise, const Attempt& attempt, std::siz
 }
 
 // "⌀30 h10: 29.916 … 30 mm", and where it is measured. zero: Z from which the read-out counts.
-QString sizeText(const MarkingCriterion& c, const FigureType& type, double zero) {
+QString sizeText(const MarkingCriterion& c, const MeasurementType& type, double zero) {
   const auto number = [](double value) { return QLocale().toString(value, 'g', 8); };
   const bool isTime = type.unit == "s";
   const auto value = [&](double figure) {
@@ -70,10 +70,10 @@ QString drawingText(const ExerciseSnapshot& shown, const Exercise& exercise) {
   QStringList lines;
   for (const ExerciseText& line : shown.subject->conditions(*shown.task)) lines += exerciseText(line);
   lines += QString();
-  const std::vector<FigureType> types = figureTypes(*shown.subject);
+  const std::vector<MeasurementType> types = measurementTypes(*shown.subject);
   const double zero = shown.subject->drawingZero(*shown.task).value_or(0.0);
   for (const MarkingCriterion& c : exercise.criteria) {
-    const FigureType* type = figureType(types, c.figure);
+    const MeasurementType* type = measurementType(types, c.figure);
     if (type && !c.isHidden) lines += QStringLiteral("• ") + sizeText(c, *type, zero);
   }
   return lines.join(QLatin1Char('\n'));

@@ -209,7 +209,7 @@ std::vector<StartAction> ExerciseUi::startActions() const {
   return all;
 }
 
-NextStep ExerciseUi::nextStep() {
+Suggestion ExerciseUi::suggestion() {
   if (!current()) return {};
   const ExerciseSnapshot& exercise = current()->exercise();
   const QColor accent = themeColours(currentTheme()).accent;

@@ -36,7 +36,7 @@ class ExerciseUi : public RigidPartsUi {
   QList<QAction*> menu() override;
   QList<QAction*> toolBar() override;
   std::vector<ToolDescriptor> tools() override { return {measureParts()}; }
-  NextStep nextStep() override;
+  Suggestion suggestion() override;
   std::optional<Ray> sectionAxis() const override { return Ray{Vec3::Zero(), Vec3::UnitZ()}; }  // of turning
   QString openedText(const DocumentTab& document) const override;
   QString suggestedName(const DocumentTab& document) const override;

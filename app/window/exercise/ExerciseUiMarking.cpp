@@ -51,7 +51,8 @@ void ExerciseUi::mark(const QStringList& paths) {
   job.name = tr("Marking");
   job.owner = document();
   job.work = [this, paths, scheme = snapshot(), &kinds = parts().kinds, owner = document()](Progress progress) {
-    auto marked = std::make_shared<ClassReport>(ClassReport{inLanguage(*scheme), figureTypes(*scheme->subject), {}});
+    auto marked =
+        std::make_shared<ClassReport>(ClassReport{inLanguage(*scheme), measurementTypes(*scheme->subject), {}});
     const double share = 1.0 / static_cast<double>(paths.size());
     for (int i = 0; i < paths.size() && !progress.cancelled(); ++i)
       marked->works.push_back(markFile(*scheme, QFile::encodeName(paths[i]).toStdString(), kinds, markProblem,

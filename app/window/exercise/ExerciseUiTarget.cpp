@@ -88,7 +88,7 @@ void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const Task
     emit message({Message::Weight::Info,
                   tr("%1 is the target now").arg(name),
                   {},
-                  tr("“Task” shows where it lies in the bar, “Marks” what is measured.")});
+                  tr("“Task” shows where it lies in the bar, “Criteria” what is measured.")});
   });
   dialog->open();
 }

@@ -50,7 +50,7 @@ std::vector<Property> snapProperties(const TouchSettings& touch) {
       choiceSetting("snap_method", QT_TRANSLATE_NOOP("Property", "Method"), numberOf(touch.snapMethod), kSnapMethods));
   all.push_back(numberSetting("snap_stiffness", kStiffness, touch.snapStiffness, Quantity::Number, kSnapStiffness));
   all.push_back(
-      switchSetting("snap_rims", QT_TRANSLATE_NOOP("Property", "Hole boundaries as curves"), touch.hasRimCurves));
+      switchSetting("snap_rims", QT_TRANSLATE_NOOP("Property", "Hole boundaries as curves"), touch.hasBoundaryCurves));
   for (Property& property : all) property.group = kSnapping;
   return all;
 }
@@ -110,7 +110,7 @@ void setProperty(TouchSettings& touch, std::string_view id, const PropertyValue&
   if (id == "snap_profile") assignChoice(touch.snapShape, value, static_cast<int>(kSnapShapes.size()));
   if (id == "snap_method") assignChoice(touch.snapMethod, value, static_cast<int>(kSnapMethods.size()));
   if (id == "snap_stiffness") assignNumber(touch.snapStiffness, value, kSnapStiffness);
-  if (id == "snap_rims") assignSwitch(touch.hasRimCurves, value);
+  if (id == "snap_rims") assignSwitch(touch.hasBoundaryCurves, value);
 }
 
 }  // namespace handwheel

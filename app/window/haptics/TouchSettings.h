@@ -18,8 +18,8 @@ struct TouchSettings {
   bool isSnapping = true;
   SnapShape snapShape = SnapShape::Quadratic;
   SnapMethod snapMethod = SnapMethod::Proxy;
-  double snapStiffness = 0.3;  // N/mm
-  bool hasRimCurves = false;   // the rim of a hole attracts as one curve to slide along, not by points and edges
+  double snapStiffness = 0.3;      // N/mm
+  bool hasBoundaryCurves = false;  // the rim of a hole attracts as one curve to slide along, not by points and edges
 
   bool operator==(const TouchSettings&) const = default;
 };

@@ -5,8 +5,8 @@
 #include "document/DocumentKind.h"
 #include "mesh/search/PickRay.h"
 #include "panels/HintBar.h"
-#include "panels/NextStepCard.h"
 #include "panels/StartPage.h"
+#include "panels/SuggestionCard.h"
 #include "tools/ToolKey.h"
 
 #include <QAction>
@@ -163,7 +163,7 @@ class KindUi : public QObject {
   virtual std::vector<ToolDescriptor> tools() { return {}; }
 
   virtual std::vector<Hint> hints() { return {}; }
-  virtual NextStep nextStep() { return {}; }
+  virtual Suggestion suggestion() { return {}; }
   // The axis through which the current document is cut for a half section; none: it has none.
   virtual std::optional<Ray> sectionAxis() const { return std::nullopt; }
   // Measurements of the section by the clipping plane; shown below its settings.

@@ -5,7 +5,7 @@
 #include "mesh/measure/MeshFidelity.h"
 #include "mesh/repair/SheetThickening.h"
 #include "text/RepairText.h"
-#include "tools/mesh/LoopText.h"
+#include "tools/mesh/BoundaryLoopText.h"
 #include "tools/mesh/operations/MeshOperations.h"
 #include "tools/mesh/repair/DefectFixes.h"
 #include "tools/mesh/repair/HoleFixes.h"
@@ -170,7 +170,7 @@ void DefectActions::follow() {
       free && (m_document->document.defects().nestedBodies > 0 ||
                (m_resolveIntersections.isEnabled() && m_document->document.defects().components.size() > 1)));
   const int loop = selectedLoop();
-  const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).rim &&
+  const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).isSheetBoundary &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&
                          m_preview.state().failure == FillFailure::SelfIntersecting;
   m_cutAndClose.setVisible(isBlocked);
@@ -253,11 +253,11 @@ std::vector<int> DefectActions::sheets() const {
   const Inspection& inspection = m_document->inspection;
   std::vector<int> ids;
   if (const int selected = selectedLoop(); selected >= 0) {
-    if (inspection.loop(selected).rim) ids.push_back(selected);
+    if (inspection.loop(selected).isSheetBoundary) ids.push_back(selected);
     return ids;
   }
   for (const int id : inspection.keptOpen()) {
-    if (inspection.loop(id).rim) ids.push_back(id);
+    if (inspection.loop(id).isSheetBoundary) ids.push_back(id);
   }
   return ids;
 }

@@ -3,7 +3,7 @@
 #include "window/mesh/EquivalentCommand.h"
 
 #include "document/DocumentKind.h"
-#include "tools/mesh/StepText.h"
+#include "tools/mesh/ScriptLine.h"
 #include "tools/mesh/operations/RepairOperation.h"
 #include "window/CommandLines.h"
 #include "window/mesh/MeshTab.h"
@@ -47,7 +47,7 @@ QString stepCommand(const MeshTab& document, const std::string& step) {
 QString repairCommand(const QString& path, const RepairOptions& options) {
   OperationValues values = valuesOf(options);
   values.reset("numbers");  // those of the file that is written
-  const QString command = ownCommand(path, StepWriter("repair").options(values).text(), repairedName(path));
+  const QString command = ownCommand(path, ScriptLineWriter("repair").options(values).text(), repairedName(path));
   if (options.keepOpen.empty()) return command;
   QStringList ids;
   for (int id : options.keepOpen) ids << QString::number(id);
@@ -56,7 +56,7 @@ QString repairCommand(const QString& path, const RepairOptions& options) {
 
 std::optional<OperationSequence> editPath(const MeshTab& document, bool toContainer) {
   for (auto base = document.bases.rbegin(); base != document.bases.rend(); ++base) {
-    auto steps = stepsSince(document.document, base->state);
+    auto steps = scriptLinesSince(document.document, base->state);
     if (!steps) continue;
     const LengthUnit unit = document.document.displayUnit();
     if (toContainer && unit != base->displayUnit) steps->push_back(std::string("unit ") + symbolOf(unit));

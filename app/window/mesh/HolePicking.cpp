@@ -44,7 +44,7 @@ int loopAround(const Inspection& inspection, const CameraState& camera, const Ve
   double least = 0.0;
   for (int id = 0; id < inspection.loopCount(); ++id) {
     const BoundaryLoop& loop = inspection.loop(id);
-    if (loop.rim) continue;  // it surrounds the whole sheet
+    if (loop.isSheetBoundary) continue;  // it surrounds the whole sheet
     if (hit && (loop.centre - *hit).dot(towards) <= 0.0) continue;
     const double reach = loop.box.diagonal().norm();
     if ((onScreen(camera, loop.centre) - place).norm() > reach) continue;

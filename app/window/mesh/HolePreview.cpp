@@ -89,7 +89,7 @@ void HolePreview::request(MeshTab* document, int loop) {
   start();
 }
 
-void HolePreview::setUserBridges(Vertex key, std::vector<LoopChord> bridges) {
+void HolePreview::setUserBridges(Vertex key, std::vector<HoleBridge> bridges) {
   m_bridgedLoop = key;
   m_bridges = std::move(bridges);
   if (m_document && m_key == key) refresh();

@@ -35,7 +35,7 @@ class HolePreview : public QObject {
   void request(MeshTab* document, int loop);
   void clear() { request(nullptr, -1); }
   // Sets the bridges that the user drew across a loop; none: automatic ones. They apply to this loop only.
-  void setUserBridges(Vertex key, std::vector<LoopChord> bridges);
+  void setUserBridges(Vertex key, std::vector<HoleBridge> bridges);
   // Requests the shown preview anew, if the options have changed.
   void refresh() { request(m_document, m_loop); }
 
@@ -81,7 +81,7 @@ class HolePreview : public QObject {
   std::shared_ptr<OperationValues> m_choice;
   FillOptions m_usual;           // the settings of fidelity that the choice has followed
   Vertex m_bridgedLoop = kNone;  // the key of the loop with the user's bridges
-  std::vector<LoopChord> m_bridges;
+  std::vector<HoleBridge> m_bridges;
   std::uint64_t m_request = 0;
   std::shared_ptr<HoleFillerCache> m_fillerCache;
   const MeshTab* m_fillerCacheDocument = nullptr;

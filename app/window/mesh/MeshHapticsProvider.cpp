@@ -4,7 +4,7 @@
 
 #include "haptics/snap/LoopSnapField.h"
 #include "haptics/snap/SnapFidelity.h"
-#include "tools/mesh/LoopFeatures.h"
+#include "tools/mesh/BoundarySnapFeatures.h"
 #include "tools/mesh/MeshSurface.h"
 #include "tools/mesh/NearFeatures.h"
 #include "window/fidelity/FidelityChoice.h"
@@ -32,8 +32,9 @@ constexpr double kNeverAgain = std::numeric_limits<double>::infinity();  // mm
 // Points and edges one by one, or the whole rim as one curve, on which a point would stop the hand at every step.
 SnapOffer offerOf(const SnapTargets& snapTargets, bool asCurves) {
   const bool isCurve = asCurves && snapTargets.borderEdges;
-  return {
-      .vertices = snapTargets.borderPoints && !isCurve, .edges = snapTargets.borderEdges && !isCurve, .rims = isCurve};
+  return {.vertices = snapTargets.borderPoints && !isCurve,
+          .edges = snapTargets.borderEdges && !isCurve,
+          .curves = isCurve};
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ MeshHapticsProvider::MeshHapticsProvider(const WindowContext& parts, QObject* pa
       m_fidelity(parts.fidelity),
       m_making(JobRunner::Policy::Latest, parts.pool),
       m_gathering(JobRunner::Policy::Latest, parts.pool),
-      m_asCurves(parts.haptics.touch().hasRimCurves) {
+      m_asCurves(parts.haptics.touch().hasBoundaryCurves) {
   connect(&m_session, &HapticSession::chosenChanged, this, &MeshHapticsProvider::followSession);
   connect(&m_session, &HapticSession::touchChanged, this, &MeshHapticsProvider::followTouch);
   connect(&m_tools, &ToolHost::updated, this, &MeshHapticsProvider::followTool);
@@ -116,7 +117,7 @@ void MeshHapticsProvider::followTool() {
 
 // Snapping was switched, or rims are to be felt otherwise; the scene follows the rest by itself.
 void MeshHapticsProvider::followTouch() {
-  const bool asCurves = m_session.touch().hasRimCurves;
+  const bool asCurves = m_session.touch().hasBoundaryCurves;
   const bool changes = std::exchange(m_asCurves, asCurves) != asCurves;
   followTool();
   if (changes && m_snapTargets.borderEdges && !m_snapTargets.areEverywhere()) gather(false);
@@ -136,7 +137,7 @@ void MeshHapticsProvider::gather(bool isEdit) {
   job.name = tr("Preparing to snap");
   job.work = [this, isEdit, offer = offerOf(m_snapTargets, m_asCurves), mesh = m_document->document.mesh(),
               loops = m_document->document.defects().loops](Progress progress) -> Job::Finish {
-    auto border = std::make_shared<LoopSnapField>(loopFeatures(mesh, loops, offer, progress));
+    auto border = std::make_shared<LoopSnapField>(boundarySnapFeatures(mesh, loops, offer, progress));
     return [this, isEdit, border] {
       const double distance = border->distance(m_fidelity.values());
       m_scene.setSnap(std::move(border->field), distance, isEdit);
@@ -196,7 +197,7 @@ void MeshHapticsProvider::setSurface(bool isEdit) {
 void MeshHapticsProvider::noteSteps() {
   if (!m_document || !m_surface || !m_session.recorder()) return;
   if (m_noted) {
-    m_noted->steps = stepsSince(m_document->document, m_noted->base.state);
+    m_noted->steps = scriptLinesSince(m_document->document, m_noted->base.state);
   } else if (auto path = editPath(*m_document, false)) {
     m_noted = Noted{*path->base, std::move(path->steps), std::nullopt};
   }

@@ -32,7 +32,7 @@
 #include "window/mesh/EquivalentCommand.h"
 #include "window/mesh/MeshMessages.h"
 #include "window/mesh/MeshTab.h"
-#include "window/mesh/NextSteps.h"
+#include "window/mesh/Suggestions.h"
 #include "window/tools/ToolHost.h"
 
 #include <QShortcut>
@@ -56,7 +56,7 @@ MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
       m_fixPreview(parts.pool, parts.services, *m_actions.preview()),
       m_defectActions(m_selection, m_jobs, m_preview, m_fixPreview, parts.fidelity, this),
       m_shells(parts, kind, *this, m_jobs),
-      m_stepsFile(parts, this),
+      m_scriptExport(parts, this),
       m_panel(new DefectsPanel(
           {m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(), m_actions.keepOpen(),
            m_actions.preview(), m_defectActions.thickenSheet(), m_defectActions.cutAndClose(), m_defectActions.fix()},
@@ -80,7 +80,7 @@ MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
   });
   connect(&m_show, &RepairDemo::changed, this, &KindUi::stateChanged);
   connect(&m_shells, &ShellActions::message, this, &KindUi::message);
-  connect(&m_stepsFile, &StepsFile::message, this, &KindUi::message);
+  connect(&m_scriptExport, &ScriptExport::message, this, &KindUi::message);
   connect(&m_jobs, &RepairJobs::message, this, &KindUi::message);
   connectSelection();
   connect(&m_parts.fidelity, &FidelityChoice::changed, this, &MeshUi::followFidelity);
@@ -172,7 +172,7 @@ std::unique_ptr<DocumentTab> MeshUi::open(std::unique_ptr<Document> document) {
     if (!mesh->document.isModified() && mesh->document.history()->isClean()) mesh->changesInFile = mesh->changes;
     noteFile(*mesh);
   });
-  connect(open->document.history(), &QUndoStack::indexChanged, &m_stepsFile, &StepsFile::follow);
+  connect(open->document.history(), &QUndoStack::indexChanged, &m_scriptExport, &ScriptExport::follow);
   connect(open->document.history(), &QUndoStack::indexChanged, this, [this, mesh = open.get()] { logMark(*mesh); });
   noteFile(*open);
   return open;
@@ -212,7 +212,7 @@ void MeshUi::setDocument(DocumentTab* document) {
   m_search.setDocument(m_document);
   m_actions.setDocument(m_document);
   m_shells.setDocument(m_document);
-  m_stepsFile.setDocument(m_document);
+  m_scriptExport.setDocument(m_document);
   m_selection.setDocument(m_document);
 }
 
@@ -303,20 +303,20 @@ std::vector<Hint> MeshUi::hints() {
   return m_parts.tools.hints();
 }
 
-NextStep MeshUi::nextStep() {
+Suggestion MeshUi::suggestion() {
   if (m_document && m_show.isRunning()) return m_show.step();
   if (!m_document || m_selection.loop() >= 0 || m_jobs.isWorking()) return {};
-  NextStep step = nextStepFor(*m_document, {.repairAll = m_actions.repairAll(),
-                                            .undoRepair = m_actions.undoRepair(),
-                                            .removeDebris = m_actions.removeDebris(),
-                                            .oneByOne = m_actions.goOneByOne(),
-                                            .thickenSheet = m_defectActions.thickenSheet(),
-                                            .reverseBodies = m_defectActions.reverseBodies(),
-                                            .resolveIntersections = m_defectActions.resolveIntersections(),
-                                            .uniteBodies = m_defectActions.uniteBodies(),
-                                            .repairByVolume = m_actions.repairByVolume(),
-                                            .showDefects = m_parts.isPanelVisible() ? nullptr : m_parts.showPanel,
-                                            .saveAs = m_parts.saveAs});
+  Suggestion step = suggestionFor(*m_document, {.repairAll = m_actions.repairAll(),
+                                                .undoRepair = m_actions.undoRepair(),
+                                                .removeDebris = m_actions.removeDebris(),
+                                                .oneByOne = m_actions.goOneByOne(),
+                                                .thickenSheet = m_defectActions.thickenSheet(),
+                                                .reverseBodies = m_defectActions.reverseBodies(),
+                                                .resolveIntersections = m_defectActions.resolveIntersections(),
+                                                .uniteBodies = m_defectActions.uniteBodies(),
+                                                .repairByVolume = m_actions.repairByVolume(),
+                                                .showDefects = m_parts.isPanelVisible() ? nullptr : m_parts.showPanel,
+                                                .saveAs = m_parts.saveAs});
   step.pointed = [this](const QAction* action, bool isPointed) { m_defectActions.pointAt(action, isPointed); };
   return step;
 }

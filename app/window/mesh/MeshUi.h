@@ -7,11 +7,11 @@
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshHapticsProvider.h"
 #include "window/mesh/MeshTools.h"
+#include "window/mesh/ScriptExport.h"
 #include "window/mesh/SectionView.h"
 #include "window/mesh/Selection.h"
 #include "window/mesh/SelfIntersectionSearch.h"
 #include "window/mesh/ShellActions.h"
-#include "window/mesh/StepsFile.h"
 #include "window/mesh/demo/RepairDemo.h"
 #include "window/mesh/deviation/DeviationView.h"
 #include "window/mesh/repair/FixPreview.h"
@@ -48,14 +48,14 @@ class MeshUi : public KindUi {
   QWidget* panel() override;
   QString menuTitle() const override { return tr("&Repair"); }
   QList<QAction*> menu() override {
-    return m_actions.all() + m_defectActions.all() + m_shells.all() << m_deviation.action() << m_stepsFile.action();
+    return m_actions.all() + m_defectActions.all() + m_shells.all() << m_deviation.action() << m_scriptExport.action();
   }
   QList<QAction*> help() override { return {m_show.action()}; }
   QList<QAction*> toolBar() override;
   std::vector<StartAction> startActions() const override;
   std::vector<ToolDescriptor> tools() override;
   std::vector<Hint> hints() override;
-  NextStep nextStep() override;
+  Suggestion suggestion() override;
   std::vector<Property> sectionMeasurements() const override { return m_section.statistics(); }
   QString statistics() const override;
   QString openedText(const DocumentTab& document) const override;
@@ -82,7 +82,7 @@ class MeshUi : public KindUi {
   FixPreview m_fixPreview;
   DefectActions m_defectActions;
   ShellActions m_shells;
-  StepsFile m_stepsFile;
+  ScriptExport m_scriptExport;
   QPointer<DefectsPanel> m_panel;
   DeviationView m_deviation;
   SectionView m_section;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Units.h"
-#include "tools/mesh/MeshSteps.h"
+#include "tools/mesh/MeshScript.h"
 
 #include <QString>
 

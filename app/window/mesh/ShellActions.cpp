@@ -8,7 +8,7 @@
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
 #include "theme/Icons.h"
-#include "tools/mesh/MeshSteps.h"
+#include "tools/mesh/MeshScript.h"
 #include "window/ActionToolTip.h"
 #include "window/CommandLines.h"
 #include "window/JobRunner.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/volume/StampAction.h"
 
-#include "document/volume/StampFile.h"
+#include "document/volume/BrushStampReader.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
 #include "window/ActionToolTip.h"
@@ -56,7 +56,7 @@ void StampAction::load(const QString& path) {
   job.owner = this;
   job.work = [this, path](Progress progress) -> Job::Finish {
     const std::filesystem::path file(QFile::encodeName(path).toStdString());
-    const auto stamp = readStamp(file, m_parts.kinds, progress);
+    const auto stamp = readBrushStamp(file, m_parts.kinds, progress);
     return [this, path, stamp] {
       if (!stamp) {
         if (stamp.error().code != ErrorCode::Cancelled)

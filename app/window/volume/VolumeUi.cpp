@@ -210,7 +210,7 @@ std::vector<ToolDescriptor> VolumeUi::tools() {
           measureParts()};
 }
 
-NextStep VolumeUi::nextStep() {
+Suggestion VolumeUi::suggestion() {
   if (!document()) return {};
   const SparseVolume& shown = volume().volume;
   return {panelIcon(), themeColours(currentTheme()).accent, tr("Volume"),

@@ -5,7 +5,7 @@
 #include "controls/FoldButton.h"
 #include "controls/NumberField.h"
 #include "window/workpiece/LatheEvents.h"
-#include "window/workpiece/LatheFigures.h"
+#include "window/workpiece/LatheReadout.h"
 #include "window/workpiece/LatheWheels.h"
 #include "window/workpiece/ToolPostRow.h"
 
@@ -78,7 +78,7 @@ LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   connect(m_wheels, &LatheWheels::turned, this, [this](LatheAxis axis, double mm) {
     emit commanded({Do::Turn, axis, mm});
   });
-  m_figures = new LatheFigures;
+  m_figures = new LatheReadout;
   m_events = new LatheEvents;
   auto* below = new QHBoxLayout;
   below->addLayout(levers);

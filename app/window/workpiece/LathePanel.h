@@ -14,7 +14,7 @@ class QPushButton;
 namespace handwheel {
 
 class LatheEvents;
-class LatheFigures;
+class LatheReadout;
 class LatheWheels;
 class NumberField;
 class ToolPostRow;
@@ -69,7 +69,7 @@ class LathePanel : public QWidget {
   QPushButton* m_isLeft;  // left-hand thread
   QPushButton* m_nut;
   LatheWheels* m_wheels;
-  LatheFigures* m_figures;
+  LatheReadout* m_figures;
   LatheEvents* m_events;
 };
 

@@ -7,7 +7,7 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/exercise/AssignedTask.h"
-#include "document/workpiece/exercise/TurningFigures.h"
+#include "document/workpiece/exercise/TurningMeasurements.h"
 #include "fidelity/Cases.h"
 #include "machining/TurningFidelity.h"
 #include "panels/MessageBar.h"
@@ -288,7 +288,7 @@ void WorkpieceUi::explainLocks() {
   }
 }
 
-NextStep WorkpieceUi::nextStep() {
+Suggestion WorkpieceUi::suggestion() {
   if (!document() || document()->document.history()->count() > 0) return {};
   const bool isCut = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part != nullptr;
   const bool isAssigned = static_cast<bool>(document()->document.file().assigned);

@@ -50,7 +50,7 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   QString panelIcon() const override { return QStringLiteral("kind-workpiece"); }
   QString menuTitle() const override { return tr("&Workpiece"); }
   std::vector<ToolDescriptor> tools() override;
-  NextStep nextStep() override;
+  Suggestion suggestion() override;
   QString statistics() const override;
   std::optional<Ray> sectionAxis() const override { return Ray{Vec3::Zero(), Vec3::UnitZ()}; }  // of turning
   QString openedText(const DocumentTab& document) const override;

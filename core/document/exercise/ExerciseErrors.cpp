@@ -54,7 +54,7 @@ const ErrorDescription ExerciseError::MarkUnknown{
     .id = "MarkUnknown",
     .sentences = {translatable("ErrorText", "%1: there is no mark “%2”")},
     .advice = {translatable("ErrorText", "Put “;” between the names of several marks. There are: %3."),
-               translatable("ErrorText", "Add what is marked in “Marks” first.")}};
+               translatable("ErrorText", "Add what is marked in “Criteria” first.")}};
 
 const ErrorDescription ExerciseError::Fixed{
     .id = "Fixed",

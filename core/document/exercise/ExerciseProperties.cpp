@@ -126,7 +126,7 @@ std::string labelOnDrawing(const std::string& label, double place) {
 
 // Where a criterion is measured: a length for each argument of its figure; what is wrong with them stands at the last.
 std::vector<Property> placeProperties(const ExerciseSnapshot& exercise, const MarkingCriterion& c,
-                                      const FigureType& type) {
+                                      const MeasurementType& type) {
   const std::optional<double> zero = exercise.subject->drawingZero(*exercise.task);
   std::vector<Property> all;
   for (std::size_t i = 0; i < type.arguments.size(); ++i) {
@@ -144,7 +144,7 @@ std::vector<Property> placeProperties(const ExerciseSnapshot& exercise, const Ma
 }
 
 std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, const MarkingCriterion& c,
-                                          const std::vector<FigureType>& types) {
+                                          const std::vector<MeasurementType>& types) {
   const std::string prefix = criterionPrefix(c), group = c.name.empty() ? c.id : c.name;
   std::vector<Property> all;
   const auto add = [&](const char* id, const char* label, PropertyValue value) -> Property& {
@@ -155,8 +155,8 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
   };
   add("name", QT_TRANSLATE_NOOP("Property", "Name"), c.name);
   Property& figure = add("figure", QT_TRANSLATE_NOOP("Property", "Figure"), 0.0);
-  const FigureType* type = figureType(types, c.figure);
-  for (const FigureType& each : types) figure.choices.push_back(each.label);
+  const MeasurementType* type = measurementType(types, c.figure);
+  for (const MeasurementType& each : types) figure.choices.push_back(each.label);
   if (type) {
     figure.value = static_cast<double>(type - types.data());
   } else {
@@ -212,14 +212,14 @@ Status setLimitByHand(MarkingCriterion& c, std::optional<double>& limit, const s
 }
 
 // Another figure that is measured elsewhere has to be told where.
-void setFigure(MarkingCriterion& c, const FigureType& figure, const std::vector<FigureType>& types) {
-  const FigureType* const before = figureType(types, c.figure);
+void setFigure(MarkingCriterion& c, const MeasurementType& figure, const std::vector<MeasurementType>& types) {
+  const MeasurementType* const before = measurementType(types, c.figure);
   if (!before || before->arguments != figure.arguments) c.arguments.assign(figure.arguments.size(), 0.0);
   c.figure = figure.id;
 }
 
 Status setField(MarkingCriterion& c, const std::string& field, const std::string& id, const PropertyValue& value,
-                const std::vector<FigureType>& types) {
+                const std::vector<MeasurementType>& types) {
   const auto* text = std::get_if<std::string>(&value);
   const auto* number = std::get_if<double>(&value);
   if (field == "hidden" || field == "decisive") {
@@ -261,7 +261,7 @@ Status setField(MarkingCriterion& c, const std::string& field, const std::string
 // The limits follow what the tolerance on the drawing depends on.
 Status setAndResolve(const ExerciseSnapshot& exercise, MarkingCriterion& c, const std::string& field,
                      const std::string& id, const PropertyValue& value) {
-  const Status set = setField(c, field, id, value, figureTypes(*exercise.subject));
+  const Status set = setField(c, field, id, value, measurementTypes(*exercise.subject));
   const bool isOfTolerance = field == "tolerance" || field == "nominal" || field == "figure";
   if (!set || !isOfTolerance || c.tolerance.empty()) return set;
   const Status applied = exercise.subject->applyTolerance(c);
@@ -352,7 +352,7 @@ std::vector<Property> exerciseProperties(const ExerciseSnapshot& exercise) {
   all.back().largest = Exercise::kLongestTime / kSecondsOfMinute;
   for (Property& each : exercise.subject->properties(*exercise.task)) all.push_back(std::move(each));
   for (Property& each : all) each.editable = each.editable && !exercise.isForStudents;
-  const std::vector<FigureType> types = figureTypes(*exercise.subject);
+  const std::vector<MeasurementType> types = measurementTypes(*exercise.subject);
   for (const MarkingCriterion& c : e.criteria) {
     for (Property& each : criterionProperties(exercise, c, types)) all.push_back(std::move(each));
   }

@@ -32,7 +32,7 @@ double distance(const MarkingCriterion& a, const MarkingCriterion& b) {
 
 }  // namespace
 
-ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const FigureType& figure) {
+ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const MeasurementType& figure) {
   MarkingCriterion c;
   c.name = figure.label;
   c.figure = figure.id;

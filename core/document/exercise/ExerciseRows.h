@@ -8,7 +8,7 @@ namespace handwheel {
 
 // The exercise with one more criterion or step at the end. The new one has an id that is free. A new criterion has the
 // usual limit of its figure, if there is one.
-ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const FigureType& figure);
+ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const MeasurementType& figure);
 // The same of criteria whose ids are empty; as many as there may be.
 ExerciseSnapshot withCriteria(ExerciseSnapshot exercise, std::vector<MarkingCriterion> criteria);
 // The sizes of the target less one for each criterion that it is the nominal value of, or within the limits of:

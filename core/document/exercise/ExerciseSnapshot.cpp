@@ -21,9 +21,10 @@ std::optional<double> commonValue(std::string_view figure, const Attempt& attemp
 
 }  // namespace
 
-std::span<const FigureType> commonFigures() {
-  static const std::array<FigureType, 2> kCommon = {{{kTime, QT_TRANSLATE_NOOP("Figure", "Time of the work"), "s"},
-                                                     {kHints, QT_TRANSLATE_NOOP("Figure", "Hints looked at"), ""}}};
+std::span<const MeasurementType> commonMeasurements() {
+  static const std::array<MeasurementType, 2> kCommon = {
+      {{kTime, QT_TRANSLATE_NOOP("Figure", "Time of the work"), "s"},
+       {kHints, QT_TRANSLATE_NOOP("Figure", "Hints looked at"), ""}}};
   return kCommon;
 }
 
@@ -40,27 +41,28 @@ ExerciseSnapshot forStudents(ExerciseSnapshot exercise) {
   return exercise;
 }
 
-const FigureType* figureType(std::span<const FigureType> types, std::string_view id) {
-  const auto found = std::find_if(types.begin(), types.end(), [&](const FigureType& type) { return type.id == id; });
+const MeasurementType* measurementType(std::span<const MeasurementType> types, std::string_view id) {
+  const auto found =
+      std::find_if(types.begin(), types.end(), [&](const MeasurementType& type) { return type.id == id; });
   return found == types.end() ? nullptr : &*found;
 }
 
-std::vector<FigureType> figureTypes(const ExerciseSubject& subject) {
-  std::vector<FigureType> all = subject.figures();
-  all.insert(all.end(), commonFigures().begin(), commonFigures().end());
+std::vector<MeasurementType> measurementTypes(const ExerciseSubject& subject) {
+  std::vector<MeasurementType> all = subject.figures();
+  all.insert(all.end(), commonMeasurements().begin(), commonMeasurements().end());
   return all;
 }
 
 Marking markWork(const ExerciseSnapshot& scheme, const Snapshot& work, const Attempt& attempt, Progress progress) {
-  std::vector<Figure> figures = scheme.subject->measure(scheme.exercise, *scheme.task, work, progress);
-  const std::vector<FigureType> types = figureTypes(*scheme.subject);
+  std::vector<Measurement> figures = scheme.subject->measure(scheme.exercise, *scheme.task, work, progress);
+  const std::vector<MeasurementType> types = measurementTypes(*scheme.subject);
   std::vector<std::string> units;
   for (const MarkingCriterion& c : scheme.exercise.criteria) {
     if (const auto value = commonValue(c.figure, attempt)) figures.push_back({c.id, value, {}});
-    const FigureType* type = figureType(types, c.figure);
+    const MeasurementType* type = measurementType(types, c.figure);
     units.push_back(type ? type->unit : std::string());
   }
-  return markFigures(scheme.exercise, figures, units);
+  return markMeasurements(scheme.exercise, figures, units);
 }
 
 }  // namespace handwheel

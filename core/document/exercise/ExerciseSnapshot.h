@@ -38,8 +38,8 @@ ExerciseSnapshot forStudents(ExerciseSnapshot exercise);
 Marking markWork(const ExerciseSnapshot& scheme, const Snapshot& work, const Attempt& attempt, Progress progress = {});
 
 // The type of a figure of this subject or of the common ones; null when it is unknown.
-const FigureType* figureType(std::span<const FigureType> types, std::string_view id);
+const MeasurementType* measurementType(std::span<const MeasurementType> types, std::string_view id);
 // All of a subject, its own first.
-std::vector<FigureType> figureTypes(const ExerciseSubject& subject);
+std::vector<MeasurementType> measurementTypes(const ExerciseSubject& subject);
 
 }  // namespace handwheel

@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // A figure that a kind of work can measure of a student's result.
-struct FigureType {
+struct MeasurementType {
   std::string id;                           // "diameter"; in files
   std::string label;                        // English, context "Figure": "Diameter"
   std::string unit;                         // "mm"; empty for a count
@@ -19,7 +19,7 @@ struct FigureType {
 };
 
 // The figures that every exercise has, whatever the work is: time and hints.
-std::span<const FigureType> commonFigures();
+std::span<const MeasurementType> commonMeasurements();
 
 // What a kind of work prepares for an exercise: stock, machine, target. Immutable; each kind derives its own.
 class ExerciseTask {
@@ -52,7 +52,7 @@ struct ReportPicture {
 };
 
 // A figure that is told whether or not a mark is given for it.
-struct ReportFigure {
+struct ReportMeasurement {
   std::string figure;  // id of its type: "force"
   double value = 0.0;
 };
@@ -60,7 +60,7 @@ struct ReportFigure {
 // What a report shows of a student's work besides the marks.
 struct ReportDetails {
   std::vector<ReportPicture> pictures;
-  std::vector<ReportFigure> figures;
+  std::vector<ReportMeasurement> figures;
   std::vector<ReportCurve> curves;
   std::vector<ReportEvent> events;
   double seconds = 0.0;  // that the recorded work took
@@ -75,7 +75,7 @@ class ExerciseSubject {
   virtual std::string id() const = 0;            // in files: "turning"
   virtual std::string title() const = 0;         // English, context "Figure": "Turning"
   virtual const DocumentKind& kind() const = 0;  // of the documents that students work in
-  virtual std::vector<FigureType> figures() const = 0;
+  virtual std::vector<MeasurementType> figures() const = 0;
 
   // Sets the limits of a criterion to those that its tolerance on the drawing stands for. Error ElementMalformed
   // {criterion, what is wrong}: the tolerance is not known for this figure and nominal value.
@@ -151,8 +151,8 @@ class ExerciseSubject {
   virtual Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const = 0;
 
   // Measures the figures of the criteria that are not common ones. Deterministic.
-  virtual std::vector<Figure> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
-                                      Progress progress) const = 0;
+  virtual std::vector<Measurement> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
+                                           Progress progress) const = 0;
   virtual ReportDetails details(const ExerciseTask& task, const Snapshot& work, Progress progress) const = 0;
   // The target, as it is shown in the view.
   virtual DisplayModel display(const ExerciseTask& task) const = 0;

@@ -16,8 +16,8 @@ bool sameBox(const Box& a, const Box& b) {
 // But for the number, which follows from its place in the list.
 bool sameLoop(const BoundaryLoop& a, const BoundaryLoop& b) {
   return a.halfEdges == b.halfEdges && a.borderEdges == b.borderEdges && a.length == b.length &&
-         a.planarity == b.planarity && a.area == b.area && a.islands == b.islands && a.rim == b.rim &&
-         a.centre == b.centre && sameBox(a.box, b.box);
+         a.planarity == b.planarity && a.area == b.area && a.islands == b.islands &&
+         a.isSheetBoundary == b.isSheetBoundary && a.centre == b.centre && sameBox(a.box, b.box);
 }
 
 bool sameComponent(const Component& a, const Component& b) {

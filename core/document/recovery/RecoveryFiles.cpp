@@ -14,13 +14,13 @@ namespace {
 
 constexpr const char *kStamp = "stamp", *kBytes = "bytes", *kModified = "modified_ns", *kPartial = "partial";
 
-std::optional<FileStamp> stampIn(const nlohmann::json& info) {
+std::optional<FileTimestamp> stampIn(const nlohmann::json& info) {
   const auto found = info.find(kStamp);
   if (found == info.end() || !found->is_object()) return {};
   const auto bytes = found->find(kBytes), modified = found->find(kModified);
   if (bytes == found->end() || !bytes->is_number_unsigned()) return {};
   if (modified == found->end() || !modified->is_number_integer()) return {};
-  return FileStamp{bytes->get<std::uintmax_t>(), modified->get<std::int64_t>()};
+  return FileTimestamp{bytes->get<std::uintmax_t>(), modified->get<std::int64_t>()};
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/FileStamp.h"
+#include "document/FileTimestamp.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -21,8 +21,8 @@ struct AutosaveInfo {
   std::string path;  // of the file that the document belongs to, as bytes; empty when it was never saved
   std::string name;  // what its user calls it, UTF-8
   std::string kind;
-  std::optional<FileStamp> stamp = {};  // of that file, as the document was last read from it or written to it
-  bool isPartial = false;               // DocumentFile::wouldLoseDataOnOverwrite()
+  std::optional<FileTimestamp> stamp = {};  // of that file, as the document was last read from it or written to it
+  bool isPartial = false;                   // DocumentFile::wouldLoseDataOnOverwrite()
   bool operator==(const AutosaveInfo&) const = default;
 };
 

@@ -124,7 +124,8 @@ std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray
   if (const auto method = entry.find(kMethod); method != entry.end()) {
     pass.method = TurningMethod::Poles;
     pass.resolution = numberIn(entry, kResolutionKey);
-    const bool isSound = pass.resolution >= PoleCut::kLeastResolution && pass.resolution <= PoleCut::kLargestResolution;
+    const bool isSound =
+        pass.resolution >= ControlPointCut::kLeastResolution && pass.resolution <= ControlPointCut::kLargestResolution;
     if (*method != kPoles || !isSound) return std::nullopt;
   }
   if (const auto thread = entry.find(kThread); thread != entry.end()) {

@@ -4,7 +4,7 @@
 
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "machining/program/ProgramSimulation.h"
-#include "machining/program/ProgramSteps.h"
+#include "machining/program/ProgramTimeline.h"
 
 #include <optional>
 
@@ -29,7 +29,7 @@ class ProgramTrial {
   ProgramTrial& operator=(const ProgramTrial&) = delete;
 
   const ToolPath& path() const { return m_path; }
-  const ProgramSteps& steps() const { return m_steps; }
+  const ProgramTimeline& steps() const { return m_steps; }
   const ProgramSetup& setup() const { return m_setup; }
   // The part with the passes of the program behind its own; null where the program touches nothing.
   const std::shared_ptr<const TurnedPart>& part() const { return m_part; }
@@ -58,7 +58,7 @@ class ProgramTrial {
   };
   ToolPath m_path;
   ProgramSetup m_setup;
-  ProgramSteps m_steps;
+  ProgramTimeline m_steps;
   std::vector<Version> m_versions;  // ascending; they share their pages
   std::shared_ptr<const TurnedPart> m_part;
   std::size_t m_before = 0;  // passes

@@ -5,7 +5,7 @@
 #include "base/Tolerance.h"
 #include "document/DocumentErrors.h"
 #include "document/workpiece/WorkpieceErrors.h"
-#include "nurbs/StepFile.h"
+#include "nurbs/StepWriter.h"
 #include "nurbs/Tessellation.h"
 
 #include <cmath>

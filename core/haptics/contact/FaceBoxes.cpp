@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/contact/FaceBoxes.h"
 
-#include "proximity/FourFloats.h"
+#include "proximity/SimdFloat4.h"
 
 namespace handwheel {
 namespace {

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-double stiffnessLimit(const LoopTiming& timing, double virtualDamping) {
+double stiffnessLimit(const ServoTiming& timing, double virtualDamping) {
   const double spare = timing.inherentDamping - std::abs(virtualDamping);
   const double lag = 0.5 * timing.period + timing.delay;
   if (!(spare > 0.0) || !(lag > 0.0)) return 0.0;  // NaN, too

@@ -44,7 +44,7 @@ void ServoStatistics::addLateness(double seconds) {
 double ServoStatistics::measuredLimit() const {
   constexpr double kUnlimited = std::numeric_limits<double>::infinity();
   if (m_device.outputs == 0) return kUnlimited;
-  const LoopTiming timing{m_usualPeriod.value(), m_device.latency + m_usualDelay.value(), m_inherentDamping};
+  const ServoTiming timing{m_usualPeriod.value(), m_device.latency + m_usualDelay.value(), m_inherentDamping};
   return std::min(handwheel::stiffnessLimit(timing, 0.0),
                   m_device.maxStiffness > 0.0 ? m_device.maxStiffness : kUnlimited);
 }

@@ -9,22 +9,22 @@
 namespace handwheel {
 namespace {
 
-void addRim(SnapFeatures& features, const SnapLoop& rim, SnapOffer offer) {
-  const std::size_t n = rim.points.size();
-  assert(rim.vertices.size() == n && rim.edges.size() == n);
+void addLoop(SnapFeatures& features, const SnapLoop& loop, SnapOffer offer) {
+  const std::size_t n = loop.points.size();
+  assert(loop.vertices.size() == n && loop.edges.size() == n);
   for (std::size_t i = 0; i < n; ++i) {
-    if (offer.vertices) features.addPoint(rim.vertices[i], rim.points[i]);
-    if (offer.edges) features.addSegment(rim.edges[i], rim.points[i], rim.points[(i + 1) % n]);
+    if (offer.vertices) features.addPoint(loop.vertices[i], loop.points[i]);
+    if (offer.edges) features.addSegment(loop.edges[i], loop.points[i], loop.points[(i + 1) % n]);
   }
-  if (offer.rims) features.addCurve(rim.number, rim.points, true);
+  if (offer.curves) features.addCurve(loop.number, loop.points, true);
 }
 
-double meanEdge(std::span<const SnapLoop> rims) {
+double meanEdge(std::span<const SnapLoop> loops) {
   double sum = 0.0;
   std::size_t count = 0;
-  for (const SnapLoop& rim : rims)
-    for (std::size_t i = 0; i < rim.points.size(); ++i) {
-      const double length = (rim.points[(i + 1) % rim.points.size()] - rim.points[i]).norm();
+  for (const SnapLoop& loop : loops)
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const double length = (loop.points[(i + 1) % loop.points.size()] - loop.points[i]).norm();
       if (!std::isfinite(length)) continue;
       sum += length;
       ++count;
@@ -38,11 +38,11 @@ double LoopSnapField::distance(const FidelityValues& values) const {
   return values.of(snapRadiusSetting()) * spacing;
 }
 
-LoopSnapField snapSceneOf(std::span<const SnapLoop> rims, SnapOffer offer, Progress progress) {
+LoopSnapField snapSceneOf(std::span<const SnapLoop> loops, SnapOffer offer, Progress progress) {
   SnapFeatures features;
-  for (const SnapLoop& rim : rims) addRim(features, rim, offer);
+  for (const SnapLoop& loop : loops) addLoop(features, loop, offer);
   LoopSnapField scene{SnapField(features, progress)};
-  if (!scene.field.empty()) scene.spacing = meanEdge(rims);
+  if (!scene.field.empty()) scene.spacing = meanEdge(loops);
   return scene;
 }
 

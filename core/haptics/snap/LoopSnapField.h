@@ -16,11 +16,11 @@ struct SnapLoop {
   std::span<const std::uint32_t> edges;     // and of the edge from it to the next
 };
 
-// Which features of a rim to snap to.
+// Which features of a boundary loop to snap to.
 struct SnapOffer {
   bool vertices = true;  // SnapKind::Point
   bool edges = true;     // SnapKind::Segment: each pulls by itself, so that summed forces are larger at vertices
-  bool rims = false;     // SnapKind::Curve: to slide along
+  bool curves = false;   // SnapKind::Curve: to slide along
 };
 
 // Features around the holes of a mesh, for tools that select, pull and stitch.
@@ -32,7 +32,7 @@ struct LoopSnapField {
   double distance(const FidelityValues& values) const;
 };
 
-// Builds the snap scene of rims. On a worker. Empty if cancelled.
-LoopSnapField snapSceneOf(std::span<const SnapLoop> rims, SnapOffer offer, Progress progress = {});
+// Builds the snap scene of boundary loops. On a worker. Empty if cancelled.
+LoopSnapField snapSceneOf(std::span<const SnapLoop> loops, SnapOffer offer, Progress progress = {});
 
 }  // namespace handwheel

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary/BoundaryLoops.h"
 
-#include "mesh/boundary/SheetRims.h"
+#include "mesh/boundary/SheetBoundaries.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/PositionTriangles.h"
 
@@ -120,7 +120,7 @@ std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, const Posi
     loop.id = static_cast<int>(loops.size());
     loops.push_back(std::move(loop));
   }
-  markRims(mesh, loops, progress.part(0.5, 1.0));
+  markSheetBoundaries(mesh, loops, progress.part(0.5, 1.0));
   if (progress.cancelled()) return {};
   return loops;
 }

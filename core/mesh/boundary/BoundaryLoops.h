@@ -19,7 +19,7 @@ struct BoundaryLoop {
   double planarity = 0.0;           // RMS distance to the best plane / length
   double area = 0.0;                // mm², that it encloses as seen where that is largest
   std::size_t islands = 0;          // pieces of surface that lie in it; countIslands() sets it
-  bool rim = false;                 // the outer edge of an open sheet rather than a hole in a surface
+  bool isSheetBoundary = false;     // the outer edge of an open sheet rather than a hole in a surface
   Vec3 centre = Vec3::Zero();
   Box box;
 };

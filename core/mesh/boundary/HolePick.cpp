@@ -40,7 +40,7 @@ class LoopsInSight {
     double least = 0.0;
     for (std::size_t i = 0; i < m_loops.size(); ++i) {
       const BoundaryLoop& loop = m_loops[i];
-      if (loop.rim || !mayMatter(loop)) continue;
+      if (loop.isSheetBoundary || !mayMatter(loop)) continue;
       if (hit && m_plane.depth(loop.centre) >= m_plane.depth(hit->point)) continue;
       const std::optional<double> area = areaAround(loop);
       if (!area || (best && *area >= least)) continue;

@@ -77,7 +77,7 @@ struct Islands {
 Islands islandsOf(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, std::span<const BoundaryLoop> loops,
                   Progress progress) {
   Islands islands;
-  if (hole.rim) return islands;
+  if (hole.isSheetBoundary) return islands;
   const HoleSpace space(mesh, hole);
   for (const BoundaryLoop& loop : loops) {
     if (progress.cancelled()) return {};

@@ -15,8 +15,8 @@ namespace handwheel {
 //  - seen along the hole's mean normal, all of its vertices lie inside the hole's outline;
 //  - none is further from the hole's mean plane than the hole's own points are, by more than a quarter of the hole's
 //    width: on a curved surface it bulges so far.
-// A closed shell is no island, but debris or a separate part; a rim surrounds its sheet and has none. loops: those of
-// the mesh. The result is invalid if cancelled. O(all loops + faces of what lies in the hole).
+// A closed shell is no island, but debris or a separate part; a sheet boundary surrounds its sheet and has none. loops:
+// those of the mesh. The result is invalid if cancelled. O(all loops + faces of what lies in the hole).
 FaceSelection findIslands(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, std::span<const BoundaryLoop> loops,
                           Progress progress = {});
 

@@ -8,12 +8,12 @@ namespace handwheel {
 // from 1, in the order of their ids; so a file has the same numbers in the window and on the command line.
 class LoopNumbers {
  public:
-  int peek(bool isRim) const { return (isRim ? m_rims : m_holes) + 1; }
-  int take(bool isRim) { return ++(isRim ? m_rims : m_holes); }
+  int peek(bool isSheetBoundary) const { return (isSheetBoundary ? m_sheetBoundaries : m_holes) + 1; }
+  int take(bool isSheetBoundary) { return ++(isSheetBoundary ? m_sheetBoundaries : m_holes); }
 
  private:
   int m_holes = 0;
-  int m_rims = 0;
+  int m_sheetBoundaries = 0;
 };
 
 }  // namespace handwheel

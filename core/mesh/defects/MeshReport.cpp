@@ -73,7 +73,8 @@ void countMore(const BuiltMesh& built, std::span<BoundaryLoop> loops, MeshReport
 std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops) {
   std::vector<LoopReport> reports;
   for (const BoundaryLoop& loop : loops) {
-    reports.push_back({loop.id, loop.borderEdges, loop.length, loop.planarity, loop.area, loop.islands, loop.rim});
+    reports.push_back(
+        {loop.id, loop.borderEdges, loop.length, loop.planarity, loop.area, loop.islands, loop.isSheetBoundary});
   }
   return reports;
 }

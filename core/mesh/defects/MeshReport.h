@@ -20,7 +20,7 @@ struct LoopReport {
   double planarity = 0.0;
   double areaMm2 = 0.0;
   std::size_t islands = 0;
-  bool rim = false;  // the outer edge of an open sheet
+  bool isSheetBoundary = false;  // the outer edge of an open sheet
 };
 
 // The statistics of a mesh as shown by "handwheel inspect". Computed from the triangles after welding exactly equal

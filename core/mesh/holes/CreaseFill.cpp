@@ -54,7 +54,7 @@ class CreaseFiller {
  private:
   // A curve between two points of the loop, by the numbers of the points that it passes.
   struct Path {
-    LoopChord bridge;
+    HoleBridge bridge;
     std::vector<std::uint32_t> points;
   };
 
@@ -125,7 +125,7 @@ class CreaseFiller {
 
   void addCurve(Piece& piece, std::uint32_t from, std::uint32_t to) const {
     for (const Path& path : m_paths) {
-      const LoopChord& s = path.bridge;
+      const HoleBridge& s = path.bridge;
       const bool isAlong = s.a == from && s.b == to;
       if (!isAlong && !(s.a == to && s.b == from)) continue;
       const std::size_t count = path.points.size();

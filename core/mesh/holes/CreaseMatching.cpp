@@ -152,10 +152,10 @@ class Matching {
     std::vector<Match> result;
     for (Match& match : matches) {
       if (std::any_of(match.ends.begin(), match.ends.end(), [&](std::size_t i) { return m_isUsed[i]; })) continue;
-      std::vector<LoopChord> more = m_bridges;
+      std::vector<HoleBridge> more = m_bridges;
       const std::size_t count = match.ends.size();
       for (std::size_t k = count == 2 ? 1 : 0; k < count; ++k) {
-        const LoopChord s{m_ends[match.ends[(k + count - 1) % count]].chain[0], m_ends[match.ends[k]].chain[0]};
+        const HoleBridge s{m_ends[match.ends[(k + count - 1) % count]].chain[0], m_ends[match.ends[k]].chain[0]};
         // Two of three that meet may be neighbours: nothing is cut there.
         const bool isEdge = (s.a + 1) % m_hole.loopSize == s.b || (s.b + 1) % m_hole.loopSize == s.a;
         if (count == 2 || !isEdge) more.push_back(s);
@@ -180,7 +180,7 @@ class Matching {
   const std::vector<CreaseEnd>& m_ends;
   double m_density;
   std::vector<bool> m_isUsed;
-  std::vector<LoopChord> m_bridges;
+  std::vector<HoleBridge> m_bridges;
   Creases m_creases;
 };
 

@@ -14,7 +14,7 @@ namespace handwheel {
 struct Crease {
   CreaseEnd from, to;
   std::vector<Vec3> curve;  // the points between the ends, spaced as those around the hole
-  LoopChord bridge() const { return {from.chain.front(), to.chain.front()}; }
+  HoleBridge bridge() const { return {from.chain.front(), to.chain.front()}; }
 };
 
 // Three creases that meet in a missing corner of the part inside a hole. The ends are in the loop's order.

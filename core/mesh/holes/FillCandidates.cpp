@@ -121,7 +121,7 @@ FillCandidates::Made FillCandidates::inPieces(FillMethod method) {
   if (!m_bridges) {
     m_bridges = m_options.bridges;
     if (m_bridges->empty())
-      *m_bridges = proposeLoopChords(m_hole, m_obstacles, m_pieceEdges, m_progress.part(0.0, kChordPart));
+      *m_bridges = proposeHoleBridges(m_hole, m_obstacles, m_pieceEdges, m_progress.part(0.0, kChordPart));
   }
   const std::optional<std::vector<HolePiece>> pieces = splitHole(m_hole.loopSize, *m_bridges);
   if (!pieces || pieces->size() < 2) return std::nullopt;

@@ -55,9 +55,9 @@ class FillCandidates {
   const FillOptions& m_options;
   Progress m_progress;  // of the one that is being made
   std::size_t m_pieceEdges;
-  bool m_isCut;                                     // into pieces
-  std::optional<std::vector<LoopChord>> m_bridges;  // once needed
-  std::vector<Start> m_starts;                      // for refining, the best first
+  bool m_isCut;                                      // into pieces
+  std::optional<std::vector<HoleBridge>> m_bridges;  // once needed
+  std::vector<Start> m_starts;                       // for refining, the best first
   std::vector<std::function<Made()>> m_makers;
   std::size_t m_own = 0;
 };

@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/holes/HoleDecomposition.h"
 
-#include "mesh/holes/LoopChordSearch.h"
+#include "mesh/holes/HoleBridgeSearch.h"
 
 #include <algorithm>
 
 namespace handwheel {
 
-std::vector<LoopChord> proposeLoopChords(const HoleContext& hole, const Obstacles& obstacles, std::size_t pieceEdges,
-                                         Progress progress) {
-  std::vector<LoopChord> bridges;
+std::vector<HoleBridge> proposeHoleBridges(const HoleContext& hole, const Obstacles& obstacles, std::size_t pieceEdges,
+                                           Progress progress) {
+  std::vector<HoleBridge> bridges;
   const std::size_t limit = std::max<std::size_t>(pieceEdges, 4);
   if (hole.loopSize <= limit) return bridges;
   HolePiece whole(hole.loopSize);
   for (std::uint32_t i = 0; i < hole.loopSize; ++i) whole[i] = i;
-  const LoopChordSearch search(hole, obstacles);
+  const HoleBridgeSearch search(hole, obstacles);
   std::vector<HolePiece> open{std::move(whole)};
   std::size_t settled = 0;  // points of pieces that are short enough
   while (!open.empty() && !progress.cancelled()) {
     const HolePiece piece = std::move(open.back());
     open.pop_back();
-    const std::optional<LoopChord> cut = piece.size() > limit ? search.best(piece, progress) : std::nullopt;
+    const std::optional<HoleBridge> cut = piece.size() > limit ? search.best(piece, progress) : std::nullopt;
     if (!cut) {
       settled += piece.size();
       progress.set(std::min(1.0, static_cast<double>(settled) / static_cast<double>(hole.loopSize)));
@@ -37,10 +37,10 @@ std::vector<LoopChord> proposeLoopChords(const HoleContext& hole, const Obstacle
   return bridges;
 }
 
-std::optional<std::vector<HolePiece>> splitHole(std::size_t loopSize, const std::vector<LoopChord>& bridges) {
+std::optional<std::vector<HolePiece>> splitHole(std::size_t loopSize, const std::vector<HoleBridge>& bridges) {
   std::vector<HolePiece> pieces(1);
   for (std::uint32_t i = 0; i < loopSize; ++i) pieces[0].push_back(i);
-  for (const LoopChord& s : bridges) {
+  for (const HoleBridge& s : bridges) {
     const auto [low, high] = std::minmax(s.a, s.b);
     bool isCut = false;
     for (std::size_t i = 0; i < pieces.size() && !isCut; ++i) {

@@ -17,15 +17,15 @@ namespace handwheel {
 // run neither along an edge of the surface nor through it. Across a slot they connect its two sides. A piece that no
 // bridge can divide stays long. At least 4 edges a piece. O(n) memory; time about n per bridge beside the obstacle
 // queries. If cancelled, those found so far.
-std::vector<LoopChord> proposeLoopChords(const HoleContext& hole, const Obstacles& obstacles, std::size_t pieceEdges,
-                                         Progress progress = {});
+std::vector<HoleBridge> proposeHoleBridges(const HoleContext& hole, const Obstacles& obstacles, std::size_t pieceEdges,
+                                           Progress progress = {});
 
 // The indices of a piece's points, in the loop's order: a step to the next index follows the loop, any other a bridge.
 using HolePiece = std::vector<std::uint32_t>;
 
 // Splits a loop into pieces along bridges. None when a bridge is not between two different points that are no
 // neighbours, occurs twice, or crosses another. O(n + s²) for s bridges.
-std::optional<std::vector<HolePiece>> splitHole(std::size_t loopSize, const std::vector<LoopChord>& bridges);
+std::optional<std::vector<HolePiece>> splitHole(std::size_t loopSize, const std::vector<HoleBridge>& bridges);
 
 // The context of a piece as a hole by itself. The apex behind a bridge is the middle point of the loop on the other
 // side.

@@ -161,9 +161,9 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
   return leastBend < kNoBend ? best : attempt;
 }
 
-std::vector<LoopChord> HoleFiller::proposeLoopChords(const BoundaryLoop& loop, std::size_t pieceEdges,
-                                                     Progress progress) const {
-  return handwheel::proposeLoopChords(holeContext(m_state->mesh, loop), m_state->obstacles, pieceEdges, progress);
+std::vector<HoleBridge> HoleFiller::proposeHoleBridges(const BoundaryLoop& loop, std::size_t pieceEdges,
+                                                       Progress progress) const {
+  return handwheel::proposeHoleBridges(holeContext(m_state->mesh, loop), m_state->obstacles, pieceEdges, progress);
 }
 
 void HoleFiller::accept(const BoundaryLoop& loop, const Patch& patch) {

@@ -20,8 +20,8 @@ namespace handwheel {
 enum class FillFailure {
   None,
   Cancelled,
-  Rim,                // the outer edge of an open sheet: left open unless requested
-  WasRim,             // the same of a sheet that the repair changed, so that it looks like a hole now
+  SheetBoundary,      // the outer edge of an open sheet: left open unless requested
+  WasSheetBoundary,   // the same of a sheet that the repair changed, so that it looks like a hole now
   KeptOpen,           // the user wants it open
   TooLong,            // more edges than the user allows
   NoPatch,            // no method found a triangulation
@@ -47,8 +47,8 @@ struct FillOptions {
   // A loop of more edges is cut into pieces of no more, each triangulated by itself: the setting mesh.piece_edges.
   std::size_t pieceEdges = tolerance::kPieceEdges;
   // The bridges along which it is cut, or a shorter one too; they are edges of the patch unless it is refined. Empty:
-  // those of HoleFiller::proposeLoopChords(). With bridges that are invalid or cross (splitHole()) there is no patch.
-  std::vector<LoopChord> bridges = {};
+  // those of HoleFiller::proposeHoleBridges(). With bridges that are invalid or cross (splitHole()) there is no patch.
+  std::vector<HoleBridge> bridges = {};
   // Corners of loops that are to stay open: no sheet with one is thickened, no folded region with one is removed.
   std::set<PointKey> keptCorners = {};
 };
@@ -74,8 +74,8 @@ class HoleFiller {
   FillAttempt propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress = {}) const;
 
   // The bridges along which propose() would cut the loop into pieces; none when it is short enough.
-  std::vector<LoopChord> proposeLoopChords(const BoundaryLoop& loop, std::size_t pieceEdges = tolerance::kPieceEdges,
-                                           Progress progress = {}) const;
+  std::vector<HoleBridge> proposeHoleBridges(const BoundaryLoop& loop, std::size_t pieceEdges = tolerance::kPieceEdges,
+                                             Progress progress = {}) const;
 
   // Adds a proposed patch to the mesh. Only new faces and vertices appear; where the loop was pinched, its vertices at
   // the pinch become one.

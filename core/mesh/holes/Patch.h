@@ -25,10 +25,10 @@ enum class FillMethod {
 };
 
 // A bridge across a hole: an edge between two points of its loop. They are given by their indices in it.
-struct LoopChord {
+struct HoleBridge {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  bool operator==(const LoopChord&) const = default;
+  bool operator==(const HoleBridge&) const = default;
 };
 
 // A triangulated patch that closes a boundary loop. Its points are the loop's (in the loop's order), then new ones.
@@ -37,7 +37,7 @@ struct Patch {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   FillMethod method = FillMethod::Fair;
-  std::vector<LoopChord> bridges = {};  // along which the loop was cut into pieces
+  std::vector<HoleBridge> bridges = {};  // along which the loop was cut into pieces
 };
 
 }  // namespace handwheel

@@ -73,7 +73,7 @@ std::vector<LoopResult> HoleOutcomes::conclude(const HalfEdgeMesh& mesh, const R
     closed.method = isGone ? FillMethod::Removed : FillMethod::Stitched;
     all.push_back(closed);
   }
-  for (std::size_t i = 0; i < m_loops.size(); ++i) all[i].rim = m_loops[i].rim;
+  for (std::size_t i = 0; i < m_loops.size(); ++i) all[i].isSheetBoundary = m_loops[i].isSheetBoundary;
   all.insert(all.end(), m_laidOpen.begin(), m_laidOpen.end());
   return all;
 }

@@ -8,23 +8,24 @@ namespace handwheel {
 
 // Cuts and filled holes change the shape of a sheet, which may look like none any more. What was its outer edge stays
 // one.
-bool LoopReasons::isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const {
-  const auto was = [&](int id) { return m_inputLoops[static_cast<std::size_t>(id)].rim; };
-  return loop.rim || std::any_of(owners.begin(), owners.end(), was);
+bool LoopReasons::isSheetBoundaryToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const {
+  const auto was = [&](int id) { return m_inputLoops[static_cast<std::size_t>(id)].isSheetBoundary; };
+  return loop.isSheetBoundary || std::any_of(owners.begin(), owners.end(), was);
 }
 
 FillFailure LoopReasons::beforeTrying(const BoundaryLoop& loop, const std::set<int>& owners) const {
   const auto kept = [&](int id) { return m_options.keepOpen.contains(id); };
   if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
-  if (m_options.rims == RimHandling::Keep && isRimToKeep(loop, owners))
-    return loop.rim ? FillFailure::Rim : FillFailure::WasRim;
+  if (m_options.sheets == SheetHandling::Keep && isSheetBoundaryToKeep(loop, owners))
+    return loop.isSheetBoundary ? FillFailure::SheetBoundary : FillFailure::WasSheetBoundary;
   if (m_options.maxEdges > 0 && loop.borderEdges > m_options.maxEdges) return FillFailure::TooLong;
-  return loop.rim && m_options.rims == RimHandling::Thicken ? FillFailure::Rim : FillFailure::None;
+  return loop.isSheetBoundary && m_options.sheets == SheetHandling::Thicken ? FillFailure::SheetBoundary
+                                                                            : FillFailure::None;
 }
 
 bool LoopReasons::mayClose(FillFailure beforeTrying) const {
   return beforeTrying == FillFailure::None ||
-         (beforeTrying == FillFailure::Rim && m_options.rims == RimHandling::Thicken);
+         (beforeTrying == FillFailure::SheetBoundary && m_options.sheets == SheetHandling::Thicken);
 }
 
 void LoopReasons::forget() {
@@ -45,7 +46,7 @@ void LoopReasons::noteSheet(const std::set<int>& owners, FillFailure failure) {
 // None for a loop that stays open although it was to be closed.
 FillFailure LoopReasons::atLast(const BoundaryLoop& loop, const std::set<int>& owners) const {
   const FillFailure known = beforeTrying(loop, owners);
-  if (known != FillFailure::Rim || m_options.rims != RimHandling::Thicken) return known;
+  if (known != FillFailure::SheetBoundary || m_options.sheets != SheetHandling::Thicken) return known;
   const auto isKept = [&](int id) {
     const auto failure = m_sheetFailures.find(id);
     return failure != m_sheetFailures.end() && failure->second == FillFailure::SheetKeptOpen;

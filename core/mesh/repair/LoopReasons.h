@@ -31,7 +31,7 @@ class LoopReasons {
  private:
   FillFailure atLast(const BoundaryLoop& loop, const std::set<int>& owners) const;
   FillFailure ofFailure(int id, FillFailure known, bool isSpent) const;
-  bool isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const;
+  bool isSheetBoundaryToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const;
 
   static constexpr int kLaidOpen = LoopResult().id;
 

@@ -15,12 +15,12 @@ void count(const LoopResult& loop, LoopCounts& counts) {
     counts.newOpenings += !isClosed;
     return;
   }
-  OutcomeCounts& of = loop.rim ? counts.sheetEdges : counts.holes;
+  OutcomeCounts& of = loop.isSheetBoundary ? counts.sheetBoundaries : counts.holes;
   ++of.all;
   if (isClosed) {
     ++(loop.method == FillMethod::Removed ? of.removed : of.closed);
   } else if (loop.outcome == LoopOutcome::KeptOpen) {
-    ++(loop.reason == FillFailure::WasRim && !loop.rim ? of.joined : of.kept);
+    ++(loop.reason == FillFailure::WasSheetBoundary && !loop.isSheetBoundary ? of.joined : of.kept);
   } else {
     ++of.failed;
   }
@@ -46,7 +46,7 @@ LoopCounts countClosed(const HalfEdgeMesh& before, const HalfEdgeMesh& after, Pr
   if (progress.cancelled()) return {};
   LoopCounts counts;
   for (const LoopResult& loop : loops) count(loop, counts);
-  counts.holes.kept = counts.sheetEdges.kept = 0;
+  counts.holes.kept = counts.sheetBoundaries.kept = 0;
   return counts;
 }
 

@@ -23,8 +23,8 @@ struct OutcomeCounts {
 
 struct LoopCounts {
   OutcomeCounts holes;
-  OutcomeCounts sheetEdges;     // outer edges of open sheets
-  std::size_t newOpenings = 0;  // that the change itself made and left
+  OutcomeCounts sheetBoundaries;  // outer edges of open sheets
+  std::size_t newOpenings = 0;    // that the change itself made and left
   // The loops at last that were to be closed, where they are not as many as failed: some were split or joined.
   std::optional<std::size_t> pieces;
 

@@ -57,7 +57,7 @@ class Repairer {
     for (const BoundaryLoop& loop : m_results.inputLoops()) {
       const FillFailure reason = reasonToLeave(loop, {loop.id});
       // What folds around a hole is replaced although a sheet that nobody marked is part of it.
-      if (m_reasons.mayClose(reason) || reason == FillFailure::Rim) continue;
+      if (m_reasons.mayClose(reason) || reason == FillFailure::SheetBoundary) continue;
       for (const Vec3& p : loopPoints(m_input, loop)) m_options.fill.keptCorners.insert(positionKey(p));
     }
   }
@@ -217,7 +217,7 @@ class Repairer {
     for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress)) {
       std::set<int> of = m_results.ownersOf(m_mesh, loop);
       const FillFailure reason = reasonToLeave(loop, of);
-      const bool back = reason == FillFailure::Rim;
+      const bool back = reason == FillFailure::SheetBoundary;
       if (!m_reasons.mayClose(reason)) continue;
       holes.push_back({loop, back});
       owners.push_back(std::move(of));
@@ -256,7 +256,7 @@ class Repairer {
     std::erase_if(loops, [&](const BoundaryLoop& loop) {
       const std::set<int> owners = m_results.ownersOf(m_mesh, loop);
       const FillFailure reason = reasonToLeave(loop, owners);
-      return reason != FillFailure::None && (reason != FillFailure::Rim || !owners.empty());
+      return reason != FillFailure::None && (reason != FillFailure::SheetBoundary || !owners.empty());
     });
     const std::size_t replaced =
         replaceFoldedRegions(m_mesh, loops, m_options.fill, progress.part(0.05, 0.8).within(m_efforts.tangle));
@@ -298,7 +298,7 @@ class Repairer {
     m_reasons.conclude(m_results, m_mesh, isSpent, m_report, progress.part(0.0, 0.1));
     m_report.reversedFaces += countReversedFaces(m_input, m_mesh, progress.part(0.1, 0.4));
     m_report.modifiedVertices = modifiedVertices(m_input, m_mesh, std::move(m_modifiedHomes), progress.part(0.4, 0.7));
-    m_report.removed = removedPart(m_input, m_mesh, progress.part(0.7, 1.0));
+    m_report.removed = farthestRemovedVertex(m_input, m_mesh, progress.part(0.7, 1.0));
   }
 
   const HalfEdgeMesh m_input;

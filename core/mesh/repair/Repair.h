@@ -4,7 +4,7 @@
 
 #include "mesh/holes/HoleFiller.h"
 #include "mesh/holes/PatchStatistics.h"
-#include "mesh/repair/RemovedPart.h"
+#include "mesh/repair/FarthestRemovedVertex.h"
 #include "mesh/repair/SheetThickening.h"
 
 #include <optional>
@@ -13,7 +13,7 @@
 namespace handwheel {
 
 // How the outer edges of open sheets are treated.
-enum class RimHandling {
+enum class SheetHandling {
   Keep,     // those of the input, and those that the repair itself makes
   Thicken,  // the sheet becomes a thin body (thickenSheets())
   Fill,     // as if they were holes
@@ -24,7 +24,7 @@ struct RepairOptions {
   FillOptions fill;
   double nearWeld = tolerance::kNearWeld;  // share of the diagonal; the setting mesh.near_weld
   std::set<int> keepOpen;                  // loop ids, as in findBoundaryLoops() of the input
-  RimHandling rims = RimHandling::Keep;
+  SheetHandling sheets = SheetHandling::Keep;
   double thickness = 0.0;    // of thickened sheets, mm, less where they bend more; 0: defaultSheetThickness()
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
@@ -42,7 +42,7 @@ enum class LoopOutcome { Filled, KeptOpen, Failed };
 struct LoopResult {
   int id = -1;  // as in findBoundaryLoops() of the input; -1 for a hole that the repair itself opened
   std::size_t edges = 0;
-  bool rim = false;  // of the input: the outer edge of an open sheet
+  bool isSheetBoundary = false;  // of the input: the outer edge of an open sheet
   LoopOutcome outcome = LoopOutcome::Failed;
   FillMethod method = FillMethod::Fair;    // when filled
   FillFailure reason = FillFailure::None;  // when not filled
@@ -78,7 +78,7 @@ struct RepairReport {
   std::size_t separatedVertices = 0;             // moved, or inserted in the middle of an edge, against wrong welding
   SheetOutcomes sheets;                          // that were to be thickened
   std::vector<Vertex> modifiedVertices;          // of the input: moved, merged or separated
-  std::optional<RemovedPart> removed;            // from the outside of the input (removedPart())
+  std::optional<FarthestRemovedVertex> removed;  // from the outside of the input (farthestRemovedVertex())
   bool isSeparationIncomplete = false;           // by the effort: more vertices may coincide than must
   bool isIntersectionRemovalIncomplete = false;  // by the effort: more may intersect than must
   std::size_t effort = 0;                        // steps of Effort; at most twice repairBudget() of the input's faces

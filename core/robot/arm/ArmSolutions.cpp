@@ -45,7 +45,7 @@ std::vector<ArmSolution> closedForm(const ClosedFormIk& closed, const SerialArm&
     ArmSolution made{within ? *within : nearReference(each.values, reference)};
     if (isKnown(found, made.values, kSameSolution)) continue;
     if (!within) made.beyond = firstBeyond(arm, made.values);
-    made.stance = closed.stanceOf(arm, made.values);
+    made.configuration = closed.configurationOf(arm, made.values);
     found.push_back(std::move(made));
   }
   return found;

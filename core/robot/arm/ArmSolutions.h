@@ -12,7 +12,7 @@ namespace handwheel {
 struct ArmSolution {
   ArmValues values;                         // moved by whole turns as near to the reference as the limits let them be
   std::optional<Eigen::Index> beyond = {};  // the first joint that would have to be beyond its limits
-  std::optional<ArmStance> stance = {};     // of arms with a closed form
+  std::optional<ArmConfiguration> configuration = {};  // of arms with a closed form
   double turnedOff = 0.0;  // rad that the tip is turned off the pose: of arms that reach places, not poses
   double way = 0.0;        // mm from the reference: how far the joints are apart in space (He 2008, equation 6-14)
 };

@@ -88,11 +88,11 @@ bool areParallel(const Vec3& u, const Vec3& v) {
   return u.cross(v).norm() < 1e-7;
 }
 
-void add(IkSolutions& solutions, const std::array<double, 6>& q, const ArmConfiguration& configuration) {
+void add(IkSolutions& solutions, const std::array<double, 6>& q, const IkBranch& branch) {
   IkSolutions::Solution& made = solutions.all[solutions.count++];
   made.values.resize(6);
   for (Eigen::Index i = 0; i < 6; ++i) made.values[i] = wrapped(q[static_cast<std::size_t>(i)]);
-  made.configuration = configuration;
+  made.branch = branch;
 }
 
 }  // namespace
@@ -166,9 +166,9 @@ void ClosedFormIk::solve(const Pose& tip, const ArmValues& reference, IkSolution
     const double c = std::cos(q1), s = std::sin(q1);
     const Vec3 place = p1 + turned(u, w1, c, -s);
     const Eigen::Matrix3d turn = turnAbout(w1, c, -s) * motion.linear();
-    const ArmConfiguration configuration{i == 1, false, false};
+    const IkBranch branch{i == 1, false, false};
     if (m_form == Form::ParallelMiddle) {
-      solveMiddle(q1, place, turn, reference, configuration, solutions);
+      solveMiddle(q1, place, turn, reference, branch, solutions);
       continue;
     }
     const Vec3& w3 = m_axes[2].direction;
@@ -188,7 +188,7 @@ void ClosedFormIk::solve(const Pose& tip, const ArmValues& reference, IkSolution
 
 // turn: of the joints 4 to 6 together.
 void ClosedFormIk::solveWrist(double q1, double q2, double q3, const Eigen::Matrix3d& turn, const ArmValues& reference,
-                              ArmConfiguration configuration, IkSolutions& solutions) const {
+                              IkBranch branch, IkSolutions& solutions) const {
   const Vec3 &w4 = m_axes[3].direction, &w5 = m_axes[4].direction, &w6 = m_axes[5].direction;
   const Vec3 pointed = turn * w6, across6 = turn * m_across[5];
   const TwoAngles fifth = solved(m_fifth, w4.dot(pointed) - w4.dot(w5) * w5.dot(w6), 1.0);
@@ -197,14 +197,14 @@ void ClosedFormIk::solveWrist(double q1, double q2, double q3, const Eigen::Matr
     const Angle q4 = angleBetween(turned(w6, w5, q5.cosine, q5.sine), pointed, w4, 1e2, reference[3]);
     const Vec3 last = turned(turned(across6, w4, q4.cosine, -q4.sine), w5, q5.cosine, -q5.sine);
     const double q6 = std::atan2(w6.dot(m_across[5].cross(last)), m_across[5].dot(last));
-    configuration.wrist = k == 1;
-    add(solutions, {q1, q2, q3, q4.value, q5.value, q6}, configuration);
+    branch.wrist = k == 1;
+    add(solutions, {q1, q2, q3, q4.value, q5.value, q6}, branch);
   }
 }
 
 // place: of the centre, and turn: of the joints 2 to 6 together, the first joint undone.
 void ClosedFormIk::solveMiddle(double q1, const Vec3& place, const Eigen::Matrix3d& turn, const ArmValues& reference,
-                               ArmConfiguration configuration, IkSolutions& solutions) const {
+                               IkBranch branch, IkSolutions& solutions) const {
   const Vec3 &w2 = m_axes[1].direction, &w3 = m_axes[2].direction, &w4 = m_axes[3].direction;
   const Vec3 &w5 = m_axes[4].direction, &w6 = m_axes[5].direction;
   const Vec3& p4 = m_axes[3].point;
@@ -224,14 +224,14 @@ void ClosedFormIk::solveMiddle(double q1, const Vec3& place, const Eigen::Matrix
     for (int j = 0; j < third.count; ++j) {
       const double q3 = third.isAny ? reference[2] : third.q[static_cast<std::size_t>(j)];
       const double q2 = angleBetween(m_upper + turned(m_fore, w3, q3), b, w2, m_scale, reference[1]).value;
-      configuration.elbow = j == 1;
-      configuration.wrist = i == 1;
-      add(solutions, {q1, q2, q3, way4 * (whole - q2 - way3 * q3), q5.value, q6.value}, configuration);
+      branch.elbow = j == 1;
+      branch.wrist = i == 1;
+      add(solutions, {q1, q2, q3, way4 * (whole - q2 - way3 * q3), q5.value, q6.value}, branch);
     }
   }
 }
 
-ArmStance ClosedFormIk::stanceOf(const SerialArm& arm, const ArmValues& values) const {
+ArmConfiguration ClosedFormIk::configurationOf(const SerialArm& arm, const ArmValues& values) const {
   std::array<Pose, 6> poses;
   arm.jointPoses(values, poses);
   const Vec3 up = m_axes[0].direction.z() < 0.0 ? Vec3(-m_axes[0].direction) : m_axes[0].direction;
@@ -243,17 +243,19 @@ ArmStance ClosedFormIk::stanceOf(const SerialArm& arm, const ArmValues& values) 
   const Vec3 ahead = rest.dot(second.cross(up)) < -kSame * m_scale ? Vec3(up.cross(axis)) : Vec3(axis.cross(up));
   const Vec3 side = rest.dot(second) < 0.0 ? Vec3(-axis) : axis;
   const Vec3 way = across(wrist - base, up);
-  ArmStance stance;
+  ArmConfiguration configuration;
   if (isSpherical)
-    stance.shoulder = way.dot(ahead) < 0.0 ? ArmStance::Shoulder::Rear : ArmStance::Shoulder::Front;
+    configuration.shoulder =
+        way.dot(ahead) < 0.0 ? ArmConfiguration::Shoulder::Rear : ArmConfiguration::Shoulder::Front;
   else
-    stance.shoulder = way.cross(up).dot(side) < 0.0 ? ArmStance::Shoulder::Left : ArmStance::Shoulder::Right;
+    configuration.shoulder =
+        way.cross(up).dot(side) < 0.0 ? ArmConfiguration::Shoulder::Left : ArmConfiguration::Shoulder::Right;
   const Vec3 fore = across((isSpherical ? wrist : poses[3].translation()) - poses[1].translation(), axis);
   const Vec3 upper = across(poses[2].translation() - poses[1].translation(), axis);
   const Vec3 bulge = across(upper, fore.stableNormalized());
-  stance.isElbowUp = bulge.dot(up) >= 0.0;
-  stance.isWristFlipped = std::remainder(values[4] - m_fifth.crest, 2.0 * M_PI) < 0.0;
-  return stance;
+  configuration.isElbowUp = bulge.dot(up) >= 0.0;
+  configuration.isWristFlipped = std::remainder(values[4] - m_fifth.crest, 2.0 * M_PI) < 0.0;
+  return configuration;
 }
 
 std::optional<ArmValues> withinLimits(const SerialArm& arm, const ArmValues& values, const ArmValues& reference) {

@@ -11,13 +11,13 @@
 namespace handwheel {
 
 // The branch of a closed-form inverse kinematics solution: shoulder, elbow and wrist. Each is one of two ways.
-struct ArmConfiguration {
+struct IkBranch {
   bool shoulder = false, elbow = false, wrist = false;
-  bool operator==(const ArmConfiguration&) const = default;
+  bool operator==(const IkBranch&) const = default;
 };
 
 // How an arm with a closed form stands, as a person sees it.
-struct ArmStance {
+struct ArmConfiguration {
   enum class Shoulder {
     Front,  // it reaches ahead, as it looks with all joints at 0,
     Rear,   // or over its back: of arms with a spherical wrist
@@ -27,14 +27,14 @@ struct ArmStance {
   Shoulder shoulder = Shoulder::Front;
   bool isElbowUp = true;        // above the line from the second axis to the wrist; up: the z axis of the base
   bool isWristFlipped = false;  // of two ways to turn the fifth joint the lower value
-  bool operator==(const ArmStance&) const = default;
+  bool operator==(const ArmConfiguration&) const = default;
 };
 
 // The ways in which an arm reaches a pose.
 struct IkSolutions {
   struct Solution {
     ArmValues values;
-    ArmConfiguration configuration;
+    IkBranch branch;
   };
   std::array<Solution, 8> all;
   std::size_t count = 0;
@@ -59,7 +59,7 @@ class ClosedFormIk {
 
   // How the arm stands at these values. arm: that of of(). Where it is stretched or its elbow is beside the line, as
   // good as any.
-  ArmStance stanceOf(const SerialArm& arm, const ArmValues& values) const;
+  ArmConfiguration configurationOf(const SerialArm& arm, const ArmValues& values) const;
 
   // A cos q + B sin q.
   struct Wave {
@@ -76,9 +76,9 @@ class ClosedFormIk {
   ClosedFormIk() = default;
   void prepare();
   void solveWrist(double q1, double q2, double q3, const Eigen::Matrix3d& turn, const ArmValues& reference,
-                  ArmConfiguration configuration, IkSolutions& solutions) const;
+                  IkBranch branch, IkSolutions& solutions) const;
   void solveMiddle(double q1, const Vec3& place, const Eigen::Matrix3d& turn, const ArmValues& reference,
-                   ArmConfiguration configuration, IkSolutions& solutions) const;
+                   IkBranch branch, IkSolutions& solutions) const;
 
   Form m_form = Form::SphericalWrist;
   std::array<Axis, 6> m_axes;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "robot/posts/Post.h"
+#include "robot/posts/PostProcessor.h"
 
 namespace handwheel {
 
 // Base class of the posts of controllers that move arms with six hinges.
-class ControllerPost : public Post {
+class ControllerPost : public PostProcessor {
  public:
   std::vector<Error> refusals(const RobotProgram& program) const override;
   // mm/s: what is more in a program stops it with an error, or is another speed than was verified.
@@ -67,7 +67,7 @@ class UrScriptPost : public ControllerPost {
 };
 
 // Tables of joints and poses for other programs: any arm.
-std::unique_ptr<Post> makeCsvPost();
-std::unique_ptr<Post> makeJsonPost();
+std::unique_ptr<PostProcessor> makeCsvPost();
+std::unique_ptr<PostProcessor> makeJsonPost();
 
 }  // namespace handwheel

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robot/posts/ArmPosture.h"
+#include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/ProgramRoutines.h"
@@ -30,11 +30,11 @@ int turnsOf(double value) {
 }
 
 std::string fanucConfiguration(const SerialArm& arm, const ArmValues& values) {
-  const ArmPosture posture = postureOf(arm, values);
-  const bool isUp = posture.isElbowDown == posture.isRear;
-  return std::string(posture.isFlipped ? "F" : "N") + (isUp ? " U" : " D") + (posture.isRear ? " B" : " T") + ", " +
-         std::to_string(turnsOf(values[0])) + ", " + std::to_string(turnsOf(values[3])) + ", " +
-         std::to_string(turnsOf(values[5]));
+  const ControllerConfiguration configuration = controllerConfigurationOf(arm, values);
+  const bool isUp = configuration.isElbowDown == configuration.isRear;
+  return std::string(configuration.isFlipped ? "F" : "N") + (isUp ? " U" : " D") +
+         (configuration.isRear ? " B" : " T") + ", " + std::to_string(turnsOf(values[0])) + ", " +
+         std::to_string(turnsOf(values[3])) + ", " + std::to_string(turnsOf(values[5]));
 }
 
 // The world frame in the base: this maker puts it at the height of the second axis.
@@ -135,7 +135,7 @@ std::optional<std::vector<double>> valuesOf(const FanucPlace& place, std::initia
 std::size_t placeNumber(LineReader& line) {
   if (!line.take("P[")) return 0;
   const auto number = line.number();
-  if (!number || !(*number >= 1.0 && *number <= static_cast<double>(Post::kMostMotions))) return 0;
+  if (!number || !(*number >= 1.0 && *number <= static_cast<double>(PostProcessor::kMostMotions))) return 0;
   line.skip(line.rest().find(']') + 1);
   return static_cast<std::size_t>(*number);
 }
@@ -241,7 +241,7 @@ class FanucReading {
     if (!isJoint && !isLinear) return unread(whole, statement.line);
     const std::size_t number = placeNumber(line);
     if (number == 0) return line.malformed("target", "P[number] was expected");
-    if (m_motions.size() >= Post::kMostMotions) return line.malformed("J", "there are too many motions");
+    if (m_motions.size() >= PostProcessor::kMostMotions) return line.malformed("J", "there are too many motions");
     ReadMotion motion{isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, statement.line};
     motion.speed = fanucSpeedFrom(line, isJoint);
     if (const Status options = readOptions(line, statement.line); !options) return options.error();

@@ -260,7 +260,7 @@ class KrlReading {
   }
 
   Status readMotion(LineReader line, std::size_t number, bool isPtp) {
-    if (motions.size() >= Post::kMostMotions) return line.malformed("PTP", "there are too many motions");
+    if (motions.size() >= PostProcessor::kMostMotions) return line.malformed("PTP", "there are too many motions");
     ReadMotion motion{isPtp ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, number};
     motion.speed = isPtp ? m_settings.share() : m_settings.lineSpeed;
     LineReader other = line;

@@ -3,7 +3,7 @@
 #include "robot/posts/KrlStatus.h"
 
 #include "robot/arm/ClosedFormIk.h"
-#include "robot/posts/ArmPosture.h"
+#include "robot/posts/ControllerConfiguration.h"
 
 namespace handwheel {
 
@@ -44,10 +44,12 @@ std::string KrlStatus::text() const {
 }
 
 KrlStatus krlStatusOf(const SerialArm& arm, const ArmValues& values) {
-  const ArmPosture posture = postureOf(arm, values);
+  const ControllerConfiguration configuration = controllerConfigurationOf(arm, values);
   unsigned turn = 0;
   for (int i = 0; i < 6; ++i) turn |= values[i] < 0.0 ? 1u << i : 0u;
-  return {(posture.isRear ? 1u : 0u) | (posture.isElbowDown ? 0u : 2u) | (posture.isFlipped ? 4u : 0u), turn};
+  return {
+      (configuration.isRear ? 1u : 0u) | (configuration.isElbowDown ? 0u : 2u) | (configuration.isFlipped ? 4u : 0u),
+      turn};
 }
 
 std::optional<ArmValues> jointsWith(const KrlStatus& wanted, const SerialArm& arm, const ClosedFormIk& closed,

@@ -39,6 +39,7 @@ const ErrorDescription PostError::TooFast{
 const ErrorDescription PostError::MotionDiffers{
     .id = "PostMotionDiffers",
     .sentences = {translatable("ErrorText", "the %2 of motion %1 is %4 in the program, and %3 in the path")},
-    .advice = {translatable("ErrorText", "Report this to the author of the post; the program was not written.")}};
+    .advice = {
+        translatable("ErrorText", "Report this to the author of the post-processor; the program was not written.")}};
 
 }  // namespace handwheel

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "robot/posts/Post.h"
+#include "robot/posts/PostProcessor.h"
 
 // Version of the plugin interface, in the plugin's metadata. It must match exactly, and is compared before any code of
-// the plugin is loaded. Increment it with every change of Post.h, RobotProgram.h, SerialArm.h, Error.h or of this file.
-#define HANDWHEEL_POST_PLUGIN "handwheel.post/2"
+// the plugin is loaded. Increment it with every change of PostProcessor.h, RobotProgram.h, SerialArm.h, Error.h or of
+// this file.
+#define HANDWHEEL_POST_PLUGIN "handwheel.post/3"
 
 namespace handwheel {
 
@@ -14,7 +15,7 @@ namespace handwheel {
 class PostPlugin {
  public:
   virtual ~PostPlugin() = default;
-  virtual std::unique_ptr<Post> post() = 0;
+  virtual std::unique_ptr<PostProcessor> post() = 0;
 };
 
 }  // namespace handwheel

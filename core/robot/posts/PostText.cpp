@@ -236,9 +236,11 @@ Error LineReader::malformed(const char* element, const char* reason) const {
 }
 
 Result<std::vector<std::string_view>> programLines(std::string_view text, std::string_view comment) {
-  if (text.size() > Post::kLargestText) {
-    return Error{
-        ErrorCode::FileTooLarge, {"bytes", std::to_string(text.size()), std::to_string(Post::kLargestText)}, {}, {}};
+  if (text.size() > PostProcessor::kLargestText) {
+    return Error{ErrorCode::FileTooLarge,
+                 {"bytes", std::to_string(text.size()), std::to_string(PostProcessor::kLargestText)},
+                 {},
+                 {}};
   }
   std::vector<std::string_view> lines;
   for (std::size_t begin = 0; begin <= text.size();) {

@@ -5,7 +5,7 @@
 #include "base/Geometry.h"
 #include "base/Result.h"
 #include "base/Units.h"
-#include "robot/posts/Post.h"
+#include "robot/posts/PostProcessor.h"
 
 #include <algorithm>
 #include <string>

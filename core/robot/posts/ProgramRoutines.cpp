@@ -10,9 +10,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostStatements = 10 * Post::kMostMotions;
+constexpr std::size_t kMostStatements = 10 * PostProcessor::kMostMotions;
 // As a long statement that is called again and again is looked at each time.
-constexpr std::size_t kMostCharacters = 10 * Post::kLargestText;
+constexpr std::size_t kMostCharacters = 10 * PostProcessor::kLargestText;
 constexpr std::size_t kDeepestCall = 64;
 
 using Called = std::function<std::string(std::string_view)>;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robot/posts/ArmPosture.h"
+#include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
 
@@ -44,8 +44,9 @@ std::string configurationText(const SerialArm& arm, const ArmValues& values) {
   const auto quadrant = [&](Eigen::Index i) {
     return std::to_string(static_cast<int>(std::floor(values[i] / (90.0 * kRadiansPerDegree))));
   };
-  const ArmPosture posture = postureOf(arm, values);
-  const int cfx = (posture.isRear ? 4 : 0) + (posture.isElbowDown ? 2 : 0) + (posture.isFlipped ? 1 : 0);
+  const ControllerConfiguration configuration = controllerConfigurationOf(arm, values);
+  const int cfx =
+      (configuration.isRear ? 4 : 0) + (configuration.isElbowDown ? 2 : 0) + (configuration.isFlipped ? 1 : 0);
   return "[" + quadrant(0) + "," + quadrant(3) + "," + quadrant(5) + "," + std::to_string(cfx) + "]";
 }
 

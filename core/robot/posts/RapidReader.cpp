@@ -184,7 +184,7 @@ class RapidReading {
   }
 
   Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool wantsJoints) {
-    if (motions.size() >= Post::kMostMotions) return line.malformed("MoveAbsJ", "there are too many motions");
+    if (motions.size() >= PostProcessor::kMostMotions) return line.malformed("MoveAbsJ", "there are too many motions");
     while (line.take("\\")) {  // as \Conc
       line.name();
       line.take(",");

@@ -30,7 +30,7 @@ const char* wordFor(ProgramMotion::Kind kind) {
 }
 
 // motion, its end by joints in degrees (slides in mm), by the pose of the tool's centre point, and how it is done.
-class CsvPost : public Post {
+class CsvPost : public PostProcessor {
  public:
   const char* id() const override { return "csv"; }
   const char* title() const override { return "CSV"; }
@@ -92,7 +92,7 @@ class CsvPost : public Post {
   }
 };
 
-class JsonPost : public Post {
+class JsonPost : public PostProcessor {
  public:
   const char* id() const override { return "json"; }
   const char* title() const override { return "JSON"; }
@@ -149,11 +149,11 @@ class JsonPost : public Post {
 
 }  // namespace
 
-std::unique_ptr<Post> makeCsvPost() {
+std::unique_ptr<PostProcessor> makeCsvPost() {
   return std::make_unique<CsvPost>();
 }
 
-std::unique_ptr<Post> makeJsonPost() {
+std::unique_ptr<PostProcessor> makeJsonPost() {
   return std::make_unique<JsonPost>();
 }
 

@@ -219,7 +219,7 @@ class UrScriptReading {
   }
 
   Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime) {
-    if (motions.size() >= Post::kMostMotions) return line.malformed("movej", "there are too many motions");
+    if (motions.size() >= PostProcessor::kMostMotions) return line.malformed("movej", "there are too many motions");
     Result<ReadMotion> motion = urTarget(line, number, kind, hasTime);
     if (!motion) return motion.error();
     if (motion->speed && kind == ProgramMotion::Kind::Joint)

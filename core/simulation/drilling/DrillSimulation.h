@@ -3,8 +3,8 @@
 #pragma once
 
 #include "simulation/clay/ClaySimulation.h"
+#include "volume/drilling/DrillMonitor.h"
 #include "volume/drilling/DrillRecord.h"
-#include "volume/drilling/DrillWatch.h"
 
 namespace handwheel {
 
@@ -17,7 +17,7 @@ struct DrillState : ClayState {
   double time = 0.0;                        // s, since the hole was begun
   std::optional<double> breakthrough;       // s, since then
   std::optional<DrillPlan> plan;            // that it is judged by; none yet
-  DrillFigures figures;                     // by the plan
+  DrillStatistics figures;                  // by the plan
   PagedArray<DrillMoment> moments;          // of the hole
   PagedArray<DrillPose> poses;              // that it can be drilled by again
 };
@@ -72,7 +72,7 @@ class DrillSimulation : public Simulation {
   DrillSetup m_setup;
   DrillRun m_run;
   std::optional<DrillPlan> m_plan;
-  std::optional<DrillWatch> m_watch;  // since the first place of the hole
+  std::optional<DrillMonitor> m_watch;  // since the first place of the hole
   PagedArray<DrillMoment> m_moments;
   PagedArray<DrillPose> m_poses;
   std::optional<DrillFeed> m_feed;

@@ -19,7 +19,7 @@ struct HandGuidingTrial {
   enum class Help { Eyes, Force, Fixture };  // a fixture has force, too
   std::string path;
   Help help = Help::Eyes;
-  FollowingFigures figures;
+  FollowingStatistics figures;
 };
 
 // Services that HandGuidingTool uses.

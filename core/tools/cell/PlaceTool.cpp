@@ -11,8 +11,8 @@
 #include "robot/Kinematics.h"
 #include "scene/RigidPose.h"
 #include "tools/AxisDrag.h"
-#include "tools/SnapStep.h"
 #include "tools/ToolProperty.h"
+#include "tools/ValueSnapping.h"
 
 #include <QCoreApplication>
 #include <cmath>

@@ -31,9 +31,9 @@ const char* problemOf(FillFailure failure) {
       break;
     case FillFailure::Cancelled:
       return QT_TRANSLATE_NOOP("Property", "It was cancelled.");
-    case FillFailure::Rim:
+    case FillFailure::SheetBoundary:
       return QT_TRANSLATE_NOOP("Property", "It is the outer boundary of an open sheet.");
-    case FillFailure::WasRim:
+    case FillFailure::WasSheetBoundary:
       return QT_TRANSLATE_NOOP("Property", "It was the outer boundary of an open sheet.");
     case FillFailure::KeptOpen:
       return QT_TRANSLATE_NOOP("Property", "It is kept open.");
@@ -107,7 +107,7 @@ std::optional<Vertex> FillHoleTool::holeFrom(std::size_t index, bool forward) co
   const std::size_t n = loops.size();
   for (std::size_t i = 0; i < n; ++i) {
     const BoundaryLoop& loop = loops[(index + (forward ? i : n - i)) % n];
-    if (!loop.rim && !m_document.isKeptOpen(loop)) return keyOf(m_document.mesh(), loop);
+    if (!loop.isSheetBoundary && !m_document.isKeptOpen(loop)) return keyOf(m_document.mesh(), loop);
   }
   return std::nullopt;
 }
@@ -174,7 +174,7 @@ std::optional<std::uint32_t> FillHoleTool::pointAt(const PointerEvent& event) co
   return static_cast<std::uint32_t>(at - chosen->halfEdges.begin());
 }
 
-std::vector<Vec3> FillHoleTool::line(const LoopChord& bridge) const {
+std::vector<Vec3> FillHoleTool::line(const HoleBridge& bridge) const {
   const auto& edges = loop()->halfEdges;
   const HalfEdgeMesh& mesh = m_document.mesh();
   return {mesh.position(mesh.from(edges[bridge.a])), mesh.position(mesh.from(edges[bridge.b]))};
@@ -268,7 +268,7 @@ ToolPreview FillHoleTool::preview() const {
     if (line) preview.lines.push_back(outlineOf(m_document.mesh(), *line));
   }
   if (!loop()) return preview;
-  for (const LoopChord& bridge : m_attempt.patch.bridges) preview.lines.push_back(line(bridge));
+  for (const HoleBridge& bridge : m_attempt.patch.bridges) preview.lines.push_back(line(bridge));
   if (const auto drawn = m_bridges.drawn()) preview.lines.push_back(line(*drawn));
   return preview;
 }

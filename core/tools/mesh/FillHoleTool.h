@@ -20,7 +20,7 @@ class MeshDocument;
 struct FillRequest {
   std::uint64_t ticket = 0;  // returned with the answer
   BoundaryLoop loop;
-  std::vector<LoopChord> bridges = {};  // as in FillOptions
+  std::vector<HoleBridge> bridges = {};  // as in FillOptions
 };
 
 // Services for FillHoleTool, provided by the owner of the document's jobs. All of them are called on the window thread.
@@ -82,7 +82,7 @@ class FillHoleTool : public Tool {
   ToolReply press(const PointerEvent& event);
   // The point of the chosen loop that is pointed at, as its number.
   std::optional<std::uint32_t> pointAt(const PointerEvent& event) const;
-  std::vector<Vec3> line(const LoopChord& bridge) const;
+  std::vector<Vec3> line(const HoleBridge& bridge) const;
   ToolReply commit();
   ToolReply keepOpen();
 

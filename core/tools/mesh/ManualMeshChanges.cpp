@@ -3,9 +3,9 @@
 #include "tools/mesh/ManualMeshChanges.h"
 
 #include "mesh/boundary/BoundaryWelding.h"
-#include "mesh/boundary/VertexPull.h"
+#include "mesh/boundary/VertexDrag.h"
 #include "mesh/measure/Deviation.h"
-#include "tools/mesh/LoopText.h"
+#include "tools/mesh/BoundaryLoopText.h"
 #include "tools/mesh/OpenMeshReasons.h"
 #include "tools/mesh/boundary/BoundaryPicking.h"
 #include "tools/mesh/operations/DecimateOperation.h"
@@ -29,7 +29,7 @@ bool areOpen(const HalfEdgeMesh& mesh, const BoundaryPair& ends) {
 }
 
 std::string pairStep(const char* verb, const BoundaryPair& ends) {
-  return StepWriter(verb).word(listText({ends.a, ends.b})).text();
+  return ScriptLineWriter(verb).word(listText({ends.a, ends.b})).text();
 }
 
 bool areVertices(const HalfEdgeMesh& mesh, const Triangle& face) {
@@ -39,7 +39,7 @@ bool areVertices(const HalfEdgeMesh& mesh, const Triangle& face) {
 }  // namespace
 
 MeshChange deleteChange(FaceSelection faces, const char* text, const char* reason) {
-  StepWriter step("delete");
+  ScriptLineWriter step("delete");
   step.word(rangesText(faces));
   MeshChange change{
       text, [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) { removeFaces(mesh, faces, progress); },
@@ -61,7 +61,7 @@ MeshChange decimateChange(const DecimationOptions& options) {
       },
       QT_TRANSLATE_NOOP("Tool", "no triangle can be removed within the given limits"));
   change.distance = distance;
-  return withStep(std::move(change), StepWriter("decimate").options(valuesOf(options)).text());
+  return withStep(std::move(change), ScriptLineWriter("decimate").options(valuesOf(options)).text());
 }
 
 MeshChange subdivideMeshChange(const SchemeSubdivision& subdivision, NumberType numbers) {
@@ -77,7 +77,7 @@ MeshChange subdivideMeshChange(const SchemeSubdivision& subdivision, NumberType 
     return reasonOf(outcome);
   });
   change.distance = distance;
-  return withStep(std::move(change), StepWriter("subdivide-mesh").options(values).text());
+  return withStep(std::move(change), ScriptLineWriter("subdivide-mesh").options(values).text());
 }
 
 MeshChange faceChange(const Triangle& face) {
@@ -89,7 +89,7 @@ MeshChange faceChange(const Triangle& face) {
                      addFaces(mesh, {&face, 1}, FaceLocator(mesh, box));
                    },
                    kEdgeChanged},
-                  StepWriter("face").word(listText({face[0], face[1], face[2]})).text());
+                  ScriptLineWriter("face").word(listText({face[0], face[1], face[2]})).text());
 }
 
 MeshChange joinChange(const BoundaryPair& ends) {
@@ -120,14 +120,14 @@ MeshChange pullChange(Vertex vertex, const Vec3& place) {
        [vertex, place](HalfEdgeMesh& mesh, Progress) {
          if (vertex >= mesh.vertexSlots()) return;
          const Vec3& start = mesh.position(vertex);
-         VertexPull(std::make_shared<const FaceLocator>(mesh, Box(start, start)), vertex).apply(mesh, place);
+         VertexDrag(std::make_shared<const FaceLocator>(mesh, Box(start, start)), vertex).apply(mesh, place);
        },
        kEdgeChanged},
-      StepWriter("pull").word(std::to_string(vertex)).word(pointText(place)).text());
+      ScriptLineWriter("pull").word(std::to_string(vertex)).word(pointText(place)).text());
 }
 
 MeshChange smoothEdgeChange(Vertex key, const SmoothingOptions& options) {
-  StepWriter step("smooth-edge");
+  ScriptLineWriter step("smooth-edge");
   step.word(loopsText({key})).options(valuesOf(options));
   return withStep({meshOperation("smooth-edge").title,
                    [key, options](HalfEdgeMesh& mesh, Progress) {

@@ -35,7 +35,7 @@ struct MeshChange {
   // Called on the window thread, before that and once it is committed, with the number of pairs of faces that cross
   // because of it. Null if it cannot cause any: then they are not searched for.
   std::function<void(std::size_t)> crossed = nullptr;
-  // The change as a line of text, as MeshSteps.h reads it; empty where it has no such form.
+  // The change as a line of text, as MeshScript.h reads it; empty where it has no such form.
   std::string step = {};
   // Set by apply: why it changed nothing, as `reason`, where only trying shows it. Null where it need not be tried.
   std::shared_ptr<std::atomic<const char*>> found = nullptr;

@@ -4,7 +4,7 @@
 
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/Transforming.h"
-#include "tools/mesh/StepText.h"
+#include "tools/mesh/ScriptLine.h"
 #include "tools/mesh/operations/MeshOperations.h"
 
 #include <QtGlobal>
@@ -68,7 +68,7 @@ OperationValues valuesOf(const Placement& placement) {
 MeshChange placeChange(const Placement& placement) {
   return withStep({meshOperation("place").title,
                    [placement](HalfEdgeMesh& mesh, Progress) { place(mesh, placement.of(boundsOf(mesh))); }, kTooLarge},
-                  StepWriter("place").options(valuesOf(placement)).text());
+                  ScriptLineWriter("place").options(valuesOf(placement)).text());
 }
 
 std::span<const StandardPlace> standardPlaces() {

@@ -3,7 +3,7 @@
 #include "tools/scene/FloorDrag.h"
 
 #include "tools/AxisDrag.h"
-#include "tools/SnapStep.h"
+#include "tools/ValueSnapping.h"
 
 #include <cmath>
 

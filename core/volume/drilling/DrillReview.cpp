@@ -26,7 +26,7 @@ std::optional<DrillReview> reviewDrilling(SparseVolume stock, const DrillPlan& p
   constexpr std::size_t kBetweenLooks = 256;
   DrillReview review;
   review.left = std::move(stock);
-  DrillWatch watch(plan);
+  DrillMonitor watch(plan);
   std::size_t poses = 0;
   for (const auto& hole : holes) poses += hole->poses.size();
   for (const auto& hole : holes) {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "volume/drilling/DrillMonitor.h"
 #include "volume/drilling/DrillRecord.h"
-#include "volume/drilling/DrillWatch.h"
 
 #include <memory>
 #include <span>
@@ -16,7 +16,7 @@ struct DrillReview {
   static constexpr double kEndOfBone = 1.0;  // mm before the breakthrough
 
   std::vector<DrillMoment> moments;
-  DrillFigures figures;
+  DrillStatistics figures;
   std::optional<double> lastThrust;  // N, mean over time of the last kEndOfBone before the breakthrough
   SparseVolume left;                 // of the volume
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "robot/posts/Post.h"
+#include "robot/posts/PostProcessor.h"
 
 namespace handwheel {
 
@@ -13,7 +13,7 @@ namespace handwheel {
 //   JOINT 0.000000 30.000000 ... SPEED 25.00 ZONE 0.000
 //   LINE 374.000000 0.000000 630.000000 0.707106781 0.000000000 ... SPEED 100.00 ZONE 5.000
 //   END
-class ExamplePost : public Post {
+class ExamplePost : public PostProcessor {
  public:
   const char* id() const override { return "example"; }
   const char* title() const override { return "Example"; }

@@ -13,7 +13,7 @@ class ExamplePostPlugin : public QObject, public handwheel::PostPlugin {
   Q_INTERFACES(handwheel::PostPlugin)
 
  public:
-  std::unique_ptr<handwheel::Post> post() override { return std::make_unique<handwheel::ExamplePost>(); }
+  std::unique_ptr<handwheel::PostProcessor> post() override { return std::make_unique<handwheel::ExamplePost>(); }
 };
 
 #include "Plugin.moc"

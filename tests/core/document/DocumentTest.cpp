@@ -244,23 +244,23 @@ class DocumentTest : public QObject {
   // While an earlier state was being saved, that was undone: what counted as saved before is in no file any more.
   void anEarlierStateIsWritten() {
     const auto document = workpiece();
-    document->markSaved("/a.handwheel", true, FileStamp{1, 1});
+    document->markSaved("/a.handwheel", true, FileTimestamp{1, 1});
     QVERIFY(document->setProperty("diameter", 60.0));
     document->history()->undo();
     QVERIFY(!document->isModified());
-    document->markOverwritten(FileStamp{2, 2});
+    document->markOverwritten(FileTimestamp{2, 2});
     QVERIFY(document->isModified());
-    QVERIFY(document->file().stamp == (FileStamp{2, 2}));
+    QVERIFY(document->file().stamp == (FileTimestamp{2, 2}));
     QCOMPARE(document->path(), QStringLiteral("/a.handwheel"));
   }
 
   // What is recovered is compared with the file that it was read from, not with its autosave.
   void whatIsRecoveredKnowsItsFile() {
     const auto document = workpiece();
-    document->markRecovered("/a.handwheel", FileStamp{3, 4}, true);
+    document->markRecovered("/a.handwheel", FileTimestamp{3, 4}, true);
     QVERIFY(document->isModified() && document->file().wouldLoseDataOnOverwrite());
-    QVERIFY(document->file().stamp == (FileStamp{3, 4}));
-    document->markSaved("/b.handwheel", true, FileStamp{5, 6});
+    QVERIFY(document->file().stamp == (FileTimestamp{3, 4}));
+    document->markSaved("/b.handwheel", true, FileTimestamp{5, 6});
     QVERIFY(!document->isModified() && !document->file().wouldLoseDataOnOverwrite());
     document->markRecovered({});
     QVERIFY(!document->file().stamp);

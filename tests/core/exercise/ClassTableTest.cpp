@@ -32,7 +32,7 @@ ClassRow row(const char* student, double diameter, double time, double seconds =
   each.attempt.handedIn = "2026-11-23T08:15:00Z";
   each.attempt.seconds = seconds;
   each.attempt.hints = {1, 2};
-  each.marking = markFigures(task(), {{"d", diameter, {}}, {"t", time, {}}});
+  each.marking = markMeasurements(task(), {{"d", diameter, {}}, {"t", time, {}}});
   return each;
 }
 

@@ -33,7 +33,7 @@ Exercise only(const MarkingCriterion& criterion) {
 }
 
 Mark markOf(const MarkingCriterion& criterion, std::optional<double> value) {
-  return markFigures(only(criterion), {{"d1", value, {}}}, {"mm"}).marks[0];
+  return markMeasurements(only(criterion), {{"d1", value, {}}}, {"mm"}).marks[0];
 }
 
 double hundredth(int low, int high) {
@@ -54,13 +54,13 @@ class MarkingTest : public QObject {
     MarkingCriterion other = within(0.0, 1.0, 3.0, 0.0);
     other.id = "d2";
     exercise.criteria.push_back(other);
-    QCOMPARE(markFigures(exercise, {{"d1", 0.5, {}}, {"d2", 0.5, {}}}, {}).points, 8.0);
-    const Marking failed = markFigures(exercise, {{"d1", 1.5, {}}, {"d2", 0.5, {}}}, {});
+    QCOMPARE(markMeasurements(exercise, {{"d1", 0.5, {}}, {"d2", 0.5, {}}}, {}).points, 8.0);
+    const Marking failed = markMeasurements(exercise, {{"d1", 1.5, {}}, {"d2", 0.5, {}}}, {});
     QCOMPARE(failed.points, 0.0);
     QCOMPARE(failed.of, 8.0);
     QVERIFY(failed.marks[1].verdict == Verdict::Met && failed.marks[1].points == 0.0);
     QCOMPARE(failed.marks[1].reason.inEnglish(), std::string("no points, because “Safe” was not met"));
-    QCOMPARE(markFigures(exercise, {{"d2", 0.5, {}}}, {}).points, 0.0);
+    QCOMPARE(markMeasurements(exercise, {{"d2", 0.5, {}}}, {}).points, 0.0);
   }
 
   void theReasonOfEachMark() {
@@ -106,7 +106,7 @@ class MarkingTest : public QObject {
                                                                    {3.0, "", "3"}})
       QCOMPARE(measuredText(value, unit), std::string(text));
     MarkingCriterion c = within(0.0, 6.3, 1.0, 0.0);
-    QCOMPARE(markFigures(only(c), {{"d1", 8.55162, {}}}, {"µm"}).marks[0].reason.inEnglish(),
+    QCOMPARE(markMeasurements(only(c), {{"d1", 8.55162, {}}}, {"µm"}).marks[0].reason.inEnglish(),
              std::string("8.55 µm is 2.25 µm above the upper limit, 6.3 µm"));
   }
 
@@ -133,7 +133,7 @@ class MarkingTest : public QObject {
     }));
     QVERIFY(rc::check("the sum is that of the marks as they are shown, and the same every time", [] {
       Exercise exercise;
-      std::vector<Figure> figures;
+      std::vector<Measurement> figures;
       const int count = *rc::gen::inRange(0, 30);
       for (int i = 0; i < count; ++i) {
         MarkingCriterion c = within(0.0, 1.0, hundredth(0, 20), 1.0);
@@ -141,7 +141,7 @@ class MarkingTest : public QObject {
         exercise.criteria.push_back(c);
         if (i % 3 != 0) figures.push_back({c.id, hundredth(-1, 3), {}});
       }
-      const Marking marking = markFigures(exercise, figures), again = markFigures(exercise, figures);
+      const Marking marking = markMeasurements(exercise, figures), again = markMeasurements(exercise, figures);
       long sum = 0;
       for (const Mark& mark : marking.marks) sum += std::lround(100.0 * mark.points);
       RC_ASSERT(std::lround(100.0 * marking.points) == sum);

@@ -3,7 +3,7 @@
 #include "machining/refit/Refit.h"
 
 #include "TestClass.h"
-#include "nurbs/StepFile.h"
+#include "nurbs/StepWriter.h"
 #include "nurbs/Tessellation.h"
 
 #include <QtTest>

@@ -35,7 +35,7 @@ bool isSheet(const TriangleSoup& soup) {
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(buildMesh(soup).mesh);
   return std::max_element(loops.begin(), loops.end(),
                           [](const BoundaryLoop& a, const BoundaryLoop& b) { return a.length < b.length; })
-      ->rim;
+      ->isSheetBoundary;
 }
 
 // The argument from 0 to `most` at which a rising function has this value.
@@ -234,7 +234,7 @@ void TolerancesTest::creaseAngle() {
 void TolerancesTest::pieceEdges() {
   const auto chords = [](std::uint32_t edges) {
     const HalfEdgeMesh mesh = buildMesh(test::cylinder(edges, 2, 1.0, 1.0, false)).mesh;
-    return HoleFiller(mesh).proposeLoopChords(findBoundaryLoops(mesh).at(0)).size();
+    return HoleFiller(mesh).proposeHoleBridges(findBoundaryLoops(mesh).at(0)).size();
   };
   QCOMPARE(chords(tolerance::kPieceEdges), std::size_t{0});
   QVERIFY(chords(tolerance::kPieceEdges + 1) > 0);

@@ -53,7 +53,7 @@ class GuideCurveTest : public QObject {
       following.add(0.1 * x, {x, 3.0 * std::sin(2.0 * M_PI * x / 10.0), 0});
     }
     following.add(20.0, {100, 80, 0});  // after the end
-    const FollowingFigures figures = following.figures();
+    const FollowingStatistics figures = following.figures();
     QVERIFY(figures.isComplete());
     QVERIFY2(std::abs(figures.rms - 3.0 / std::sqrt(2.0)) < 0.02, qPrintable(QString::number(figures.rms)));
     QVERIFY(std::abs(figures.most - 3.0) < 1e-3);

@@ -48,7 +48,8 @@ void Inspection::nameLoops() {
   m_keys.clear();
   for (const BoundaryLoop& each : m_document.defects().loops) {
     m_keys.push_back(handwheel::keyOf(m_document.mesh(), each));
-    if (m_numbers.try_emplace({each.rim, m_keys.back()}, m_named.peek(each.rim)).second) m_named.take(each.rim);
+    if (m_numbers.try_emplace({each.isSheetBoundary, m_keys.back()}, m_named.peek(each.isSheetBoundary)).second)
+      m_named.take(each.isSheetBoundary);
   }
 }
 
@@ -57,7 +58,7 @@ void Inspection::sortLoops() {
   m_keptOpen.clear();
   m_debris.clear();
   for (int id = 0; id < loopCount(); ++id) {
-    const bool open = loop(id).rim || m_document.isKeptOpen(loop(id));
+    const bool open = loop(id).isSheetBoundary || m_document.isKeptOpen(loop(id));
     (open ? m_keptOpen : m_holes).push_back(id);
   }
   const auto& components = m_document.defects().components;
@@ -77,7 +78,7 @@ void Inspection::keepPieces(const std::set<PointKey>& corners) {
 
 std::size_t Inspection::sheetCount() const {
   return static_cast<std::size_t>(
-      std::count_if(m_keptOpen.begin(), m_keptOpen.end(), [this](int id) { return loop(id).rim; }));
+      std::count_if(m_keptOpen.begin(), m_keptOpen.end(), [this](int id) { return loop(id).isSheetBoundary; }));
 }
 
 void Inspection::setSelfIntersections(std::uint64_t revision, FacePairs pairs) {
@@ -190,11 +191,11 @@ bool Inspection::isClean() const {
 }
 
 int Inspection::loopNumber(int id) const {
-  return m_numbers.at({loop(id).rim, keyOf(id)});
+  return m_numbers.at({loop(id).isSheetBoundary, keyOf(id)});
 }
 
 QString Inspection::loopName(int id) const {
-  return boundaryLoopName(loop(id).rim, loopNumber(id));
+  return boundaryLoopName(loop(id).isSheetBoundary, loopNumber(id));
 }
 
 QString Inspection::loopLength(int id) const {

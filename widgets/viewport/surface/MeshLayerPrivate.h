@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/Marks.h"
+#include "viewport/MarkActors.h"
 #include "viewport/surface/MeshBlocks.h"
 #include "viewport/surface/MeshLayer.h"
 #include "viewport/surface/MeshPreparation.h"
@@ -56,7 +56,7 @@ class MeshLayer::Private {
 
   MeshLayer& q;
   MeshBlocks blocks;
-  Marks marks;
+  MarkActors marks;
   HalfEdgeMesh mesh;
   Box box;
   Box previewBox;  // of what a tool has changed

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
-#include "document/FileStamp.h"
+#include "document/FileTimestamp.h"
 #include "mesh/repair/OutcomeCounts.h"
 
 #include <array>
@@ -24,7 +24,7 @@ inline constexpr std::array kBatchStates{BatchState::Closed, BatchState::LeftOpe
 // The result for one file of a batch.
 struct BatchEntry {
   std::string input, output;
-  FileStamp inputStamp;  // before the repair
+  FileTimestamp inputStamp;  // before the repair
   std::uintmax_t outputBytes = 0;
   BatchState state = BatchState::Failed;
   LoopCounts loops;

@@ -95,7 +95,7 @@ bool BatchRun::takeEarlier(std::size_t file) {
   const auto found = m_earlier.find(planned(file).output.string());
   if (found == m_earlier.end() || found->second->state == BatchState::Failed) return false;
   BatchEntry entry = *found->second;
-  const auto input = stampOf(planned(file).input), output = stampOf(planned(file).output);
+  const auto input = timestampOf(planned(file).input), output = timestampOf(planned(file).output);
   if (!input || !output || entry.inputStamp != *input || entry.outputBytes != output->bytes) return false;
   entry.input = planned(file).input.string();
   finish(file, std::move(entry), " (done before)");
@@ -110,7 +110,7 @@ void BatchRun::start(std::size_t file) {
   std::vector<std::string> words{ownProgram(), "repair", "--json"};
   words.insert(words.end(), m_request.repairOptions.begin(), m_request.repairOptions.end());
   words.insert(words.end(), {"-o", planned(file).output.string(), "--", planned(file).input.string()});
-  const FileStamp stamp = stampOf(planned(file).input).value_or(FileStamp());
+  const FileTimestamp stamp = timestampOf(planned(file).input).value_or(FileTimestamp());
   auto child = ChildProcess::start(words);
   if (!child) return fail(file, std::string("No process can be started for it (") + std::strerror(errno) + ").");
   m_children.push_back(std::move(child));
@@ -155,7 +155,7 @@ void BatchRun::conclude(const Running& running, const ChildProcess& child) {
   const bool hasSaid = isDone && readOutcome(child.output(), entry);
   if (!hasSaid && wasInterrupted()) return;  // so that the next run does it
   if (hasSaid) {
-    entry.outputBytes = stampOf(planned(running.file).output).value_or(FileStamp()).bytes;
+    entry.outputBytes = timestampOf(planned(running.file).output).value_or(FileTimestamp()).bytes;
     entry.notes = complaints(child.errors());
     if (entry.notes.size() > kMostNotes) entry.notes.resize(kMostNotes);
   } else {

@@ -37,7 +37,7 @@ class BatchRun {
   using Clock = std::chrono::steady_clock;
   struct Running {
     std::size_t file;  // in the plan
-    FileStamp stamp;
+    FileTimestamp stamp;
     Clock::time_point start;
     std::optional<Clock::time_point> askedToEnd;  // when it was asked to end
   };

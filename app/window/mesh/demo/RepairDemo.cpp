@@ -73,7 +73,7 @@ void RepairDemo::setDocument(MeshTab* document) {
   m_document = document;
 }
 
-NextStep RepairDemo::step() {
+Suggestion RepairDemo::step() {
   if (!m_hand.isRunning()) return {};
   const QColor& accent = themeColours(currentTheme()).accent;
   return {QStringLiteral("device"), accent, m_hand.caption(), m_hand.detail(), {&m_stop}};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "panels/NextStepCard.h"
+#include "panels/SuggestionCard.h"
 #include "window/haptics/ScriptedDeviceDemo.h"
 #include "window/kinds/KindUi.h"
 #include "window/mesh/demo/DemoHole.h"
@@ -30,7 +30,7 @@ class RepairDemo : public QObject {
   QAction* action() { return &m_action; }
   bool isRunning() const { return m_hand.isRunning(); }
   // The present step and how to do it; empty when no demonstration runs.
-  NextStep step();
+  Suggestion step();
 
  signals:
   void changed();  // the result of step()

@@ -140,7 +140,7 @@ bool RepairActions::isTried(const MeshTab& document) const {
   const auto& holes = document.inspection.holes();
   return std::none_of(holes.begin(), holes.end(), [&](int id) {
     const FillFailure failure = document.inspection.failure(id);
-    return failure == FillFailure::WasRim || failure == FillFailure::TooMuchEffort;
+    return failure == FillFailure::WasSheetBoundary || failure == FillFailure::TooMuchEffort;
   });
 }
 

@@ -9,7 +9,7 @@
 #include "proximity/SelfIntersection.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
-#include "tools/mesh/LoopText.h"
+#include "tools/mesh/BoundaryLoopText.h"
 #include "tools/mesh/repair/DefectFixes.h"
 #include "tools/mesh/repair/RemainingDefects.h"
 #include "tools/mesh/repair/RepairChanges.h"
@@ -230,8 +230,8 @@ void RepairJobs::repairAll(MeshTab* document) {
 void RepairJobs::startRepair(MeshTab* document, Round round) {
   const std::uint64_t revision = document->document.revision();
   RepairOptions options;
-  options.rims = RimHandling::Keep;  // the list shows them as left open
-  options.cutCrossings = true;       // adds nothing, and only where it leaves none of a cluster
+  options.sheets = SheetHandling::Keep;  // the list shows them as left open
+  options.cutCrossings = true;           // adds nothing, and only where it leaves none of a cluster
   const FidelityValues settings = m_fidelity.values();
   apply(settings, options);
   options.fill.numbers = document->document.fileNumbers();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/repair/RepairReasons.h"
 
+#include "tools/mesh/repair/DefectFixChanges.h"
 #include "tools/mesh/repair/DefectFixes.h"
-#include "tools/mesh/repair/FixParts.h"
 
 #include <QCoreApplication>
 
@@ -19,7 +19,8 @@ constexpr const char* kNotTried =
 std::map<Vertex, FillFailure> failuresOf(const RepairReport& report) {
   std::map<Vertex, FillFailure> failures;
   for (const OpenLoop& loop : report.openLoops)
-    if (loop.outcome == LoopOutcome::Failed || loop.reason == FillFailure::WasRim) failures[loop.key] = loop.reason;
+    if (loop.outcome == LoopOutcome::Failed || loop.reason == FillFailure::WasSheetBoundary)
+      failures[loop.key] = loop.reason;
   return failures;
 }
 

@@ -172,8 +172,8 @@ void Segmentation::count() {
   Job job;
   job.name = tr("Counting parts");
   job.work = [this, scan = volume().scan(), segment = volume().segment()](Progress progress) -> Job::Finish {
-    const SegmentFigures figures{std::make_shared<const SegmentParts>(scan->image, segment, progress.part(0.0, 0.7)),
-                                 facesOf(scan->image, segment, progress.part(0.7, 1.0))};
+    const SegmentStatistics figures{std::make_shared<const SegmentParts>(scan->image, segment, progress.part(0.0, 0.7)),
+                                    facesOf(scan->image, segment, progress.part(0.7, 1.0))};
     if (progress.cancelled()) return {};
     return [this, figures, segment] {
       if (!m_document || !(volume().segment() == segment)) return;

@@ -94,7 +94,7 @@ class Segmentation : public QObject {
   Segment m_shown;
   std::optional<Stroke> m_stroke;
   std::vector<Waiting> m_waiting;
-  SegmentFigures m_figures;  // of m_counted
+  SegmentStatistics m_figures;  // of m_counted
   Segment m_counted;
   QTimer m_pause;  // until the segment has been left alone for a moment
   JobRunner m_counting;

@@ -252,7 +252,7 @@ void SegmentationPanel::setSegment(const Segment& segment) {
   setFigures({});
 }
 
-void SegmentationPanel::setFigures(const SegmentFigures& figures) {
+void SegmentationPanel::setFigures(const SegmentStatistics& figures) {
   m_figures = figures;
   const bool isKnown = m_scan && figures.parts;
   for (QPushButton* each : m_ofParts) each->setEnabled(isKnown && !figures.parts->samples().empty());

@@ -21,7 +21,7 @@ class HistogramView;
 class NumberField;
 
 // What there is to say of a segment besides its parts.
-struct SegmentFigures {
+struct SegmentStatistics {
   std::shared_ptr<const SegmentParts> parts;
   double faces = 0.0;  // facesOf(), mm²
 };
@@ -49,7 +49,7 @@ class SegmentationPanel : public QWidget {
   void setScan(const std::shared_ptr<const Scan>& scan);
   void setSegment(const Segment& segment);
   // Null parts: they are being counted.
-  void setFigures(const SegmentFigures& figures);
+  void setFigures(const SegmentStatistics& figures);
   // They could not be counted: a surface can be made all the same.
   void setUncounted();
   void setGreys(const GreyWindow& greys);
@@ -82,7 +82,7 @@ class SegmentationPanel : public QWidget {
 
   std::shared_ptr<const Scan> m_scan;
   Segment m_segment;
-  SegmentFigures m_figures;
+  SegmentStatistics m_figures;
   HistogramView* m_histogram;
   NumberField* m_lower;
   NumberField* m_upper;

@@ -132,7 +132,7 @@ void ProgramSession::connectPanel() {
   });
   connect(&m_panel->player(), &ProgramPlayer::stepWanted, this, [this](bool isBack) {
     if (!m_trial) return;
-    const ProgramSteps& steps = m_trial->steps();
+    const ProgramTimeline& steps = m_trial->steps();
     goTo(isBack ? steps.previous(m_position) : steps.next(m_position));
     showPlace();
   });

@@ -9,7 +9,7 @@
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/exercise/AssignedTask.h"
-#include "document/workpiece/exercise/TurningFigures.h"
+#include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/target/TargetPlace.h"
 #include "machining/TurningFidelity.h"
 #include "machining/program/ProgramCheck.h"
@@ -249,7 +249,7 @@ void ProgramSession::cutAnyway(const ProgramTrial::Pointer& asked) {
 // The tool at once, the part as soon as a worker has it.
 void ProgramSession::goTo(const ProgramPosition& position) {
   m_position = position;
-  const ProgramSteps& steps = m_trial->steps();
+  const ProgramTimeline& steps = m_trial->steps();
   m_panel->player().setTime(steps.timeAt(position));
   m_panel->editor().setCurrentLine(static_cast<int>(steps.lineAt(position)));
   if (!m_trial->path().moves.empty()) {

@@ -11,7 +11,7 @@
 #include "document/volume/VolumeMaking.h"
 #include "document/volume/exercise/DescribedHoles.h"
 #include "document/volume/exercise/DrillingDetails.h"
-#include "document/volume/exercise/DrillingFigures.h"
+#include "document/volume/exercise/DrillingMeasurements.h"
 #include "volume/Skull.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeReader.h"
@@ -119,8 +119,8 @@ std::string DrillingSubject::title() const {
   return QT_TRANSLATE_NOOP("Figure", "Drilling");
 }
 
-std::vector<FigureType> DrillingSubject::figures() const {
-  return drillingFigureTypes();
+std::vector<MeasurementType> DrillingSubject::figures() const {
+  return drillingMeasurementTypes();
 }
 
 Status DrillingSubject::applyTolerance(MarkingCriterion& criterion) const {
@@ -263,12 +263,12 @@ Result<DrillingSubject::RoundedTask> DrillingSubject::withRoundedTarget(const Ex
   return Error{ExerciseError::WithoutTarget, {}, {}, {}};
 }
 
-std::vector<Figure> DrillingSubject::measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
-                                             Progress progress) const {
+std::vector<Measurement> DrillingSubject::measure(const Exercise& exercise, const ExerciseTask& task,
+                                                  const Snapshot& work, Progress progress) const {
   const MeasuredDrilling drilling(drillingOf(task), workOf(work), progress);
-  std::vector<Figure> figures;
+  std::vector<Measurement> figures;
   for (const MarkingCriterion& criterion : exercise.criteria)
-    if (!figureType(commonFigures(), criterion.figure)) figures.push_back(drilling.measure(criterion));
+    if (!measurementType(commonMeasurements(), criterion.figure)) figures.push_back(drilling.measure(criterion));
   return figures;
 }
 

@@ -14,7 +14,7 @@ class DrillingSubject : public ExerciseSubject {
   std::string id() const override { return "drilling"; }
   std::string title() const override;
   const DocumentKind& kind() const override { return m_kind; }
-  std::vector<FigureType> figures() const override;
+  std::vector<MeasurementType> figures() const override;
 
   Status applyTolerance(MarkingCriterion& criterion) const override;
   // None of the forbidden region is touched.
@@ -48,8 +48,8 @@ class DrillingSubject : public ExerciseSubject {
   // Error WithoutTarget, always: a path has no sizes to be rounded; nor is there a drawing of it.
   Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const override;
 
-  std::vector<Figure> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
-                              Progress progress) const override;
+  std::vector<Measurement> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
+                                   Progress progress) const override;
   ReportDetails details(const ExerciseTask& task, const Snapshot& work, Progress progress) const override;
   DisplayModel display(const ExerciseTask& task) const override;
   std::vector<FileFormat> drawingFormats() const override { return {}; }

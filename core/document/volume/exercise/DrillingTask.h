@@ -6,7 +6,7 @@
 #include "document/exercise/ExerciseSubject.h"
 #include "document/volume/VolumeSnapshot.h"
 #include "document/volume/exercise/StockText.h"
-#include "volume/drilling/DrillWatch.h"
+#include "volume/drilling/DrillMonitor.h"
 
 namespace handwheel {
 

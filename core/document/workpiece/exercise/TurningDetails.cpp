@@ -4,7 +4,7 @@
 
 #include "base/NumberText.h"
 #include "document/workpiece/exercise/SectionPicture.h"
-#include "document/workpiece/exercise/TurningFigures.h"
+#include "document/workpiece/exercise/TurningMeasurements.h"
 #include "machining/force/ForcePeaks.h"
 
 #include <QtGlobal>

@@ -16,7 +16,7 @@
 #include "document/workpiece/exercise/ExerciseDrawing.h"
 #include "document/workpiece/exercise/TargetSizes.h"
 #include "document/workpiece/exercise/TurningDetails.h"
-#include "document/workpiece/exercise/TurningFigures.h"
+#include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/target/DrawingExport.h"
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
@@ -86,8 +86,8 @@ std::string TurningSubject::title() const {
   return QT_TRANSLATE_NOOP("Figure", "Turning");
 }
 
-std::vector<FigureType> TurningSubject::figures() const {
-  return turningFigureTypes();
+std::vector<MeasurementType> TurningSubject::figures() const {
+  return turningMeasurementTypes();
 }
 
 Status TurningSubject::applyTolerance(MarkingCriterion& criterion) const {
@@ -207,12 +207,12 @@ nlohmann::json TurningSubject::describeWork(const ExerciseTask& task, const Snap
   return passesDescription(workpiece.part ? workpiece.part->passes : TurningPasses(), turning.lathe.spindleSpeed);
 }
 
-std::vector<Figure> TurningSubject::measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
-                                            Progress progress) const {
+std::vector<Measurement> TurningSubject::measure(const Exercise& exercise, const ExerciseTask& task,
+                                                 const Snapshot& work, Progress progress) const {
   const MeasuredPart part(turningOf(task), turnedOf(work), progress.part(0.0, 0.8));
-  std::vector<Figure> figures;
+  std::vector<Measurement> figures;
   for (const MarkingCriterion& criterion : exercise.criteria) {
-    if (figureType(commonFigures(), criterion.figure)) continue;
+    if (measurementType(commonMeasurements(), criterion.figure)) continue;
     if (progress.cancelled()) break;
     figures.push_back(part.measure(criterion, progress.part(0.8, 1.0)));
   }

@@ -14,7 +14,7 @@ class TurningSubject : public ExerciseSubject {
   std::string title() const override;
   const DocumentKind& kind() const override { return m_kind; }
   bool isTurned() const override { return true; }
-  std::vector<FigureType> figures() const override;
+  std::vector<MeasurementType> figures() const override;
 
   Status applyTolerance(MarkingCriterion& criterion) const override;
   // The finished face.
@@ -46,8 +46,8 @@ class TurningSubject : public ExerciseSubject {
                                           std::optional<double> facing, Progress progress) const override;
   Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const override;
 
-  std::vector<Figure> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
-                              Progress progress) const override;
+  std::vector<Measurement> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
+                                   Progress progress) const override;
   ReportDetails details(const ExerciseTask& task, const Snapshot& work, Progress progress) const override;
   DisplayModel display(const ExerciseTask& task) const override;
   std::vector<FileFormat> drawingFormats() const override;

@@ -20,13 +20,13 @@ constexpr const char* kShoulders[] = {
 
 }  // namespace
 
-QString stanceText(const ArmStance& stance) {
-  const char* const elbow = stance.isElbowUp ? QT_TRANSLATE_NOOP("IkSolutionText", "elbow up")
-                                             : QT_TRANSLATE_NOOP("IkSolutionText", "elbow down");
-  const char* const wrist = stance.isWristFlipped ? QT_TRANSLATE_NOOP("IkSolutionText", "wrist flipped")
-                                                  : QT_TRANSLATE_NOOP("IkSolutionText", "wrist not flipped");
-  return solutionWord(kShoulders[static_cast<int>(stance.shoulder)]) + QStringLiteral(", ") + solutionWord(elbow) +
-         QStringLiteral(", ") + solutionWord(wrist);
+QString configurationText(const ArmConfiguration& configuration) {
+  const char* const elbow = configuration.isElbowUp ? QT_TRANSLATE_NOOP("IkSolutionText", "elbow up")
+                                                    : QT_TRANSLATE_NOOP("IkSolutionText", "elbow down");
+  const char* const wrist = configuration.isWristFlipped ? QT_TRANSLATE_NOOP("IkSolutionText", "wrist flipped")
+                                                         : QT_TRANSLATE_NOOP("IkSolutionText", "wrist not flipped");
+  return solutionWord(kShoulders[static_cast<int>(configuration.shoulder)]) + QStringLiteral(", ") +
+         solutionWord(elbow) + QStringLiteral(", ") + solutionWord(wrist);
 }
 
 QString problemText(const CellScene& scene, const CellIkSolution& solution) {
@@ -48,10 +48,11 @@ QString turnedOffText(const CellIkSolution& solution) {
 }
 
 QString ikSolutionText(const CellScene& scene, const CellIkSolution& solution, std::size_t number) {
-  const QString stance = solution.arm.stance ? stanceText(*solution.arm.stance)
-                                             : solutionWord(QT_TRANSLATE_NOOP("IkSolutionText", "Way %1")).arg(number);
+  const QString configuration = solution.arm.configuration
+                                    ? configurationText(*solution.arm.configuration)
+                                    : solutionWord(QT_TRANSLATE_NOOP("IkSolutionText", "Way %1")).arg(number);
   const QString problem = problemText(scene, solution), turned = turnedOffText(solution);
-  return stance + QStringLiteral(": ") +
+  return configuration + QStringLiteral(": ") +
          (problem.isEmpty() ? solutionWord(QT_TRANSLATE_NOOP("IkSolutionText", "free")) : problem) +
          (turned.isEmpty() ? QString() : QStringLiteral(", ") + turned);
 }

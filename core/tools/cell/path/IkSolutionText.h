@@ -11,7 +11,7 @@ namespace handwheel {
 // Texts that describe inverse kinematics solutions of an arm, translated.
 
 // "Shoulder in front, elbow up, wrist flipped".
-QString stanceText(const ArmStance& stance);
+QString configurationText(const ArmConfiguration& configuration);
 
 // What is wrong with a solution: a joint beyond its limits, or what collides; empty: it is free.
 QString problemText(const CellScene& scene, const CellIkSolution& solution);

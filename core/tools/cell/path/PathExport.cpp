@@ -31,7 +31,7 @@ std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, co
   return Error{CellError::PathCollides, {path.name, std::to_string(collisions.size()), link, other}, {}, {}};
 }
 
-std::string otherRobot(const CellScene& scene, const Post& post) {
+std::string otherRobot(const CellScene& scene, const PostProcessor& post) {
   const LibraryRobot* const robot = libraryRobot(scene.plannedArm().title);
   return robot && !std::string_view(robot->title).starts_with(post.maker()) ? robot->title : "";
 }
@@ -69,7 +69,7 @@ double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional
 }  // namespace
 
 // Descriptions name the model only, as "ur5_robot".
-const Post& usualPost(const RobotArm& arm) {
+const PostProcessor& usualPost(const RobotArm& arm) {
   std::string plain;
   for (const char letter : arm.title) {
     const bool isPlain = (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z');
@@ -93,8 +93,8 @@ const Post& usualPost(const RobotArm& arm) {
 }
 
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
-                                    const CheckedPath& checked, const Post& post, const std::filesystem::path& output,
-                                    OutdatedPath outdated) {
+                                    const CheckedPath& checked, const PostProcessor& post,
+                                    const std::filesystem::path& output, OutdatedPath outdated) {
   if (const auto problem = problemOf(scene, path, checked)) return *problem;
   if (!checked.partMoved.empty() && outdated == OutdatedPath::Refuse)
     return Error{CellError::PathOutdated, {path.name, checked.partMoved}, {}, {}};
@@ -113,7 +113,7 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
   return result;
 }
 
-Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const Post& post,
+Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
                                   std::string_view text, Progress progress) {
   RobotProgram frame;
   frame.arm = scene.armFromBase();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "robot/posts/Post.h"
+#include "robot/posts/PostProcessor.h"
 #include "tools/cell/path/PathCheck.h"
 
 #include <filesystem>
@@ -22,19 +22,19 @@ enum class OutdatedPath { Refuse, Write };
 
 // Writes a certified path as a program, with remarks of what was not proven or does not hold any more. What the
 // controller cannot do is an error before anything is written; so is a text that does not read back as the path (1e-3
-// mm, 1e-3°). Errors: PathCollides, LineUnreachable, PathOutdated, those of Post::refusals() and of writing.
+// mm, 1e-3°). Errors: PathCollides, LineUnreachable, PathOutdated, those of PostProcessor::refusals() and of writing.
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
-                                    const CheckedPath& checked, const Post& post, const std::filesystem::path& output,
-                                    OutdatedPath outdated = OutdatedPath::Refuse);
+                                    const CheckedPath& checked, const PostProcessor& post,
+                                    const std::filesystem::path& output, OutdatedPath outdated = OutdatedPath::Refuse);
 
 // The post for the controller of a robot, by its maker; one for any controller where that is not known.
-const Post& usualPost(const RobotArm& arm);
+const PostProcessor& usualPost(const RobotArm& arm);
 
 // A program in the language of a controller as a path: poses are reached by the joint values that are nearest to those
 // of the place before. Speeds are those of the program; where it gives a joint motion the speed of the tool, the share
-// is that with which the tool comes to it on average. Errors: those of Post::read(); PoseUnreachable {motion, line},
-// Cancelled.
-Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const Post& post,
+// is that with which the tool comes to it on average. Errors: those of PostProcessor::read(); PoseUnreachable {motion,
+// line}, Cancelled.
+Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
                                   std::string_view text, Progress progress = {});
 
 }  // namespace handwheel

@@ -94,7 +94,7 @@ ToolReply BoundaryTool::press(const PointerEvent& event) {
   dropProposal();
   const Vertex v = mesh().from(m_hovered->at);
   const double still = (event.device ? kStillHand : kStill) * event.pickRay().pixelAt(mesh().position(v));
-  Drag drag{near, *m_hovered, VertexPull(near, v), event.ray, {}, still};
+  Drag drag{near, *m_hovered, VertexDrag(near, v), event.ray, {}, still};
   if (event.device) drag.tip = event.device->translation();
   drag.place = drag.stop = drag.pull.start();
   m_drag = std::move(drag);
@@ -119,7 +119,7 @@ void BoundaryTool::follow(const PointerEvent& event) {
   }
   aim(isBridge ? Deed::Bridge : Deed::Pull, kNone);
   if (m_drag->deed == Deed::Bridge) return;
-  const VertexPull::Place reached = m_drag->pull.towards(m_drag->place, m_document.fileNumbers());
+  const VertexDrag::Place reached = m_drag->pull.towards(m_drag->place, m_document.fileNumbers());
   m_drag->stop = reached.point;
   m_drag->problem = reached.problem;
 }

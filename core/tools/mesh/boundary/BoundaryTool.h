@@ -4,7 +4,7 @@
 
 #include "mesh/boundary/BoundarySmoothing.h"
 #include "mesh/boundary/BoundaryWelding.h"
-#include "mesh/boundary/VertexPull.h"
+#include "mesh/boundary/VertexDrag.h"
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshSelection.h"
 #include "tools/mesh/boundary/BoundaryPicking.h"
@@ -49,7 +49,7 @@ class BoundaryTool : public Tool {
   struct Drag {
     std::shared_ptr<const FaceLocator> near;
     BoundaryPoint held;
-    VertexPull pull;
+    VertexDrag pull;
     Ray grip;                      // at the press
     std::optional<Vec3> tip = {};  // of the device then; mm
     double still = 0.0;            // mm; a shorter motion is a click

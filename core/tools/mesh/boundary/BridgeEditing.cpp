@@ -9,7 +9,7 @@
 namespace handwheel {
 namespace {
 
-bool isSame(const LoopChord& x, const LoopChord& y) {
+bool isSame(const HoleBridge& x, const HoleBridge& y) {
   return std::minmax({x.a, x.b}) == std::minmax({y.a, y.b});
 }
 
@@ -20,21 +20,21 @@ void BridgeEditing::reset() {
   cancel();
 }
 
-std::optional<LoopChord> BridgeEditing::drawn() const {
+std::optional<HoleBridge> BridgeEditing::drawn() const {
   if (!m_from || !m_to || *m_from == *m_to) return std::nullopt;
-  return LoopChord{*m_from, *m_to};
+  return HoleBridge{*m_from, *m_to};
 }
 
-bool BridgeEditing::release(std::size_t loopSize, const std::vector<LoopChord>& shown) {
-  const std::optional<LoopChord> bridge = drawn();
+bool BridgeEditing::release(std::size_t loopSize, const std::vector<HoleBridge>& shown) {
+  const std::optional<HoleBridge> bridge = drawn();
   cancel();
   if (!bridge || !splitHole(loopSize, {*bridge})) return false;
-  std::vector<LoopChord> next = shown;
-  const auto gone = std::remove_if(next.begin(), next.end(), [&](const LoopChord& s) { return isSame(s, *bridge); });
+  std::vector<HoleBridge> next = shown;
+  const auto gone = std::remove_if(next.begin(), next.end(), [&](const HoleBridge& s) { return isSame(s, *bridge); });
   if (gone != next.end()) {
     next.erase(gone, next.end());
   } else {
-    std::erase_if(next, [&](const LoopChord& s) { return !splitHole(loopSize, {s, *bridge}); });
+    std::erase_if(next, [&](const HoleBridge& s) { return !splitHole(loopSize, {s, *bridge}); });
     next.push_back(*bridge);
   }
   m_own = std::move(next);

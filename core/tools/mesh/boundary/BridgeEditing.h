@@ -17,21 +17,21 @@ namespace handwheel {
 class BridgeEditing {
  public:
   // The bridges of the user; empty as long as the program chooses them.
-  const std::vector<LoopChord>& own() const { return m_own; }
+  const std::vector<HoleBridge>& own() const { return m_own; }
   void reset();
 
   void press(std::uint32_t point) { m_from = point; }
   void drag(std::optional<std::uint32_t> point) { m_to = point; }
   bool isDrawing() const { return m_from.has_value(); }
   // Ends the drawing. shown: the bridges as they are. True when the bridges have changed.
-  bool release(std::size_t loopSize, const std::vector<LoopChord>& shown);
+  bool release(std::size_t loopSize, const std::vector<HoleBridge>& shown);
   void cancel() { m_from = m_to = std::nullopt; }
 
   // The bridge that is being drawn.
-  std::optional<LoopChord> drawn() const;
+  std::optional<HoleBridge> drawn() const;
 
  private:
-  std::vector<LoopChord> m_own;
+  std::vector<HoleBridge> m_own;
   std::optional<std::uint32_t> m_from, m_to;
 };
 

@@ -3,7 +3,7 @@
 #include "tools/mesh/operations/FillOperation.h"
 
 #include "mesh/measure/MeshFidelity.h"
-#include "tools/mesh/StepText.h"
+#include "tools/mesh/ScriptLine.h"
 
 #include <QtGlobal>
 
@@ -127,7 +127,7 @@ OperationValues valuesOf(const FillOptions& options) {
   OperationValues values(fillOperation());
   setFillOptions(values, options);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
-  for (const LoopChord& bridge : options.bridges) ends.emplace_back(bridge.a, bridge.b);
+  for (const HoleBridge& bridge : options.bridges) ends.emplace_back(bridge.a, bridge.b);
   if (!ends.empty()) values.setValid("bridges", pairsText(ends));
   return values;
 }

@@ -3,9 +3,9 @@
 #include "tools/mesh/operations/MeshOperations.h"
 
 #include "tools/mesh/operations/DecimateOperation.h"
+#include "tools/mesh/operations/DefectFixOperations.h"
 #include "tools/mesh/operations/EdgeOperations.h"
 #include "tools/mesh/operations/FillOperation.h"
-#include "tools/mesh/operations/MendOperations.h"
 #include "tools/mesh/operations/PlaceOperation.h"
 #include "tools/mesh/operations/RepairOperation.h"
 #include "tools/mesh/operations/SculptOperations.h"
@@ -52,7 +52,7 @@ std::vector<Operation> allOperations() {
   };
   add(placeOperations());
   add({fillOperation(), repairOperation()});
-  add(mendOperations());
+  add(defectFixOperations());
   add({volumeRepairOperation()});
   add({decimateOperation(), subdivideMeshOperation()});
   add(edgeOperations());

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The descriptions of all changes of a mesh, in the order of help pages. Each is a step (MeshSteps.h).
+// The descriptions of all changes of a mesh, in the order of help pages. Each is a step (MeshScript.h).
 std::span<const Operation> meshOperations();
 
 // The one with this verb or former verb; null when there is none.

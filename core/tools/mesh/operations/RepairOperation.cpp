@@ -13,12 +13,13 @@ namespace {
 
 static_assert(tolerance::kDebrisArea == 0.01 && tolerance::kDebrisFaces == 0.01, "as --remove-debris says");
 
-Parameter rimsParameter() {
+Parameter openSheetsParameter() {
   return {
-      .property = {.id = "rims", .group = {}, .label = {}, .value = static_cast<double>(RepairOptions().rims)},
+      .property = {.id = "open-sheets", .group = {}, .label = {}, .value = static_cast<double>(RepairOptions().sheets)},
       .meaning = "Keep outer boundaries of open sheets open, thicken each sheet to a thin body, or fill them as holes",
       .word = "HOW",
-      .words = {"keep", "back", "fill"}};  // as RimHandling
+      .words = {"keep", "back", "fill"},  // as SheetHandling
+      .formerId = "rims"};
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ const Operation& repairOperation() {
         .parameters = fillParameters()};
     auto& all = repair.parameters;
     all.push_back(nearWeldParameter(RepairOptions().nearWeld));
-    all.push_back(rimsParameter());
+    all.push_back(openSheetsParameter());
     all.push_back(thicknessParameter());
     all.push_back(countParameter("max-hole", "N", "Leave loops with more edges open; 0: no limit"));
     all.push_back(flagParameter("remove-debris",
@@ -53,7 +54,7 @@ RepairOptions repairOptionsOf(const OperationValues& values) {
   RepairOptions options;
   options.fill = fillOptionsOf(values);
   options.nearWeld = values.number("near-weld");
-  options.rims = static_cast<RimHandling>(values.whole("rims"));
+  options.sheets = static_cast<SheetHandling>(values.whole("open-sheets"));
   options.thickness = values.given("thickness").value_or(0.0);
   options.maxEdges = values.whole("max-hole");
   options.removeDebris = values.flag("remove-debris");
@@ -67,7 +68,7 @@ OperationValues valuesOf(const RepairOptions& options) {
   OperationValues values(repairOperation());
   setFillOptions(values, options.fill);
   values.setValid("near-weld", options.nearWeld);
-  values.setValid("rims", static_cast<double>(options.rims));
+  values.setValid("open-sheets", static_cast<double>(options.sheets));
   if (options.thickness > 0.0) values.setValid("thickness", options.thickness);
   values.setValid("max-hole", static_cast<double>(options.maxEdges));
   values.setValid("remove-debris", options.removeDebris);

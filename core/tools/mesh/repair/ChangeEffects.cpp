@@ -50,7 +50,7 @@ ChangeEffects effectsOf(const MeshChange& change, const HalfEdgeMesh& before, co
     effects.crossings = intersectionsChange(before, after, progress.part(0.0, 0.5));
   if (change.isFix) {
     effects.loops = countClosed(before, after, progress.part(0.5, 0.65));
-    effects.removed = removedPart(before, after, progress.part(0.65, 0.8));
+    effects.removed = farthestRemovedVertex(before, after, progress.part(0.65, 0.8));
   }
   if (change.isDeletion) effects.piecesGone = countGone(before, after, progress.part(0.8, 1.0));
   effects.facesGone = before.liveFaceCount() - std::min(before.liveFaceCount(), after.liveFaceCount());

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "mesh/defects/Defects.h"
+#include "mesh/repair/FarthestRemovedVertex.h"
 #include "mesh/repair/OutcomeCounts.h"
-#include "mesh/repair/RemovedPart.h"
 #include "mesh/search/LocalIntersections.h"
 #include "mesh/selection/FaceSelection.h"
 #include "mesh/structure/PositionKey.h"
@@ -18,8 +18,8 @@ struct ChangeEffects {
   LoopCounts loops;                              // of a fix
   std::size_t piecesGone = 0;                    // connected parts of which nothing is left; of a deletion
   std::size_t facesGone = 0;
-  std::set<PointKey> cutOff;           // of a fix; set from cutOffCorners() when the result is inspected
-  std::optional<RemovedPart> removed;  // of a fix
+  std::set<PointKey> cutOff;                     // of a fix; set from cutOffCorners() when the result is inspected
+  std::optional<FarthestRemovedVertex> removed;  // of a fix
 };
 
 // The corners of the pieces of a result that count as debris only since a change cut them from a larger body, of which

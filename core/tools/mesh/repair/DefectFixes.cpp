@@ -18,7 +18,7 @@
 #include "mesh/structure/PositionTriangles.h"
 #include "mesh/structure/Shells.h"
 #include "tools/mesh/operations/MeshOperations.h"
-#include "tools/mesh/repair/FixParts.h"
+#include "tools/mesh/repair/DefectFixChanges.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -33,7 +33,7 @@ constexpr const char* kOnlyWithHoles = QT_TRANSLATE_NOOP(
 
 bool hasHoles(const HalfEdgeMesh& mesh, Progress progress) {
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh, progress);
-  return std::any_of(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return !loop.rim; });
+  return std::any_of(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return !loop.isSheetBoundary; });
 }
 
 // Without those that an undo has taken away meanwhile.
@@ -82,7 +82,7 @@ const FaceSelection* onlyOf(const FaceSelection& faces) {
 }  // namespace
 
 MeshChange degenerateFix(const FaceSelection& faces) {
-  StepWriter step("degenerates");
+  ScriptLineWriter step("degenerates");
   if (!faces.empty()) step.word(rangesText(faces));
   return asFix(
       {meshOperation("degenerates").title,
@@ -91,7 +91,7 @@ MeshChange degenerateFix(const FaceSelection& faces) {
 }
 
 MeshChange duplicateFix(const FaceSelection& faces) {
-  StepWriter step("duplicates");
+  ScriptLineWriter step("duplicates");
   if (!faces.empty()) step.word(rangesText(faces));
   return asFix({meshOperation("duplicates").title,
                 [faces](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress, onlyOf(faces)); },
@@ -100,7 +100,7 @@ MeshChange duplicateFix(const FaceSelection& faces) {
 }
 
 MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>> pairs) {
-  StepWriter step("near-vertices");
+  ScriptLineWriter step("near-vertices");
   if (!pairs.empty()) step.word(pairsText(pairs));
   OperationValues values(meshOperation("near-vertices"));
   values.setValid("near-weld", nearWeld);
@@ -116,7 +116,7 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
 }
 
 MeshChange nonManifoldFix(NumberType numbers, std::vector<Vertex> vertices) {
-  StepWriter step("split-nonmanifold");
+  ScriptLineWriter step("split-nonmanifold");
   if (!vertices.empty()) step.word(listText(vertices));
   step.options(roundingValues("split-nonmanifold", numbers));
   return asFix(countedChange(
@@ -131,7 +131,7 @@ MeshChange nonManifoldFix(NumberType numbers, std::vector<Vertex> vertices) {
 }
 
 MeshChange nonOrientableFix(const FillOptions& options, std::vector<Vertex> vertices) {
-  StepWriter step("two-sides");
+  ScriptLineWriter step("two-sides");
   if (!vertices.empty()) step.word(listText(vertices));
   step.options(fillingValues("two-sides", options));
   return asFix(countedChange(
@@ -151,7 +151,7 @@ MeshChange nonOrientableFix(const FillOptions& options, std::vector<Vertex> vert
 
 // A repair replaces what is folded around a hole, which no cut can separate.
 MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
-  StepWriter step("cut-crossings");
+  ScriptLineWriter step("cut-crossings");
   step.word(pairsText(pairs)).options(roundingValues("cut-crossings", numbers));
   return asFix(explainedChange(
                    meshOperation("cut-crossings").title,
@@ -166,7 +166,7 @@ MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>
 }
 
 MeshChange unionFix(NumberType numbers) {
-  StepWriter step("unite");
+  ScriptLineWriter step("unite");
   step.options(roundingValues("unite", numbers));
   return asFix(explainedChange(
                    meshOperation("unite").title,
@@ -180,7 +180,7 @@ MeshChange unionFix(NumberType numbers) {
 }
 
 MeshChange debrisFix(std::vector<Face> faces) {
-  StepWriter step("debris");
+  ScriptLineWriter step("debris");
   step.word(listText(faces));
   return asFix({meshOperation("debris").title,
                 [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) {
@@ -209,7 +209,7 @@ MeshChange insideOutFix() {
 }
 
 MeshChange orientFix(const FaceSelection& faces) {
-  StepWriter step("orient");
+  ScriptLineWriter step("orient");
   if (!faces.empty()) step.word(rangesText(faces));
   return asFix({meshOperation("orient").title,
                 [faces](HalfEdgeMesh& mesh, Progress progress) {
@@ -224,7 +224,7 @@ MeshChange orientFix(const FaceSelection& faces) {
 }
 
 MeshChange reverseChange(const FaceSelection& faces) {
-  StepWriter step("reverse");
+  ScriptLineWriter step("reverse");
   step.word(rangesText(faces));
   return asFix({meshOperation("reverse").title,
                 [faces](HalfEdgeMesh& mesh, Progress progress) {

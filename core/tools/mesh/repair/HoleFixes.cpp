@@ -5,9 +5,9 @@
 #include "mesh/repair/ObstructedHoles.h"
 #include "mesh/repair/SheetThickening.h"
 #include "mesh/repair/intersections/FoldedRegionRemoval.h"
-#include "tools/mesh/LoopText.h"
+#include "tools/mesh/BoundaryLoopText.h"
 #include "tools/mesh/operations/MeshOperations.h"
-#include "tools/mesh/repair/FixParts.h"
+#include "tools/mesh/repair/DefectFixChanges.h"
 
 #include <algorithm>
 
@@ -65,7 +65,7 @@ bool replaceFolded(HalfEdgeMesh& mesh, Vertex key, const FillOptions& options, P
 MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, double thickness) {
   OperationValues values = fillingValues("back", options);
   if (thickness > 0.0) values.setValid("thickness", thickness);
-  StepWriter step("back");
+  ScriptLineWriter step("back");
   step.word(loopsText(loops)).options(values);
   const auto sheets = std::make_shared<SheetOutcomes>();
   const auto work = [loops = std::move(loops), options, thickness, sheets](HalfEdgeMesh& mesh, Progress progress) {
@@ -83,7 +83,7 @@ MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, dou
 }
 
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
-  StepWriter step("cut-and-close");
+  ScriptLineWriter step("cut-and-close");
   step.word(loopsText({loop})).options(fillingValues("cut-and-close", options));
   return asFix(countedChange(
                    meshOperation("cut-and-close").title,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/repair/RepairChanges.h"
 
-#include "tools/mesh/LoopText.h"
+#include "tools/mesh/BoundaryLoopText.h"
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/RepairOperation.h"
 
@@ -16,7 +16,7 @@ FillFailure fillHole(HoleFiller& filler, const BoundaryLoop& loop, const FillOpt
 }
 
 std::string fillStep(Vertex loop, const FillOptions& options) {
-  return StepWriter("fill").word(loopsText({loop})).options(valuesOf(options)).text();
+  return ScriptLineWriter("fill").word(loopsText({loop})).options(valuesOf(options)).text();
 }
 
 MeshChange repairChange(const RepairOptions& options, std::shared_ptr<RepairReport> report) {
@@ -25,7 +25,7 @@ MeshChange repairChange(const RepairOptions& options, std::shared_ptr<RepairRepo
                      RepairReport done = repair(mesh, options, progress);
                      if (report) *report = std::move(done);
                    }},
-                  StepWriter("repair").options(valuesOf(options)).text());
+                  ScriptLineWriter("repair").options(valuesOf(options)).text());
 }
 
 }  // namespace handwheel

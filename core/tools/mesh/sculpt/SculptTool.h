@@ -5,7 +5,7 @@
 #include "mesh/selection/PreviewMesh.h"
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshServices.h"
-#include "tools/mesh/sculpt/SculptSteps.h"
+#include "tools/mesh/sculpt/SculptScript.h"
 
 #include <deque>
 

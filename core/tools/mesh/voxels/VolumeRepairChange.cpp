@@ -3,9 +3,9 @@
 #include "tools/mesh/voxels/VolumeRepairChange.h"
 
 #include "mesh/measure/Deviation.h"
-#include "tools/mesh/StepText.h"
+#include "tools/mesh/ScriptLine.h"
 #include "tools/mesh/operations/FillOperation.h"
-#include "tools/mesh/repair/FixParts.h"
+#include "tools/mesh/repair/DefectFixChanges.h"
 #include "tools/mesh/voxels/VolumeRepairOperation.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
@@ -80,7 +80,7 @@ MeshChange volumeRepairChange(const VolumeRepairWish& wish, NumberType numbers) 
       });
   change.distance = distance;
   change.volume = outcome;
-  return asFix(std::move(change), StepWriter("by-volume").options(values).text());
+  return asFix(std::move(change), ScriptLineWriter("by-volume").options(values).text());
 }
 
 }  // namespace handwheel

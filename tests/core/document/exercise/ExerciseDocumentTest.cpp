@@ -165,13 +165,13 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(!sets("criterion.ra.tolerance", "h7") && !sets("criterion.crash.tolerance", "h7"));
     // A new one: a teacher types the nominal size and the class.
     document->change(QStringLiteral("Add"),
-                     withNewCriterion(document->exercise(), figureTypes(*document->exercise().subject)[0]));
+                     withNewCriterion(document->exercise(), measurementTypes(*document->exercise().subject)[0]));
     QVERIFY(!sets("criterion.c1.tolerance", "h10"));
     QVERIFY(sets("criterion.c1.nominal", "25") && sets("criterion.c1.tolerance", "h10"));
     QVERIFY(isNear(limits("c1"), 24.916, 25.0));
     // Points without a limit are an oversight, and shown as one.
     document->change(QStringLiteral("Add"),
-                     withNewCriterion(document->exercise(), figureTypes(*document->exercise().subject)[0]));
+                     withNewCriterion(document->exercise(), measurementTypes(*document->exercise().subject)[0]));
     QVERIFY(!document->property("criterion.c2.points")->problem.empty());
     QVERIFY(document->property("criterion.c1.points")->problem.empty());
   }
@@ -199,8 +199,8 @@ class ExerciseDocumentTest : public QObject {
   void rowsComeAndGo() {
     ExerciseSnapshot exercise = shoulderDocument()->exercise();
     const std::size_t before = exercise.exercise.criteria.size();
-    exercise = withNewCriterion(exercise, figureTypes(*exercise.subject)[0]);
-    exercise = withNewStep(withNewCriterion(exercise, figureTypes(*exercise.subject)[2]));
+    exercise = withNewCriterion(exercise, measurementTypes(*exercise.subject)[0]);
+    exercise = withNewStep(withNewCriterion(exercise, measurementTypes(*exercise.subject)[2]));
     QVERIFY(exercise.exercise.criteria.size() == before + 2 && checkExercise(exercise.exercise));
     QCOMPARE(exercise.exercise.criteria.back().arguments.size(), std::size_t{4});
     exercise = withoutCriterion(exercise, "d");

@@ -11,7 +11,7 @@
 #include "document/volume/exercise/DrillingSubject.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/exercise/ExerciseDrawing.h"
-#include "document/workpiece/exercise/TurningFigures.h"
+#include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/exercise/TurningTask.h"
 
 #include <QDir>
@@ -250,7 +250,7 @@ class ShippedExercisesTest : public QObject {
       MarkingCriterion c{"arc", "", "arc", {from, to}};
       c.lower = 1.0;
       c.upper = 1.2;
-      const Figure figure = solution.measure(c);
+      const Measurement figure = solution.measure(c);
       QVERIFY2(!figure.value && figure.remark.inEnglish().find("circle") != std::string::npos, file);
     }
   }

@@ -4,7 +4,7 @@
 #include "TurningExercises.h"
 #include "document/exercise/ExerciseErrors.h"
 #include "document/workpiece/TurnedPartEdit.h"
-#include "document/workpiece/exercise/TurningFigures.h"
+#include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/exercise/TurningTask.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/lathe/LatheJson.h"
@@ -381,7 +381,7 @@ class TurningExerciseTest : public QObject {
   void everyFigureIsMeasuredOrSaysWhyNot() {
     Json description = shoulderDescription();
     Json criteria = Json::array();
-    for (const FigureType& type : turningFigureTypes()) {
+    for (const MeasurementType& type : turningMeasurementTypes()) {
       std::vector<double> arguments;
       for (std::size_t i = 0; i < type.arguments.size(); ++i) arguments.push_back(i % 2 == 0 ? 10.0 : 90.0);
       criteria.push_back({{"id", type.id}, {"figure", type.id}, {"arguments", arguments}, {"upper", 1}, {"points", 1}});

@@ -4,7 +4,7 @@
 #include "TurningExercises.h"
 #include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ExerciseRows.h"
-#include "document/workpiece/exercise/TurningFigures.h"
+#include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/exercise/TurningTask.h"
 #include "document/workpiece/target/TargetPlace.h"
 
@@ -76,7 +76,8 @@ class TurningLoadsTest : public QObject {
     const auto& task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     QVERIFY(task.target);
     const double zero = task.target->upperEnd();
-    ExerciseSnapshot scheme = withNewCriterion(*loadedShoulder(), *figureType(turningFigureTypes(), "diameter"));
+    ExerciseSnapshot scheme =
+        withNewCriterion(*loadedShoulder(), *measurementType(turningMeasurementTypes(), "diameter"));
     MarkingCriterion& added = scheme.exercise.criteria.back();
     added.arguments = {zero - 30.0, zero - 20.0};
     added.lower = 1.0;
@@ -136,17 +137,18 @@ class TurningLoadsTest : public QObject {
     const auto& task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     for (const auto& [figure, limit] :
          {std::pair("crashes", 0.0), std::pair("force", task.forceLimit), std::pair("power", task.powerLimit)}) {
-      const FigureType* const type = figureType(turningFigureTypes(), figure);
+      const MeasurementType* const type = measurementType(turningMeasurementTypes(), figure);
       const ExerciseSnapshot scheme = withNewCriterion(*loadedShoulder(), *type);
       const MarkingCriterion& added = scheme.exercise.criteria.back();
       QCOMPARE(added.upper, std::optional(limit));
       const Marking good = markWork(scheme, *workFrom(scheme, shoulderWork()), {});
       QCOMPARE(good.find(added.id)->points, added.points);
     }
-    const FigureType* const diameter = figureType(turningFigureTypes(), "diameter");
+    const MeasurementType* const diameter = measurementType(turningMeasurementTypes(), "diameter");
     QVERIFY(!withNewCriterion(*loadedShoulder(), *diameter).exercise.criteria.back().hasLimit());
     // However often the tool strikes, no more is lost than the points of the mark.
-    const ExerciseSnapshot scheme = withNewCriterion(*loadedShoulder(), *figureType(turningFigureTypes(), "crashes"));
+    const ExerciseSnapshot scheme =
+        withNewCriterion(*loadedShoulder(), *measurementType(turningMeasurementTypes(), "crashes"));
     WorkpieceSnapshot struck = static_cast<const WorkpieceSnapshot&>(*workFrom(scheme, shoulderWork()));
     struck.crashes = std::make_shared<const std::vector<LatheCollision>>(100);
     const Marking bad = markWork(scheme, struck, {}), good = markWork(scheme, *workFrom(scheme, shoulderWork()), {});

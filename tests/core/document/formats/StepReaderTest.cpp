@@ -6,7 +6,7 @@
 #include "StepFiles.h"
 #include "TestClass.h"
 #include "mesh/structure/Weld.h"
-#include "nurbs/StepFile.h"
+#include "nurbs/StepWriter.h"
 #include "nurbs/StockCylinder.h"
 
 #include <QTest>

@@ -18,8 +18,8 @@ namespace {
 bool same(const Defects& a, const Defects& b) {
   const auto sameLoop = [](const BoundaryLoop& x, const BoundaryLoop& y) {
     return x.id == y.id && x.halfEdges == y.halfEdges && x.borderEdges == y.borderEdges && x.length == y.length &&
-           x.planarity == y.planarity && x.rim == y.rim && x.centre == y.centre && x.box.min() == y.box.min() &&
-           x.box.max() == y.box.max();
+           x.planarity == y.planarity && x.isSheetBoundary == y.isSheetBoundary && x.centre == y.centre &&
+           x.box.min() == y.box.min() && x.box.max() == y.box.max();
   };
   const auto samePart = [](const Component& x, const Component& y) {
     return x.faceCount == y.faceCount && x.area == y.area && x.volume == y.volume && x.debris == y.debris &&

@@ -114,7 +114,7 @@ class OrphanedAutosavesTest : public QObject {
       const auto text = rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
       AutosaveInfo info{*text, *rc::gen::arbitrary<std::string>(), *text, *text};
       if (*rc::gen::arbitrary<bool>())
-        info.stamp = FileStamp{*rc::gen::arbitrary<std::uintmax_t>(), *rc::gen::arbitrary<std::int64_t>()};
+        info.stamp = FileTimestamp{*rc::gen::arbitrary<std::uintmax_t>(), *rc::gen::arbitrary<std::int64_t>()};
       info.isPartial = *rc::gen::arbitrary<bool>();
       RC_ASSERT(recovery::parseInfo(recovery::infoText(info)) == info);
     }));

@@ -8,7 +8,7 @@
 #include "document/exercise/ExerciseKind.h"
 #include "document/exercise/StartedWork.h"
 #include "document/exercise/Submission.h"
-#include "document/volume/exercise/DrillingFigures.h"
+#include "document/volume/exercise/DrillingMeasurements.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeShapes.h"
 

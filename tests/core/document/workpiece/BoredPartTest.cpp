@@ -11,7 +11,7 @@
 #include "machining/lathe/LatheJson.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/structure/MeshBuilder.h"
-#include "nurbs/StepFile.h"
+#include "nurbs/StepWriter.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -10,7 +10,7 @@
 #include "document/workpiece/WorkpieceKind.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/structure/MeshBuilder.h"
-#include "nurbs/StepFile.h"
+#include "nurbs/StepWriter.h"
 
 #include <rapidcheck.h>
 

@@ -10,7 +10,7 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "machining/lathe/LatheJson.h"
 #include "mesh/structure/Weld.h"
-#include "nurbs/StepFile.h"
+#include "nurbs/StepWriter.h"
 #include "scene/RevolvedGeometry.h"
 
 #include <MeshChecks.h>

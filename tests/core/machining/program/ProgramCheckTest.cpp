@@ -4,7 +4,7 @@
 
 #include "TestClass.h"
 #include "machining/program/ProgramErrors.h"
-#include "machining/program/ProgramSteps.h"
+#include "machining/program/ProgramTimeline.h"
 
 #include <QtTest>
 #include <cmath>
@@ -92,7 +92,7 @@ class ProgramCheckTest : public QObject {
     ToolPath path;
     path.moves = {moveTo({10, 0}, {10, -4}, 3, 2.0), moveTo({10, -4}, {10, -4}, 3, 0.0),
                   moveTo({10, -4}, {8, -4}, 5, 1.0), moveTo({8, -4}, {8, -8}, 3, 4.0)};
-    const ProgramSteps steps(path);
+    const ProgramTimeline steps(path);
     QCOMPARE(steps.duration(), 7.0);
     const ProgramPosition begin;
     QCOMPARE(steps.next(begin), (ProgramPosition{2, 0.0}));
@@ -116,8 +116,8 @@ class ProgramCheckTest : public QObject {
     QVERIFY((steps.tipAt(steps.at(5.0)) - ProfilePoint(8, -6)).norm() < 1e-12);
     QVERIFY((steps.tipAt(steps.end()) - ProfilePoint(8, -8)).norm() < 1e-12);
     const ToolPath none;
-    QCOMPARE(ProgramSteps(none).next({}), ProgramPosition{});
-    QCOMPARE(ProgramSteps(none).at(1.0), ProgramPosition{});
+    QCOMPARE(ProgramTimeline(none).next({}), ProgramPosition{});
+    QCOMPARE(ProgramTimeline(none).at(1.0), ProgramPosition{});
   }
 };
 

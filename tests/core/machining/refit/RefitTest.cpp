@@ -4,7 +4,7 @@
 
 #include "TestClass.h"
 #include "machining/refit/ArcNet.h"
-#include "nurbs/StepFile.h"
+#include "nurbs/StepWriter.h"
 
 #include <rapidcheck.h>
 

@@ -5,7 +5,7 @@
 #include "TestClass.h"
 #include "machining/refit/SampledProfile.h"
 #include "machining/target/TargetErrors.h"
-#include "nurbs/StepFile.h"
+#include "nurbs/StepWriter.h"
 
 #include <Eigen/Geometry>
 

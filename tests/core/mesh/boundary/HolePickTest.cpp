@@ -113,7 +113,7 @@ void HolePickTest::theSmallestOfThoseInSight() {
   TriangleSoup soup = test::annulus(24, 3, 0.5, 3.0);
   test::append(soup, test::moved(test::annulus(24, 3, 1.0, 3.0), Vec3(0, 0, 1)));
   HoledModel model(soup);
-  for (BoundaryLoop& loop : model.loops) loop.rim = loop.length > 10.0;
+  for (BoundaryLoop& loop : model.loops) loop.isSheetBoundary = loop.length > 10.0;
   const auto pick = [&](double x) { return model.pick(lookingAt(Vec3(x, 0.01, 0), Vec3(x, 0.01, 9), false)); };
   const auto depthOf = [&](const std::optional<std::size_t>& i) { return i ? model.loops[*i].centre.z() : -1.0; };
   QCOMPARE(depthOf(pick(0.2)), 0.0);
@@ -124,7 +124,7 @@ void HolePickTest::theSmallestOfThoseInSight() {
 void HolePickTest::rims() {
   HoledModel model(test::disc(24, 4));
   QCOMPARE(model.loops.size(), std::size_t(1));
-  model.loops[0].rim = true;
+  model.loops[0].isSheetBoundary = true;
   QVERIFY(!model.pick(lookingAt(Vec3(0.1, 0.1, 0), Vec3(0.1, 0.1, 9), false)));
   QVERIFY(model.pick(lookingAt(Vec3(1.02, 0, 0), Vec3(1.02, 0, 9), false)));
   QVERIFY(!model.pick(lookingAt(Vec3(1.2, 0, 0), Vec3(1.2, 0, 9), false)));

@@ -33,7 +33,7 @@ namespace {
 BoundaryLoop holeOf(const HalfEdgeMesh& mesh) {
   BoundaryLoop hole;
   for (const BoundaryLoop& loop : findBoundaryLoops(mesh))
-    if (!loop.rim && loop.halfEdges.size() > hole.halfEdges.size()) hole = loop;
+    if (!loop.isSheetBoundary && loop.halfEdges.size() > hole.halfEdges.size()) hole = loop;
   return hole;
 }
 
@@ -90,7 +90,7 @@ void IslandsTest::noIsland() {
   const auto loops = findBoundaryLoops(mesh);
   QVERIFY(findIslands(mesh, holeOf(mesh), loops).empty());
   // What lies over a sheet lies in no hole of it.
-  for (const BoundaryLoop& loop : loops) QVERIFY(!loop.rim || findIslands(mesh, loop, loops).empty());
+  for (const BoundaryLoop& loop : loops) QVERIFY(!loop.isSheetBoundary || findIslands(mesh, loop, loops).empty());
 }
 
 void IslandsTest::peninsula_data() {

@@ -124,7 +124,7 @@ void MeshReportTest::holesAreMeasured() {
   const auto holeOf = [](const TriangleSoup& soup) {
     const std::vector<LoopReport> loops = reportOn(soup).loops;
     const auto hole = std::max_element(loops.begin(), loops.end(), [](const LoopReport& a, const LoopReport& b) {
-      return (a.rim ? 0.0 : a.areaMm2) < (b.rim ? 0.0 : b.areaMm2);
+      return (a.isSheetBoundary ? 0.0 : a.areaMm2) < (b.isSheetBoundary ? 0.0 : b.areaMm2);
     });
     return *hole;
   };

@@ -28,7 +28,7 @@ struct LoopDecompositionCase {
     }
     hole = holeContext(mesh, loop);
   }
-  double length(const LoopChord& s) const { return (hole.points[s.a] - hole.points[s.b]).norm(); }
+  double length(const HoleBridge& s) const { return (hole.points[s.a] - hole.points[s.b]).norm(); }
 
   HalfEdgeMesh mesh;
   Obstacles obstacles;
@@ -88,9 +88,9 @@ void HoleDecompositionTest::cutsAlongAnyBridges() {
   QVERIFY(rc::check("random cuts", [] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const std::size_t n = 4 + random() % 200;
-    std::vector<LoopChord> bridges;
+    std::vector<HoleBridge> bridges;
     for (int i = 0; i < 40; ++i) {
-      std::vector<LoopChord> more = bridges;
+      std::vector<HoleBridge> more = bridges;
       more.push_back({static_cast<std::uint32_t>(random() % n), static_cast<std::uint32_t>(random() % n)});
       if (splitHole(n, more)) bridges = more;
     }
@@ -119,18 +119,18 @@ void HoleDecompositionTest::refusesWhatIsNoCut() {
 
 void HoleDecompositionTest::shortLoopsStayWhole() {
   const LoopDecompositionCase c(test::cylinder(300, 2, 1, 1, false));
-  QVERIFY(proposeLoopChords(c.hole, c.obstacles, 300).empty());
-  QVERIFY(!proposeLoopChords(c.hole, c.obstacles, 299).empty());
+  QVERIFY(proposeHoleBridges(c.hole, c.obstacles, 300).empty());
+  QVERIFY(!proposeHoleBridges(c.hole, c.obstacles, 299).empty());
 }
 
 void HoleDecompositionTest::roundHolesFallIntoEvenPieces() {
   for (std::size_t most : {300, 100, 5, 0}) {
     const LoopDecompositionCase c(test::cylinder(2554, 2, 10.0, 1.0, false));
-    const std::vector<LoopChord> bridges = proposeLoopChords(c.hole, c.obstacles, most);
+    const std::vector<HoleBridge> bridges = proposeHoleBridges(c.hole, c.obstacles, most);
     const std::vector<HolePiece> pieces = splitHole(c.hole.loopSize, bridges).value();
     QVERIFY(longest(pieces) <= std::max<std::size_t>(most, 4));
     for (const HolePiece& p : pieces) QVERIFY(4 * p.size() >= most || most <= 5);
-    for (const LoopChord& s : bridges) QVERIFY(c.length(s) <= 20.0 + 1e-9);
+    for (const HoleBridge& s : bridges) QVERIFY(c.length(s) <= 20.0 + 1e-9);
   }
 }
 
@@ -155,9 +155,9 @@ void HoleDecompositionTest::slotsAreZipped() {
                                             }),
                                 n);
   QVERIFY(c.loop.halfEdges.size() == n);
-  const std::vector<LoopChord> bridges = proposeLoopChords(c.hole, c.obstacles, 200);
+  const std::vector<HoleBridge> bridges = proposeHoleBridges(c.hole, c.obstacles, 200);
   QVERIFY(longest(splitHole(n, bridges).value()) <= 200);
-  for (const LoopChord& s : bridges) QVERIFY(c.length(s) < 1.1 * width);
+  for (const HoleBridge& s : bridges) QVERIFY(c.length(s) < 1.1 * width);
 }
 
 // The end of a tube with a star's outline, where nothing but the outline itself says where the hole is.
@@ -167,10 +167,10 @@ void HoleDecompositionTest::bridgesStayInTheHole() {
     const double u = 2.0 * M_PI * i / n, r = 1.0 + 0.6 * std::cos(9.0 * u);
     return Vec3(r * std::cos(u), r * std::sin(u), j);
   }));
-  const std::vector<LoopChord> bridges = proposeLoopChords(c.hole, c.obstacles, 60);
+  const std::vector<HoleBridge> bridges = proposeHoleBridges(c.hole, c.obstacles, 60);
   QVERIFY(longest(splitHole(n, bridges).value()) <= 60);
   const std::vector<Vec3> outline = c.hole.loop();
-  for (const LoopChord& s : bridges) {
+  for (const HoleBridge& s : bridges) {
     for (double w : {0.01, 0.25, 0.5, 0.75, 0.99})
       QVERIFY(isInside(outline, (1.0 - w) * outline[s.a] + w * outline[s.b]));
   }
@@ -182,9 +182,9 @@ void HoleDecompositionTest::bridgesGoRoundThePart() {
   test::append(soup, test::moved(test::cylinder(24, 4, 0.2, 4.0, true), Vec3(0, 0, -2.0)));
   const LoopDecompositionCase c(soup);
   QCOMPARE(c.hole.loopSize, std::size_t{800});
-  const std::vector<LoopChord> bridges = proposeLoopChords(c.hole, c.obstacles, 150);
+  const std::vector<HoleBridge> bridges = proposeHoleBridges(c.hole, c.obstacles, 150);
   QVERIFY(!bridges.empty());
-  for (const LoopChord& s : bridges) {
+  for (const HoleBridge& s : bridges) {
     const Vec3 &a = c.hole.points[s.a], &b = c.hole.points[s.b];
     const double w = std::clamp(-a.dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
     QVERIFY((a + w * (b - a)).norm() > 0.19);
@@ -199,9 +199,9 @@ void HoleDecompositionTest::noBridgeAlongAnEdge() {
   QCOMPARE(c.hole.loopSize, std::size_t{6});
   const auto known = c.obstacles.edgesAmong(c.hole.loop());
   QCOMPARE(known.size(), std::size_t{9});  // of the outline, and three inside
-  const std::vector<LoopChord> bridges = proposeLoopChords(c.hole, c.obstacles, 4);
+  const std::vector<HoleBridge> bridges = proposeHoleBridges(c.hole, c.obstacles, 4);
   QVERIFY(!bridges.empty());
-  for (const LoopChord& s : bridges) {
+  for (const HoleBridge& s : bridges) {
     const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(s.a, s.b);
     QVERIFY(std::find(known.begin(), known.end(), edge) == known.end());
   }
@@ -219,7 +219,7 @@ void HoleDecompositionTest::piecesMakeOnePatch() {
     const FillAttempt attempt = filler.propose(c.loop, options);
     QVERIFY(attempt.failure == FillFailure::None);
     QVERIFY(attempt.patch.method == method);
-    QVERIFY(attempt.patch.bridges == filler.proposeLoopChords(c.loop, 60));
+    QVERIFY(attempt.patch.bridges == filler.proposeHoleBridges(c.loop, 60));
     QVERIFY(!attempt.patch.bridges.empty());
     if (method != FillMethod::Fair)  // flat, over the whole of the regular polygon
       QVERIFY(std::abs(test::area({attempt.patch.points, attempt.patch.triangles}) -
@@ -240,7 +240,7 @@ void HoleDecompositionTest::bridgesOfTheUserHold() {
     const FillAttempt attempt = filler.propose(c.loop, options);
     QVERIFY(attempt.failure == FillFailure::None);
     QVERIFY(attempt.patch.bridges == options.bridges);
-    for (const LoopChord& s : options.bridges) {
+    for (const HoleBridge& s : options.bridges) {
       const auto has = [](const Triangle& t, std::uint32_t v) { return std::find(t.begin(), t.end(), v) != t.end(); };
       QCOMPARE(std::count_if(attempt.patch.triangles.begin(), attempt.patch.triangles.end(),
                              [&](const Triangle& t) { return has(t, s.a) && has(t, s.b); }),
@@ -253,7 +253,7 @@ void HoleDecompositionTest::cancels() {
   const LoopDecompositionCase c(test::cylinder(2000, 2, 1.0, 1.0, false));
   JobState job;
   job.cancelled = true;
-  QVERIFY(proposeLoopChords(c.hole, c.obstacles, 50, Progress(job)).empty());
+  QVERIFY(proposeHoleBridges(c.hole, c.obstacles, 50, Progress(job)).empty());
 }
 
 HANDWHEEL_TEST(HoleDecompositionTest)

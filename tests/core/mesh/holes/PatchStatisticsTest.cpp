@@ -100,7 +100,7 @@ void PatchStatisticsTest::comparedWithItsSurroundings() {
   const HalfEdgeMesh plate = buildMesh(test::plateWithHole()).mesh;
   BoundaryLoop hole;
   for (const BoundaryLoop& loop : findBoundaryLoops(plate))
-    if (!loop.rim) hole = loop;
+    if (!loop.isSheetBoundary) hole = loop;
   for (const double height : {0.0, 0.5, 1.5, 3.0}) {
     Patch tent;
     tent.points = loopPoints(plate, hole);

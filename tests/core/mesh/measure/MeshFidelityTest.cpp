@@ -91,7 +91,7 @@ void MeshFidelityTest::nearWeldIsRead() {
       QCOMPARE(inspected(torn, nearWeld).defects->nearVertices.size(), std::size_t{isNear ? 2u : 0u});
       RepairOptions options;
       options.nearWeld = nearWeld;
-      options.rims = RimHandling::Keep;
+      options.sheets = SheetHandling::Keep;
       HalfEdgeMesh mesh = torn;
       QCOMPARE(repair(mesh, options).mergedVertices, std::size_t{isNear ? 2u : 0u});
       QCOMPARE(test::countBorder(mesh), std::size_t{isNear ? 6u : 8u});

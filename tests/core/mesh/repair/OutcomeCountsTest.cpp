@@ -76,7 +76,8 @@ void OutcomeCountsTest::oneClosesAndOneSplits() {
   QCOMPARE(loopsOf(before), std::size_t{2});
   QCOMPARE(loopsOf(torus.mesh()), std::size_t{2});
   const LoopCounts counts = countClosed(before, torus.mesh());
-  QCOMPARE(counts, (LoopCounts{.holes = {.all = 2, .closed = 1}, .sheetEdges = {}, .newOpenings = 0, .pieces = {}}));
+  QCOMPARE(counts,
+           (LoopCounts{.holes = {.all = 2, .closed = 1}, .sheetBoundaries = {}, .newOpenings = 0, .pieces = {}}));
 }
 
 void OutcomeCountsTest::joinedIsNotClosed() {
@@ -114,7 +115,7 @@ void OutcomeCountsTest::goneWithItsFaces() {
   for (Face f = static_cast<Face>(sheet); f < before.faceSlots(); ++f) after.removeFace(f);
   const LoopCounts counts = countClosed(before, after);
   QCOMPARE(counts.holes, OutcomeCounts());
-  QCOMPARE(counts.sheetEdges, (OutcomeCounts{.all = 1, .removed = 1}));
+  QCOMPARE(counts.sheetBoundaries, (OutcomeCounts{.all = 1, .removed = 1}));
 }
 
 // Stitching closes one hole and splits the other, which has too many edges to be filled.
@@ -126,8 +127,9 @@ void OutcomeCountsTest::aRepairThatSplits() {
   const RepairReport report = repair(mesh, options);
   QCOMPARE(validate(mesh), std::string());
   QCOMPARE(loopsOf(mesh), std::size_t{2});  // of 12 edges each
-  QCOMPARE(countOutcomes(report),
-           (LoopCounts{.holes = {.all = 2, .closed = 1, .kept = 1}, .sheetEdges = {}, .newOpenings = 0, .pieces = {}}));
+  QCOMPARE(
+      countOutcomes(report),
+      (LoopCounts{.holes = {.all = 2, .closed = 1, .kept = 1}, .sheetBoundaries = {}, .newOpenings = 0, .pieces = {}}));
   QCOMPARE(report.openLoops.size(), std::size_t{2});
   std::set<Vertex> keys;
   for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) keys.insert(keyOf(mesh, loop));
@@ -147,19 +149,19 @@ void OutcomeCountsTest::whatASheetsBoundaryTookIn() {
   RepairReport report;
   report.loops.resize(4);
   const std::pair<LoopOutcome, FillFailure> results[] = {{LoopOutcome::Filled, FillFailure::None},
-                                                         {LoopOutcome::KeptOpen, FillFailure::WasRim},
+                                                         {LoopOutcome::KeptOpen, FillFailure::WasSheetBoundary},
                                                          {LoopOutcome::KeptOpen, FillFailure::KeptOpen},
-                                                         {LoopOutcome::KeptOpen, FillFailure::Rim}};
+                                                         {LoopOutcome::KeptOpen, FillFailure::SheetBoundary}};
   for (int i = 0; i < 4; ++i) {
     LoopResult& loop = report.loops[static_cast<std::size_t>(i)];
     loop.id = i;
     loop.outcome = results[i].first;
     loop.reason = results[i].second;
-    loop.rim = loop.reason == FillFailure::Rim;
+    loop.isSheetBoundary = loop.reason == FillFailure::SheetBoundary;
   }
   const LoopCounts counts = countOutcomes(report);
   QCOMPARE(counts.holes, (OutcomeCounts{.all = 3, .closed = 1, .kept = 1, .joined = 1}));
-  QCOMPARE(counts.sheetEdges, (OutcomeCounts{.all = 1, .kept = 1}));
+  QCOMPARE(counts.sheetBoundaries, (OutcomeCounts{.all = 1, .kept = 1}));
 }
 
 HANDWHEEL_TEST(OutcomeCountsTest)

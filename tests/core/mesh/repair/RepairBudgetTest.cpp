@@ -88,7 +88,7 @@ void RepairBudgetTest::growsWithTheMesh() {
     HalfEdgeMesh mesh = buildMesh(isFan ? test::twoConesSharingAnEdge(n) : bowl(n)).mesh;
     const std::size_t faces = mesh.liveFaceCount();
     RepairOptions options;
-    options.rims = RimHandling::Thicken;
+    options.sheets = SheetHandling::Thicken;
     const RepairReport report = repair(mesh, options);
     QVERIFY(test::countEdges(mesh.compact().soup).sound());
     QVERIFY(isFan || report.loops.size() == 1);
@@ -138,7 +138,7 @@ void RepairBudgetTest::damagedFiles() {
     const HalfEdgeMesh before = buildMesh(read->soup).mesh;
     HalfEdgeMesh after = before;
     RepairOptions options;
-    options.rims = RimHandling::Thicken;
+    options.sheets = SheetHandling::Thicken;
     options.fill.numbers = read->numbers;
     const RepairReport report = repair(after, options);
     const std::string problem = wrong(before, after, report);

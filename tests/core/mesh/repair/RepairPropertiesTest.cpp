@@ -77,7 +77,7 @@ TriangleSoup damagedBlocks(std::mt19937& random, std::size_t blocks) {
 // kept open and that looks like a part with a hole now.
 bool reportsMoreToDo(const RepairReport& report) {
   const auto isMore = [](const auto& loop) {
-    return loop.reason == FillFailure::TooMuchEffort || loop.reason == FillFailure::WasRim;
+    return loop.reason == FillFailure::TooMuchEffort || loop.reason == FillFailure::WasSheetBoundary;
   };
   return report.isSeparationIncomplete || report.isIntersectionRemovalIncomplete ||
          std::any_of(report.loops.begin(), report.loops.end(), isMore) ||
@@ -147,7 +147,7 @@ void RepairPropertiesTest::randomHoles() {
     RepairOptions options;
     options.fill.method = *rc::gen::element(FillMethod::Fair, FillMethod::Ear);
     options.fill.numbers = *rc::gen::element(NumberType::Float32, NumberType::Float64);
-    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Thicken, RimHandling::Fill);
+    options.sheets = *rc::gen::element(SheetHandling::Keep, SheetHandling::Thicken, SheetHandling::Fill);
     const RepairReport report = repair(mesh, options);
     RC_ASSERT(validate(mesh) == std::string());
     RC_ASSERT(test::inconsistent(input, mesh, report) == std::string());
@@ -159,13 +159,13 @@ void RepairPropertiesTest::randomHoles() {
     const std::set<Vertex> said(report.modifiedVertices.begin(), report.modifiedVertices.end());
     for (Vertex v : test::reallyTouched(input, mesh)) RC_ASSERT(said.contains(v));
     RC_CLASSIFY(edges.closed(), "closed");
-    RC_ASSERT(edges.closed() || (options.rims == RimHandling::Keep && test::pieces(input).size() > 1));
+    RC_ASSERT(edges.closed() || (options.sheets == SheetHandling::Keep && test::pieces(input).size() > 1));
     // Every hole is closed: what is open is the outline of a sheet, of which at least a corner is where it was. Where
     // it touched the rest it was moved by the last digits.
     std::vector<Vec3> outlines;
     for (const BoundaryLoop& loop : findBoundaryLoops(input)) {
       for (const HalfEdge h : loop.halfEdges)
-        if (loop.rim) outlines.push_back(input.position(input.from(h)));
+        if (loop.isSheetBoundary) outlines.push_back(input.position(input.from(h)));
     }
     for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
       RC_ASSERT(std::any_of(loop.halfEdges.begin(), loop.halfEdges.end(), [&](HalfEdge h) {
@@ -186,7 +186,7 @@ void RepairPropertiesTest::brokenBlocks() {
     const HalfEdgeMesh input = buildMesh(soup).mesh;
     HalfEdgeMesh mesh = input;
     RepairOptions options;
-    options.rims = RimHandling::Fill;
+    options.sheets = SheetHandling::Fill;
     options.fill.numbers = NumberType::Float32;
     const RepairReport report = repair(mesh, options);
     RC_ASSERT(validate(mesh) == std::string());
@@ -206,7 +206,7 @@ void RepairPropertiesTest::anySoup() {
     const HalfEdgeMesh input = buildMesh(test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 25), steps)).mesh;
     HalfEdgeMesh mesh = input;
     RepairOptions options;
-    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Thicken, RimHandling::Fill);
+    options.sheets = *rc::gen::element(SheetHandling::Keep, SheetHandling::Thicken, SheetHandling::Fill);
     options.removeDebris = *rc::gen::arbitrary<bool>();
     options.fill.numbers = *rc::gen::element(NumberType::Float32, NumberType::Float64);
     const RepairReport report = repair(mesh, options);
@@ -231,7 +231,7 @@ void RepairPropertiesTest::againChangesNothing() {
                               : kind == 1 ? damagedBlocks(random, 2 + random() % 18)
                                           : test::randomSoup(random, 1 + random() % 24, 2 + random() % 5);
     RepairOptions options;
-    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Fill);
+    options.sheets = *rc::gen::element(SheetHandling::Keep, SheetHandling::Fill);
     options.cutCrossings = *rc::gen::arbitrary<bool>();
     HalfEdgeMesh mesh = buildMesh(soup).mesh;
     const RepairReport report = repair(mesh, options);

@@ -113,7 +113,7 @@ void RepairTest::rimStaysOpen() {
   QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{1});
   for (const LoopResult& loop : report.loops)
     if (loop.outcome != LoopOutcome::Filled)
-      QVERIFY(loop.outcome == LoopOutcome::KeptOpen && loop.reason == FillFailure::Rim);
+      QVERIFY(loop.outcome == LoopOutcome::KeptOpen && loop.reason == FillFailure::SheetBoundary);
   QCOMPARE(test::countBorder(mesh), std::size_t{24});
   QCOMPARE(test::inconsistent(input, mesh, report), std::string());
 }
@@ -127,7 +127,7 @@ void RepairTest::whatWasARimIsKept() {
                                return Vec3(std::cos(u), std::sin(u), j == 0 ? (i % 2) * 0.53 : 2.0 * j / 3.0);
                              })).mesh;
   RepairOptions options;
-  options.rims = RimHandling::Keep;
+  options.sheets = SheetHandling::Keep;
   for (const FillMethod method : {FillMethod::Fair, FillMethod::Ear}) {
     options.fill.method = method;
     HalfEdgeMesh mesh = input;
@@ -137,7 +137,7 @@ void RepairTest::whatWasARimIsKept() {
     QCOMPARE(test::countBorder(mesh), std::size_t{n});
     const auto kept = std::find_if(report.loops.begin(), report.loops.end(),
                                    [](const LoopResult& loop) { return loop.outcome == LoopOutcome::KeptOpen; });
-    QVERIFY(kept != report.loops.end() && kept->rim && kept->reason == FillFailure::WasRim);
+    QVERIFY(kept != report.loops.end() && kept->isSheetBoundary && kept->reason == FillFailure::WasSheetBoundary);
     QCOMPARE(test::inconsistent(input, mesh, report), std::string());
   }
 }
@@ -148,9 +148,9 @@ void RepairTest::rimOnRequest() {
   for (Vec3& p : bowl.points) p.z() = 1e-3 * (p.x() * p.x() + p.y() * p.y());
   const HalfEdgeMesh input = buildMesh(bowl).mesh;
   HalfEdgeMesh mesh = input;
-  QVERIFY(repair(mesh, {}).loops.at(0).reason == FillFailure::Rim);
+  QVERIFY(repair(mesh, {}).loops.at(0).reason == FillFailure::SheetBoundary);
   RepairOptions options;
-  options.rims = RimHandling::Fill;
+  options.sheets = SheetHandling::Fill;
   options.fill.method = FillMethod::Ear;
   const RepairReport report = repair(mesh, options);
   QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{1});
@@ -164,7 +164,7 @@ void RepairTest::flatSheetIsNotCovered() {
   const HalfEdgeMesh input = buildMesh(test::disc(24, 5)).mesh;
   HalfEdgeMesh mesh = input;
   RepairOptions options;
-  options.rims = RimHandling::Fill;
+  options.sheets = SheetHandling::Fill;
   const RepairReport report = repair(mesh, options);
   QCOMPARE(test::intersections(mesh), std::size_t{0});
   QCOMPARE(test::inconsistent(input, mesh, report), std::string());
@@ -224,11 +224,11 @@ void RepairTest::keptHoleOfASheet() {
   const HalfEdgeMesh input = buildMesh(test::withHole(test::disc(24, 8), Vec3::Zero(), 0.3)).mesh;
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(input);
   QCOMPARE(loops.size(), std::size_t{2});
-  const int rim = loops[0].rim ? 0 : 1, hole = 1 - rim;
-  QVERIFY(loops[std::size_t(rim)].rim && !loops[std::size_t(hole)].rim);
+  const int rim = loops[0].isSheetBoundary ? 0 : 1, hole = 1 - rim;
+  QVERIFY(loops[std::size_t(rim)].isSheetBoundary && !loops[std::size_t(hole)].isSheetBoundary);
   HalfEdgeMesh mesh = input;
   RepairOptions options;
-  options.rims = RimHandling::Thicken;
+  options.sheets = SheetHandling::Thicken;
   options.keepOpen = {hole};
   const RepairReport report = repair(mesh, options);
   QVERIFY(test::sameMesh(mesh, input));
@@ -327,7 +327,7 @@ void RepairTest::poleInASheet() {
   const HalfEdgeMesh input = buildMesh(soup).mesh;
   HalfEdgeMesh mesh = input;
   RepairOptions options;
-  options.rims = RimHandling::Thicken;
+  options.sheets = SheetHandling::Thicken;
   const RepairReport report = repair(mesh, options);
   QCOMPARE(test::intersections(mesh), std::size_t{0});
   QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{2});
@@ -423,7 +423,7 @@ void RepairTest::coordinatesThatCannotBeCut() {
 
     mesh = buildMesh(bowl(60, tiny)).mesh;
     RepairOptions options;
-    options.rims = RimHandling::Thicken;
+    options.sheets = SheetHandling::Thicken;
     const RepairReport report = repair(mesh, options);
     QCOMPARE(report.loops.size(), std::size_t{1});
     QVERIFY(report.loops[0].method == FillMethod::ThickenedSheet);

@@ -10,12 +10,12 @@ using namespace handwheel::test;
 
 namespace {
 
-using Shoulder = ArmStance::Shoulder;
+using Shoulder = ArmConfiguration::Shoulder;
 
-ArmStance stanceOf(const SerialArm& arm, std::initializer_list<double> list) {
+ArmConfiguration configurationOf(const SerialArm& arm, std::initializer_list<double> list) {
   ArmValues values(6);
   std::copy(list.begin(), list.end(), values.begin());
-  return ClosedFormIk::of(arm)->stanceOf(arm, values);
+  return ClosedFormIk::of(arm)->configurationOf(arm, values);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ class ArmSolutionsTest : public QObject {
         RC_ASSERT(difference(arm.tipPose(ways[i].values), tip, arm.reach()) < 1e-6);
         RC_ASSERT(ways[i].beyond.has_value() != arm.isWithinLimits(ways[i].values));
         if (i > 0) RC_ASSERT(ways[i].beyond.has_value() || !ways[i - 1].beyond.has_value());
-        for (std::size_t j = 0; j < i; ++j) RC_ASSERT(!(*ways[i].stance == *ways[j].stance));
+        for (std::size_t j = 0; j < i; ++j) RC_ASSERT(!(*ways[i].configuration == *ways[j].configuration));
       }
     }));
   }
@@ -58,10 +58,10 @@ class ArmSolutionsTest : public QObject {
       const ClosedFormIk closed = *ClosedFormIk::of(arm);
       QVERIFY(rc::check([&] {
         ArmValues values = anyValuesOf(arm);
-        const ArmStance before = closed.stanceOf(arm, values);
+        const ArmConfiguration before = closed.configurationOf(arm, values);
         values[0] = evenlyBetween(-3.0, 3.0);
         values[5] = evenlyBetween(-3.0, 3.0);
-        RC_ASSERT(closed.stanceOf(arm, values) == before);
+        RC_ASSERT(closed.configurationOf(arm, values) == before);
       }));
     }
   }
@@ -70,14 +70,14 @@ class ArmSolutionsTest : public QObject {
   // forearm points ahead at 0 and down with the third.
   void stancesOfAnUprightArm() {
     const SerialArm arm = libraryArm("irb120");
-    const ArmStance ahead = stanceOf(arm, {0.3, 0.2, 0.1, 0.0, 0.5, 0.0});
+    const ArmConfiguration ahead = configurationOf(arm, {0.3, 0.2, 0.1, 0.0, 0.5, 0.0});
     QVERIFY(ahead.shoulder == Shoulder::Front && ahead.isElbowUp && !ahead.isWristFlipped);
-    const ArmStance flipped = stanceOf(arm, {0.3, 0.2, 0.1, M_PI, -0.5, 0.0});
+    const ArmConfiguration flipped = configurationOf(arm, {0.3, 0.2, 0.1, M_PI, -0.5, 0.0});
     QVERIFY(flipped.shoulder == Shoulder::Front && flipped.isElbowUp && flipped.isWristFlipped);
     // Leaning back, its forearm over its back.
-    QVERIFY(stanceOf(arm, {0.0, -1.5, -0.5, 0.0, 0.5, 0.0}).shoulder == Shoulder::Rear);
+    QVERIFY(configurationOf(arm, {0.0, -1.5, -0.5, 0.0, 0.5, 0.0}).shoulder == Shoulder::Rear);
     // The lower arm lies ahead, the forearm points up from its end.
-    const ArmStance low = stanceOf(arm, {0.0, 1.7, -1.7, 0.0, 0.5, 0.0});
+    const ArmConfiguration low = configurationOf(arm, {0.0, 1.7, -1.7, 0.0, 0.5, 0.0});
     QVERIFY(low.shoulder == Shoulder::Front && !low.isElbowUp);
   }
 
@@ -89,8 +89,8 @@ class ArmSolutionsTest : public QObject {
     values << 0.4, -1.0, 1.2, -0.5, 1.1, 0.2;
     int left = 0, right = 0;
     for (const ArmSolution& way : solutionsFor(arm, arm.tipPose(values), values)) {
-      left += way.stance->shoulder == Shoulder::Left ? 1 : 0;
-      right += way.stance->shoulder == Shoulder::Right ? 1 : 0;
+      left += way.configuration->shoulder == Shoulder::Left ? 1 : 0;
+      right += way.configuration->shoulder == Shoulder::Right ? 1 : 0;
     }
     QVERIFY(left > 0);
     QCOMPARE(left, right);
@@ -142,7 +142,7 @@ class ArmSolutionsTest : public QObject {
       RC_ASSERT(!ways.empty() && ways.size() <= kMostNumericalSolutions);
       RC_ASSERT((ways.front().values - values).cwiseAbs().maxCoeff() < 1e-5);
       for (std::size_t i = 0; i < ways.size(); ++i) {
-        RC_ASSERT(arm.isWithinLimits(ways[i].values) && !ways[i].stance && !ways[i].beyond);
+        RC_ASSERT(arm.isWithinLimits(ways[i].values) && !ways[i].configuration && !ways[i].beyond);
         RC_ASSERT(difference(arm.tipPose(ways[i].values), tip, arm.reach()) < 1e-6);
         for (std::size_t j = 0; j < i; ++j) RC_ASSERT((ways[i].values - ways[j].values).cwiseAbs().maxCoeff() > 0.01);
       }

@@ -51,8 +51,7 @@ class ClosedFormIkTest : public QObject {
       for (const auto& solution : found) {
         RC_ASSERT(difference(arm.tipPose(solution.values), tip, arm.reach()) < 1e-7);
         isAmong = isAmong || apart(solution.values, values) < 1e-5;
-        for (const auto& other : found)
-          RC_ASSERT(&other == &solution || !(other.configuration == solution.configuration));
+        for (const auto& other : found) RC_ASSERT(&other == &solution || !(other.branch == solution.branch));
       }
       RC_ASSERT(isAmong);
     }));

@@ -4,7 +4,7 @@
 
 #include "../Robots.h"
 #include "robot/dh/DhTable.h"
-#include "robot/posts/Post.h"
+#include "robot/posts/PostProcessor.h"
 
 #include <cmath>
 
@@ -49,7 +49,7 @@ inline bool isDoneAs(const ProgramMotion& wanted, const ReadMotion& read) {
 }
 
 // A property: what a post writes of any program for this robot is read back as the same motions, with their speeds.
-inline void checkAnyProgram(const Post& post, const char* robot) {
+inline void checkAnyProgram(const PostProcessor& post, const char* robot) {
   RobotProgram program = programOf(robot);
   program.isBaseOfController = *rc::gen::arbitrary<bool>();
   program.hasPlainShapes = *rc::gen::arbitrary<bool>();

@@ -60,7 +60,7 @@ void BoundaryToolActionsTest::removesIslands() {
   start(test::plateWithIsland());
   const HalfEdgeMesh before = mesh();
   m_tool->pointer(test::above(Kind::Press, -4, 0));  // between island and rim
-  QVERIFY(m_tool->loop() && !m_tool->loop()->rim);
+  QVERIFY(m_tool->loop() && !m_tool->loop()->isSheetBoundary);
   m_tool->perform("islands");
   const FaceSelection marked = meshPreviewOf(m_tool->preview()).selected;
   QVERIFY(marked.count() > 0 && test::isEnabled(*m_tool, "commit"));

@@ -57,9 +57,9 @@ void BoundaryToolTest::clickChooses() {
   QCOMPARE(m_tool->pointer(test::above(Kind::Press, -3.5, 0.0)), ToolReply::Ignored);  // the camera's
   QVERIFY(!m_tool->loop() && !test::isEnabled(*m_tool, "smooth"));
   QCOMPARE(m_tool->pointer(test::above(Kind::Press, 0.0, 0.0)), ToolReply::Used);  // through the hole
-  QVERIFY(m_tool->loop() && !m_tool->loop()->rim && test::isEnabled(*m_tool, "smooth"));
+  QVERIFY(m_tool->loop() && !m_tool->loop()->isSheetBoundary && test::isEnabled(*m_tool, "smooth"));
   m_tool->pointer(test::above(Kind::Press, -5.0, 0.5));
-  QVERIFY(m_tool->loop()->rim);
+  QVERIFY(m_tool->loop()->isSheetBoundary);
   QCOMPARE(m_document->history()->count(), 0);
 }
 

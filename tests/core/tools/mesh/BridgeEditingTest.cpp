@@ -10,7 +10,7 @@
 #include <QTest>
 
 using namespace handwheel;
-using Bridges = std::vector<LoopChord>;
+using Bridges = std::vector<HoleBridge>;
 
 namespace {
 
@@ -42,7 +42,7 @@ void BridgeEditingTest::oneMore() {
   editing.press(2);
   QVERIFY(editing.isDrawing());
   editing.drag(9);
-  QVERIFY(editing.drawn() == LoopChord({2, 9}));
+  QVERIFY(editing.drawn() == HoleBridge({2, 9}));
   QVERIFY(editing.release(kSize, {{12, 18}}));
   QVERIFY(!editing.isDrawing());
   QVERIFY(editing.own() == Bridges({{12, 18}, {2, 9}}));

@@ -286,7 +286,7 @@ void FillHoleToolTest::nothingToFill() {
   m_tool->perform("next");
   QVERIFY(m_tool->state() == State::Choosing);
   m_tool->pointer(test::above(Kind::Press, 1.0, 0.02));
-  QVERIFY(m_tool->loop() && m_tool->loop()->rim);
+  QVERIFY(m_tool->loop() && m_tool->loop()->isSheetBoundary);
 }
 
 HANDWHEEL_TEST(FillHoleToolTest)

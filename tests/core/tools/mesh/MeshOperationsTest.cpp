@@ -6,9 +6,9 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "tools/mesh/MeshSteps.h"
+#include "tools/mesh/MeshScript.h"
 #include "tools/mesh/Placement.h"
-#include "tools/mesh/StepText.h"
+#include "tools/mesh/ScriptLine.h"
 #include "tools/mesh/operations/DecimateOperation.h"
 #include "tools/mesh/operations/EdgeOperations.h"
 #include "tools/mesh/operations/FillOperation.h"
@@ -87,7 +87,7 @@ class MeshOperationsTest : public QObject {
   void eachIsAStep() {
     for (const Operation& operation : meshOperations()) {
       const auto document = test::meshDocument(test::cube());
-      const auto done = applyStep(*document, operation.id);
+      const auto done = applyScriptLine(*document, operation.id);
       QVERIFY(done || done.error().arguments[0].find("there is no step") == std::string::npos);
     }
   }
@@ -97,8 +97,8 @@ class MeshOperationsTest : public QObject {
     for (const Operation& operation : meshOperations()) {
       const bool holds = rc::check(operation.id, [&] {
         const OperationValues values = test::anyValues(operation);
-        const std::string step = StepWriter(operation.id).options(values).text();
-        StepReader reader(step);
+        const std::string step = ScriptLineWriter(operation.id).options(values).text();
+        ScriptLineReader reader(step);
         RC_ASSERT(reader.verb() == operation.id);
         RC_ASSERT(reader.values(operation) == values);
         RC_ASSERT(reader.status().hasValue());
@@ -115,7 +115,7 @@ class MeshOperationsTest : public QObject {
     for (const Operation& operation : meshOperations()) {
       for (const Parameter& parameter : operation.parameters) {
         if (parameter.formerId.empty()) continue;
-        StepReader now(operation.id + " --" + parameter.id()), before(operation.id + " --" + parameter.formerId);
+        ScriptLineReader now(operation.id + " --" + parameter.id()), before(operation.id + " --" + parameter.formerId);
         QVERIFY(now.values(operation) == before.values(operation));
         QVERIFY(before.status());
       }

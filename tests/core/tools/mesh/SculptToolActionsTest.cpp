@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ScriptReplay.h"
 #include "SculptBench.h"
-#include "StepReplay.h"
 #include "TestClass.h"
 #include "WaitingServices.h"
 
@@ -114,7 +114,7 @@ void SculptToolActionsTest::anEditElsewhereKeepsTheLevels() {
   const auto& loops = b.document->defects().loops;
   const auto hole = std::find_if(loops.begin(), loops.end(), [](const auto& l) { return l.halfEdges.size() == 4; });
   QVERIFY(hole != loops.end());
-  QVERIFY(applyStep(*b.document, "fill v" + std::to_string(keyOf(b.document->mesh(), *hole)) + " --fill ear"));
+  QVERIFY(applyScriptLine(*b.document, "fill v" + std::to_string(keyOf(b.document->mesh(), *hole)) + " --fill ear"));
   QCOMPARE(b.document->defects().loops.size(), std::size_t(1));
   QCOMPARE(b.tool->levels().finest(), std::size_t(2));
   b.runner.setSetting("level", 0.0);

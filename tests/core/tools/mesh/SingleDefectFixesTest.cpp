@@ -6,7 +6,7 @@
 #include "OneSidedShapes.h"
 #include "TestClass.h"
 #include "mesh/structure/MeshValidator.h"
-#include "tools/mesh/MeshSteps.h"
+#include "tools/mesh/MeshScript.h"
 #include "tools/mesh/repair/ChangePreview.h"
 #include "tools/mesh/repair/DefectFixes.h"
 
@@ -32,7 +32,7 @@ class OneOfTwo {
     const HalfEdgeMesh before = mesh();
     const ChangePreview preview = previewOf(change, before);
     if (!commitChange(*m_document, change)) return "nothing was changed";
-    const auto replayed = applyStep(*m_replayed, change.step);
+    const auto replayed = applyScriptLine(*m_replayed, change.step);
     if (!replayed || !test::sameMesh(m_replayed->mesh(), mesh())) return "the step does something else";
     if (before.liveFaceCount() - preview.removed.count() + preview.added.triangles.size() != mesh().liveFaceCount())
       return "the preview has other triangles";

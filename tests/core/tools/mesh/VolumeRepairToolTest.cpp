@@ -6,7 +6,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
-#include "StepWork.h"
+#include "ScriptWork.h"
 #include "TestClass.h"
 #include "mesh/structure/MeshValidator.h"
 #include "process/SystemMemory.h"

@@ -126,7 +126,7 @@ class DrillReviewTest : public QObject {
   void heat() {
     DrillSetup setup;
     setup.spindle = 100.0;
-    DrillWatch watch({});
+    DrillMonitor watch({});
     watch.beginHole(setup);
     double rise = 0.0;
     for (int i = 0; i <= 4000; ++i) {

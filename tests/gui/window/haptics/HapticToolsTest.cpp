@@ -132,12 +132,12 @@ class HapticToolsTest : public QObject {
     b.driver.find<QAction>("snapDevice")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(!isDrawn() && b.now().felt.force.isZero(0.0), kPatienceMs);
     TouchSettings touch = b.session.touch();
-    touch.hasRimCurves = true;
+    touch.hasBoundaryCurves = true;
     b.session.setTouch(touch);
     b.driver.choose("snapDevice");
     QTRY_VERIFY_WITH_TIMEOUT(isDrawn() && !b.now().felt.isHeld, kPatienceMs);
     touch = b.session.touch();
-    touch.hasRimCurves = false;
+    touch.hasBoundaryCurves = false;
     b.session.setTouch(touch);
     QTRY_VERIFY_WITH_TIMEOUT(isDrawn() && b.now().felt.isHeld, kPatienceMs);
   }

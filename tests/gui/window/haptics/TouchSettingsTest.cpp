@@ -45,7 +45,7 @@ class TouchSettingsTest : public QObject {
     touch.snapShape = SnapShape::Gaussian;
     touch.snapMethod = SnapMethod::Sum;
     touch.snapStiffness = 0.75;
-    touch.hasRimCurves = true;
+    touch.hasBoundaryCurves = true;
     storeTouch(touch);
     QVERIFY(loadTouch() == touch);
   }

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/workpiece/TurnStatistics.h"
+
+#include "base/NumberText.h"
+#include "document/FileBytes.h"
+#include "machining/refit/SampledProfile.h"
+#include "machining/target/Drawing.h"
+#include "machining/target/DxfReader.h"
+#include "machining/target/SvgReader.h"
+#include "machining/target/TargetDeviation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kSection = 1e-3;  // mm, of the section of a workpiece that is a target
+
+// Of the outside: "Roughness: up to Ra 1.2 µm." Empty where it is not known.
+std::string roughestText(const nlohmann::json& finish) {
+  double roughest = -1.0;
+  for (const nlohmann::json& stretch : finish.is_object() ? finish["outside"] : nlohmann::json::array()) {
+    if (stretch["roughness_um"].is_number()) roughest = std::max(roughest, stretch["roughness_um"].get<double>());
+  }
+  return roughest < 0.0 ? std::string() : "Roughness: up to Ra " + roundedText(roughest, 3) + " µm.\n";
+}
+
+// Of newtons: four digits, without an exponent.
+std::string forceText(double newtons) {
+  return newtons < 1000.0 ? roundedText(newtons, 4) : std::to_string(std::llround(newtons));
+}
+
+}  // namespace
+
+std::string statisticsAsJson(const TurnStatistics& figures) {
+  nlohmann::ordered_json json = {{"removed_mm3", figures.removed}, {"max_force_N", figures.force},
+                                 {"max_power_kW", figures.power},  {"collisions", nullptr},
+                                 {"time_s", figures.time},         {"profile_error_mm", nullptr}};
+  if (figures.collisions) json["collisions"] = *figures.collisions;
+  if (figures.profileError) json["profile_error_mm"] = *figures.profileError;
+  json["finish"] = figures.finish;
+  return json.dump(2) + "\n";
+}
+
+std::string statisticsAsText(const TurnStatistics& figures) {
+  std::string text = "Removed: " + roundedText(figures.removed) + " mm³. Largest force: " + forceText(figures.force) +
+                     " N, power: " + roundedText(figures.power, 4) + " kW. Time: " + roundedText(figures.time, 5) +
+                     " s." + (figures.collisions ? " Collisions: " + std::to_string(*figures.collisions) + "." : "") +
+                     "\n";
+  text += roughestText(figures.finish);
+  if (figures.profileError) text += "Deviation from the target: " + roundedText(*figures.profileError, 4) + " mm.\n";
+  return text;
+}
+
+Result<TargetProfile> readTarget(const std::filesystem::path& path, const DocumentKinds& kinds, Progress progress) {
+  const std::string ending = path.extension().string();
+  if (ending == ".dxf" || ending == ".svg") {
+    const Result<std::string> text = readFileBytes(path, progress);
+    if (!text) return text.error();
+    const Result<Drawing> drawing = ending == ".dxf" ? readDxf(*text, progress) : readSvg(*text, progress);
+    if (!drawing) return drawing.error();
+    return targetIn(*drawing, progress);
+  }
+  const Result<OpenedFile> opened = kinds.open(path, {}, progress);
+  if (!opened) return opened.error();
+  const auto* const workpiece = dynamic_cast<const WorkpieceSnapshot*>(opened->content.get());
+  if (!workpiece)
+    return Error{ErrorCode::Unsupported, {"a target that is not a workpiece or a drawing"}, {}, path.string()};
+  if (workpiece->part) return sectionOf(workpiece->part->profile, kSection);
+  return sectionOf(workpiece->stock.profile(), kSection);
+}
+
+double profileError(const TargetProfile& target, const TurnedProfile& part) {
+  const double base = target.upperEnd() - part.length();
+  const TargetDeviation deviation = deviationFrom(target, part, base);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const double z = part.z(i) + base;
+    if (z < target.lowerEnd() + part.spacing() || z > target.upperEnd() - part.spacing()) continue;
+    for (const double off : {deviation.outer[i], deviation.inner[i]})
+      if (std::isfinite(off)) largest = std::max(largest, std::abs(off));
+  }
+  return largest;
+}
+
+}  // namespace handwheel

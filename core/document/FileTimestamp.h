@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace handwheel {
+
+// The size and modification time of a file, to detect changes.
+struct FileTimestamp {
+  std::uintmax_t bytes = 0;
+  std::int64_t modifiedNs = 0;  // since 1970
+  bool operator==(const FileTimestamp&) const = default;
+};
+
+// The stamp of a file as it is now; none where there is no regular file.
+std::optional<FileTimestamp> timestampOf(const std::filesystem::path& path);
+
+}  // namespace handwheel

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/volume/exercise/DrillingMeasurements.h"
+
+#include "base/NumberText.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+bool isSame(const SparseVolume& one, const SparseVolume& other) {
+  if (one.voxel() != other.voxel() || one.origin() != other.origin()) return false;
+  std::size_t left = 0;
+  bool isSame = true;
+  one.forEach([&](const VoxelIndex& block, const SparseVolume::Content& content) {
+    const SparseVolume::Content there = other.content(block);
+    const bool hasSamples = content.block && there.block;
+    isSame = isSame && (content == there || (hasSamples && content.block->depths == there.block->depths));
+    ++left;
+  });
+  other.forEach([&](const VoxelIndex&, const SparseVolume::Content&) { --left; });
+  return isSame && left == 0;
+}
+
+bool isSame(const DrillSetup& one, const DrillSetup& other) {
+  return one.tool.shape == other.tool.shape && one.tool.diameter == other.tool.diameter &&
+         one.tool.pointAngle == other.tool.pointAngle && one.tool.length == other.tool.length &&
+         one.material.id == other.material.id && one.material.energy == other.material.energy &&
+         one.material.tangential == other.material.tangential && std::abs(one.spindle - other.spindle) < 1e-9;
+}
+
+std::optional<double> valueOf(const std::string& figure, const DrillReview& review) {
+  const DrillStatistics& f = review.figures;
+  if (figure == "forbidden") return f.forbidden;
+  if (!f.contact) return std::nullopt;
+  if (figure == "deviation") return f.deviation;
+  if (figure == "thrust") return f.thrust;
+  if (figure == "torque") return f.torque;
+  if (figure == "heat") return f.temperature;
+  if (figure == "hole_time") return f.end - *f.contact;
+  if (!f.breakthrough) return std::nullopt;
+  if (figure == "breakthrough") return *f.breakthrough - *f.contact;
+  if (figure == "plunge") return f.plunge;
+  if (figure == "last_thrust") return review.lastThrust;
+  return std::nullopt;
+}
+
+}  // namespace
+
+const std::vector<MeasurementType>& drillingMeasurementTypes() {
+  static const std::vector<MeasurementType> types = {
+      {"deviation", QT_TRANSLATE_NOOP("Figure", "Deviation from the planned path"), "mm"},
+      {"breakthrough", QT_TRANSLATE_NOOP("Figure", "Time from contact to breakthrough"), "s"},
+      {"plunge", QT_TRANSLATE_NOOP("Figure", "Plunge beyond the inner surface"), "mm"},
+      {"forbidden", QT_TRANSLATE_NOOP("Figure", "Depth in the forbidden region"), "mm"},
+      {"thrust", QT_TRANSLATE_NOOP("Figure", "Largest thrust"), "N"},
+      {"last_thrust", QT_TRANSLATE_NOOP("Figure", "Mean thrust in the last millimetre"), "N"},
+      {"torque", QT_TRANSLATE_NOOP("Figure", "Largest torque"), "N·mm"},
+      {"heat", QT_TRANSLATE_NOOP("Figure", "Temperature rise (estimate)"), "K"},
+      {"hole_time", QT_TRANSLATE_NOOP("Figure", "Time of the hole"), "s"}};
+  return types;
+}
+
+MeasuredDrilling::MeasuredDrilling(const DrillingTask& task, const VolumeSnapshot& work, Progress progress) {
+  const DrillSetup setup = task.setup();
+  m_isAsPrepared =
+      std::all_of(work.holes.begin(), work.holes.end(), [&](const auto& hole) { return isSame(hole->setup, setup); });
+  if (!m_isAsPrepared) return;  // whatever drill is written there is not drilled with
+  m_review = reviewDrilling(task.volume(), task.plan, work.holes, progress);
+  if (!m_review) return;
+  m_isOfItsHoles = isSame(m_review->left, work.volume);
+}
+
+// Empty: it can be measured.
+ExerciseText MeasuredDrilling::problem(const std::string& figure) const {
+  if (!m_isAsPrepared) return {QT_TRANSLATE_NOOP("Note", "Another drill, speed or material was used.")};
+  if (!m_review) return {QT_TRANSLATE_NOOP("Note", "The measuring was cancelled.")};
+  if (!m_isOfItsHoles) return {QT_TRANSLATE_NOOP("Note", "The volume was changed by something else than the drill.")};
+  if (!m_review->figures.contact) return {QT_TRANSLATE_NOOP("Note", "Nothing was drilled.")};
+  if (!valueOf(figure, *m_review)) return {QT_TRANSLATE_NOOP("Note", "The drill did not come through.")};
+  return {};
+}
+
+Measurement MeasuredDrilling::measure(const MarkingCriterion& criterion) const {
+  Measurement figure{criterion.id, std::nullopt, problem(criterion.figure)};
+  if (!figure.remark.text.empty()) return figure;
+  figure.value = valueOf(criterion.figure, *m_review);
+  if (criterion.figure == "forbidden" && *figure.value > 0.0) {
+    const auto& moments = m_review->moments;
+    const auto first =
+        std::find_if(moments.begin(), moments.end(), [](const DrillMoment& m) { return m.forbidden > 0.0; });
+    figure.remark = {QT_TRANSLATE_NOOP("Note", "It was entered %1 s after contact."),
+                     {roundedText(first->time - *m_review->figures.contact, 3)}};
+  }
+  return figure;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/ControlPointCut.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kPlacesPerSpan = 4.0;  // of the nose on its way, between two knots
+constexpr double kMostVisits = 1e8;     // of samples, in one step of the path: some 0.3 s
+constexpr double kDepthLeft = 1e-12;    // mm: the nose counts as free
+
+}  // namespace
+
+ControlPointCut::ControlPointCut(const TurnedProfile& profile, double resolution) {
+  const double wanted = std::clamp(std::isfinite(resolution) ? resolution : 1.0, kLeastResolution, kLargestResolution);
+  m_spans = static_cast<std::size_t>(std::max(1.0, std::ceil(profile.length() / wanted)));
+  m_span = profile.length() / static_cast<double>(m_spans);
+}
+
+// Cox and de Boor, of degree 2. Pole k has the knots k - 2 to k + 1 in spans, which are clamped to the ends.
+double ControlPointCut::basis(std::size_t pole, double z) const {
+  const double u = std::clamp(z / m_span, 0.0, static_cast<double>(m_spans));
+  std::array<double, 4> knots;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double place = static_cast<double>(pole + i) - 2.0;
+    knots[i] = std::clamp(place, 0.0, static_cast<double>(m_spans));
+  }
+  const double end = static_cast<double>(m_spans);
+  std::array<double, 3> level{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool isLast = u == end && knots[i + 1] == end;
+    level[i] = knots[i] < knots[i + 1] && u >= knots[i] && (u < knots[i + 1] || isLast) ? 1.0 : 0.0;
+  }
+  for (std::size_t degree = 1; degree <= 2; ++degree) {
+    for (std::size_t i = 0; i + degree < 3; ++i) {
+      const double low = knots[i + degree] - knots[i], high = knots[i + degree + 1] - knots[i + 1];
+      level[i] = (low > 0.0 ? (u - knots[i]) / low * level[i] : 0.0) +
+                 (high > 0.0 ? (knots[i + degree + 1] - u) / high * level[i + 1] : 0.0);
+    }
+  }
+  return level[0];
+}
+
+std::size_t ControlPointCut::strongest(double z) const {
+  const auto span = static_cast<std::size_t>(std::clamp(std::floor(z / m_span), 0.0, static_cast<double>(m_spans - 1)));
+  std::size_t best = span;
+  for (std::size_t pole = span + 1; pole <= span + 2; ++pole) {
+    if (basis(pole, z) > basis(best, z)) best = pole;
+  }
+  return best;
+}
+
+std::size_t ControlPointCut::movesUnder(double noseRadius) const {
+  const double poles = std::min(2.0 * noseRadius / m_span, static_cast<double>(m_spans)) + 3.0;
+  return static_cast<std::size_t>(std::ceil(poles));
+}
+
+// Steps of the nose on its way from a to b.
+double ControlPointCut::placesOn(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b,
+                                 double noseRadius) const {
+  const double each = std::min(2.0 * noseRadius / profile.spacing() + 1.0, static_cast<double>(profile.size()));
+  return std::clamp(std::ceil(kPlacesPerSpan * (b - a).norm() / m_span), 1.0, std::max(1.0, kMostVisits / each));
+}
+
+ControlPointCut::Deepest ControlPointCut::deepestUnder(const TurnedProfile& profile, TurningSide side,
+                                                       const ProfilePoint& nose, double radius) const {
+  const TurnedProfile::Range under = profile.samplesUnder(nose, nose, radius);
+  Deepest deepest;
+  for (std::size_t i = under.first; i < under.last; ++i) {
+    const double along = profile.z(i) - nose.y();
+    const double half = std::sqrt(std::max(0.0, radius * radius - along * along));
+    const bool isBore = side == TurningSide::Bore;
+    // On the far side of the material, or where there is none, it touches nothing.
+    const bool isBeside =
+        isBore ? nose.x() - half >= profile.radius(i) : profile.inner(i) > 0.0 && nose.x() + half <= profile.inner(i);
+    if (isBeside || !profile.hasMaterial(i)) continue;
+    const double low = std::max(nose.x() - half, profile.inner(i)), high = std::min(nose.x() + half, profile.radius(i));
+    const double depth = isBore ? high - profile.inner(i) : profile.radius(i) - low;
+    if (depth > deepest.depth) deepest = {i, depth};
+  }
+  return deepest;
+}
+
+TurnedProfile::Range ControlPointCut::move(TurnedProfile& profile, TurningSide side, std::size_t pole,
+                                           double by) const {
+  const double from = (static_cast<double>(pole) - 2.0) * m_span, to = (static_cast<double>(pole) + 1.0) * m_span;
+  const double last = static_cast<double>(profile.size() - 1);
+  const auto begin = static_cast<std::size_t>(std::clamp(std::floor(from / profile.spacing()), 0.0, last));
+  const auto end = static_cast<std::size_t>(std::clamp(std::ceil(to / profile.spacing()), 0.0, last));
+  TurnedProfile::Range changed;
+  for (std::size_t i = begin; i <= end; ++i) {
+    const double change = by * basis(pole, profile.z(i));
+    if (!(change > 0.0)) continue;
+    // A film that only rounding leaves is no material.
+    const double inner = profile.inner(i), outer = profile.radius(i);
+    const bool isAll = outer - inner - change <= kDepthLeft;
+    const bool isChanged = side == TurningSide::Bore ? profile.limitInner(i, isAll ? outer : inner + change)
+                                                     : profile.limitOuter(i, isAll ? inner : outer - change);
+    if (isChanged) changed.extend({i, i + 1});
+  }
+  return changed;
+}
+
+TurnedProfile::Range ControlPointCut::cut(TurnedProfile& profile, TurningSide side, const ProfilePoint& a,
+                                          const ProfilePoint& b, double noseRadius) const {
+  TurnedProfile::Range changed;
+  if (profile.samplesUnder(a, b, noseRadius).isEmpty()) return changed;
+  const double places = placesOn(profile, a, b, noseRadius);
+  const std::size_t moves = movesUnder(noseRadius);
+  for (int i = 0; i <= static_cast<int>(places); ++i) {
+    const ProfilePoint nose = a + i / places * (b - a);
+    for (std::size_t k = 0; k < moves; ++k) {
+      const Deepest deepest = deepestUnder(profile, side, nose, noseRadius);
+      if (!(deepest.depth > kDepthLeft)) break;
+      const double z = profile.z(deepest.sample);
+      const std::size_t pole = strongest(z);
+      const TurnedProfile::Range moved = move(profile, side, pole, deepest.depth / basis(pole, z));
+      if (moved.isEmpty()) break;
+      changed.extend(moved);
+    }
+  }
+  return changed;
+}
+
+double ControlPointCut::work(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b,
+                             double noseRadius) const {
+  const auto under = static_cast<double>(profile.samplesUnder(a, b, noseRadius).size());
+  if (under == 0.0) return 0.0;
+  const double places = placesOn(profile, a, b, noseRadius) + 1.0;
+  const double each = std::min(under, 2.0 * noseRadius / profile.spacing() + 1.0) + 3.0 * m_span / profile.spacing();
+  return places * static_cast<double>(movesUnder(noseRadius)) * each;
+}
+
+}  // namespace handwheel

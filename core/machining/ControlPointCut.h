@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/TurnedProfile.h"
+
+namespace handwheel {
+
+// Cuts a turned profile by moving control points, which have a fixed spacing.
+//
+// The profile counts as a curve of degree 2 over clamped knots at this distance. Where the nose is deepest below it, by
+// d at the parameter u, the control point k with the largest basis function moves by d V / R_k(u), so that the curve is
+// as deep as the nose there (He 2008, eq. 5-9). V is straight towards the axis, away from it in a bore: so control
+// points keep their order along the axis, and the curve changes by the basis function alone, which is what is done to
+// the samples. It cannot fold or cross the axis, material only leaves, and corners between samples stay. Beside u the
+// control point takes more or less than the nose does: the error of this method, of the order of the distance.
+//
+// The depth is that of the nose as it is recorded. The servo loop lets it in by force over resistance in each tick,
+// which is d = F_r / κ (eq. 5-10) with κ = resistance times width of the chip over the period.
+class ControlPointCut {
+ public:
+  static constexpr double kLeastResolution = 0.01, kLargestResolution = 100.0;  // mm
+
+  // resolution: mm between control points; brought into these limits, and so that the length is a multiple.
+  ControlPointCut(const TurnedProfile& profile, double resolution);
+
+  // Cuts with a nose of this radius (mm) whose centre moves straight from a to b, (r, z). Returns the samples that
+  // changed. Points that are not finite cut nothing. O(work()).
+  TurnedProfile::Range cut(TurnedProfile& profile, TurningSide side, const ProfilePoint& a, const ProfilePoint& b,
+                           double noseRadius) const;
+
+  // The most samples that cut() visits.
+  double work(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b, double noseRadius) const;
+
+ private:
+  struct Deepest {
+    std::size_t sample = 0;
+    double depth = 0.0;  // mm
+  };
+  double basis(std::size_t pole, double z) const;
+  std::size_t strongest(double z) const;
+  std::size_t movesUnder(double noseRadius) const;
+  double placesOn(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b, double noseRadius) const;
+  Deepest deepestUnder(const TurnedProfile& profile, TurningSide side, const ProfilePoint& nose, double radius) const;
+  TurnedProfile::Range move(TurnedProfile& profile, TurningSide side, std::size_t pole, double by) const;
+
+  std::size_t m_spans;
+  double m_span;  // mm, between two knots
+};
+
+}  // namespace handwheel

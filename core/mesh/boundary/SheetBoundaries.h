@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/boundary/BoundaryLoops.h"
+
+namespace handwheel {
+
+// Marks the outer boundary loops of open sheets. Such is the longest loop of each shell that looks one way, is
+// thin with a long outline, is frayed as a single-view scan is, or has no vertex but on that loop. A patch over such a
+// loop would be a lid as large as the sheet, or cover it with a second layer. If cancelled, none is marked. O(n).
+void markSheetBoundaries(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& loops, Progress progress = {});
+
+}  // namespace handwheel

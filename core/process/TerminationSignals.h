@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <csignal>
+
+namespace handwheel {
+
+// The signals that ask a program to end: a key, the system, a closed terminal.
+inline constexpr std::array kTerminationSignals{SIGINT, SIGTERM, SIGHUP};
+
+}  // namespace handwheel

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/NumberText.h"
+#include "robot/posts/ControllerPosts.h"
+#include "robot/posts/PostErrors.h"
+#include "robot/posts/PostText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handwheel {
+
+std::vector<Error> PostProcessor::refusals(const RobotProgram& program) const {
+  std::vector<Error> all;
+  if (program.motions.size() > kMostMotions) {
+    all.push_back(
+        {PostError::TooManyMotions, {std::to_string(program.motions.size()), std::to_string(kMostMotions)}, {}, {}});
+  }
+  for (std::size_t i = 0; i < program.motions.size(); ++i) {
+    const ProgramMotion& motion = program.motions[i];
+    const bool isSound = motion.joints.allFinite() && std::isfinite(motion.speed) && std::isfinite(motion.blend);
+    if (!isSound || motion.joints.size() != program.arm.size())
+      all.push_back({PostError::NotFinite, {std::to_string(i + 1)}, {}, {}});
+  }
+  return all;
+}
+
+std::vector<Error> ControllerPost::refusals(const RobotProgram& program) const {
+  std::vector<Error> all = PostProcessor::refusals(program);
+  constexpr Eigen::Index kJoints = 6;
+  if (program.arm.size() != kJoints) {
+    all.push_back(
+        {PostError::WrongJoints, {title(), std::to_string(kJoints), std::to_string(program.arm.size())}, {}, {}});
+  }
+  for (std::size_t i = 0; i < program.arm.joints().size(); ++i) {
+    if (program.arm.joints()[i].isPrismatic)
+      all.push_back({PostError::NoSlides, {title(), std::to_string(i + 1)}, {}, {}});
+  }
+  for (std::size_t i = 0; i < program.motions.size(); ++i) {
+    const ProgramMotion& motion = program.motions[i];
+    if (motion.kind != ProgramMotion::Kind::Linear || !(motion.speed > fastestLine())) continue;
+    all.push_back({PostError::TooFast,
+                   {std::to_string(i + 1), shownText(motion.speed), title(), shownText(fastestLine())},
+                   {},
+                   {}});
+  }
+  return all;
+}
+
+namespace {
+
+std::function<std::vector<std::unique_ptr<PostProcessor>>()>& pluginSource() {
+  static std::function<std::vector<std::unique_ptr<PostProcessor>>()> source;
+  return source;
+}
+
+std::vector<std::unique_ptr<PostProcessor>> allPosts() {
+  std::vector<std::unique_ptr<PostProcessor>> all;
+  all.push_back(std::make_unique<RapidPost>());
+  all.push_back(std::make_unique<KrlPost>());
+  all.push_back(std::make_unique<FanucPost>());
+  all.push_back(std::make_unique<UrScriptPost>());
+  all.push_back(makeCsvPost());
+  all.push_back(makeJsonPost());
+  if (!pluginSource()) return all;
+  for (std::unique_ptr<PostProcessor>& post : pluginSource()()) {
+    const std::string_view id = post->id();
+    const bool isNew = std::none_of(all.begin(), all.end(), [&](const auto& other) { return other->id() == id; });
+    if (isNew) all.push_back(std::move(post));
+  }
+  return all;
+}
+
+}  // namespace
+
+void setPluginPosts(std::function<std::vector<std::unique_ptr<PostProcessor>>()> source) {
+  pluginSource() = std::move(source);
+}
+
+std::span<const std::unique_ptr<PostProcessor>> posts() {
+  static const std::vector<std::unique_ptr<PostProcessor>> kAll = allPosts();
+  return kAll;
+}
+
+const PostProcessor* postCalled(std::string_view id) {
+  for (const auto& post : posts()) {
+    if (post->id() == id) return post.get();
+  }
+  return nullptr;
+}
+
+const PostProcessor* postForEnding(std::string_view fileName) {
+  std::string lower(fileName);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(c < 128 ? std::tolower(c) : c); });
+  for (const auto& post : posts()) {
+    if (lower.ends_with(post->ending())) return post.get();
+  }
+  return nullptr;
+}
+
+namespace {
+
+// Fanuc's steps, which are the coarsest: whole percent, tenths of mm/s. What is slower than a step becomes one.
+bool isSameSpeed(ProgramMotion::Kind kind, double wanted, double got) {
+  const double step = kind == ProgramMotion::Kind::Joint ? 0.01 : 0.1;
+  return std::abs(wanted - got) <= 0.501 * step || (wanted <= step && got <= step);
+}
+
+std::optional<Error> differenceOf(const ProgramMotion& wanted, const ReadMotion& got, std::size_t number) {
+  const auto differs = [&](const char* what, const std::string& was, const std::string& is) {
+    return Error{PostError::MotionDiffers, {std::to_string(number), what, was, is}, {}, {}};
+  };
+  constexpr double kBlendStep = 1e-3;  // mm
+  const auto word = [](ProgramMotion::Kind kind) { return kind == ProgramMotion::Kind::Joint ? "joint" : "linear"; };
+  if (wanted.kind != got.kind) return differs("kind", word(wanted.kind), word(got.kind));
+  if (got.speed && !isSameSpeed(wanted.kind, wanted.speed, *got.speed))
+    return differs("speed", fixedText(wanted.speed, 4), fixedText(*got.speed, 4));
+  if (!(got.blend <= wanted.blend + kBlendStep))
+    return differs("blend", fixedText(wanted.blend, 4), fixedText(got.blend, 4));
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<PostCheck> checkWritten(const PostProcessor& post, const RobotProgram& program, std::string_view text) {
+  const Result<std::vector<ReadMotion>> read = post.read(text, program);
+  if (!read) return read.error();
+  PostCheck check;
+  check.motions = read->size();
+  if (read->size() != program.motions.size()) {
+    return Error{ErrorCode::CountMismatch,
+                 {"motions", std::to_string(program.motions.size()), std::to_string(read->size())},
+                 {},
+                 {}};
+  }
+  for (std::size_t i = 0; i < read->size(); ++i) {
+    const ReadMotion& motion = (*read)[i];
+    if (const auto difference = differenceOf(program.motions[i], motion, i + 1)) return *difference;
+    const Pose wanted = program.frame.inverse(Eigen::Isometry) * program.tipOf(program.motions[i]);
+    const Pose got =
+        motion.joints
+            ? Pose(program.frame.inverse(Eigen::Isometry) * program.arm.tipPose(*motion.joints) * program.tool)
+            : *motion.pose;
+    if (!got.matrix().allFinite()) check.distance = std::numeric_limits<double>::infinity();
+    check.distance = std::max(check.distance, (got.translation() - wanted.translation()).norm());
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(got.linear().transpose() * wanted.linear()));
+    check.angle = std::max(check.angle, std::abs(turn.angle()) / kRadiansPerDegree);
+  }
+  return check;
+}
+
+}  // namespace handwheel

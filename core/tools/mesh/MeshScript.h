@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "mesh/repair/SheetThickening.h"
+#include "tools/mesh/MeshServices.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Mesh edits as lines of a script (steps), so that they work without a window. What a tool or a job did is written as a
+// step, and the step does it once more, by the same code. ScriptLine.h describes the syntax of a line.
+namespace handwheel {
+
+// The result of applying one line of an edit script, a step.
+struct ScriptLineOutcome {
+  bool changed = true;
+  // Why nothing changed, where it did not; one of them or none.
+  const char* reason = nullptr;  // English, contexts "Tool" and "Property"
+  FillFailure failure = FillFailure::None;
+  SheetOutcomes sheets = {};            // of a step that thickens some
+  std::optional<double> distance = {};  // as MeshChange::distance
+  std::optional<Error> error = {};      // why nothing changed, where figures belong to it
+};
+
+// Reads the mesh of another file, for "add".
+using MeshFileReader = std::function<Result<HalfEdgeMesh>(const std::string& path, Progress)>;
+
+// Applies one step, which becomes one undo step of the document. Errors: StepMalformed {what is wrong}, Cancelled,
+// those of the reader; then nothing has changed.
+Result<ScriptLineOutcome> applyScriptLine(MeshDocument& document, std::string_view step, Progress progress = {},
+                                          const MeshFileReader& readMesh = {});
+
+// Adds the mesh of a file to another mesh, without moving it.
+MeshChange addChange(const std::string& path, const HalfEdgeMesh& mesh);
+
+// A state in the undo history of a document. It is the state after so many commands, the last of which belongs to this
+// stroke; by default that in which the file was opened.
+struct HistoryPoint {
+  int commands = 0;
+  int stroke = 0;
+  bool operator==(const HistoryPoint&) const = default;
+};
+// The present state in the history of a document.
+HistoryPoint presentPoint(const MeshDocument& document);
+
+// The steps from a state to the present one, without undone steps. None if the state is not on the way to the present
+// one, or if an edit of the mesh has no step. Edits of properties and recordings are skipped.
+std::optional<std::vector<std::string>> scriptLinesSince(const MeshDocument& document, const HistoryPoint& state = {});
+
+}  // namespace handwheel

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+// The codes of errors of steps, the lines of text that edit a mesh.
+namespace handwheel::ScriptError {
+
+extern const ErrorDescription Malformed;  // {what is wrong, as a clause in English}
+
+}  // namespace handwheel::ScriptError

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Operation.h"
+
+namespace handwheel {
+
+// The descriptions of the changes that mend one kind of defect (DefectFixes.h).
+std::vector<Operation> defectFixOperations();
+
+}  // namespace handwheel

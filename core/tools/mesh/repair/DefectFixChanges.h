@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/holes/HoleFiller.h"
+#include "tools/mesh/MeshServices.h"
+#include "tools/mesh/ScriptLine.h"
+
+#include <QtGlobal>
+#include <vector>
+
+namespace handwheel {
+
+// Functions that the fixes of defects share.
+
+inline constexpr const char* kTooLong = QT_TRANSLATE_NOOP("Tool", "it would take too long for a mesh of this size");
+
+// A change that counts what it does. work: false where it was given up because that was too much.
+MeshChange countedChange(const char* text, std::function<bool(HalfEdgeMesh&, Progress)> work, const char* reason);
+// The effort limit of such a change, of trials.
+std::size_t mostEffort(const HalfEdgeMesh& mesh, std::size_t fixed = tolerance::kObstructedHoleBudget);
+
+// The operation with these options of a fill, or number type.
+OperationValues fillingValues(const char* verb, const FillOptions& options);
+OperationValues roundingValues(const char* verb, NumberType numbers);
+
+// Separates vertices; false where it was given up. at: as separateCoincidentVertices() has it.
+bool separateNonManifold(HalfEdgeMesh& mesh, NumberType numbers, const std::vector<Vertex>& at, Progress progress);
+
+// The change as a fix: what it did is said with the numbers of defects before and after.
+MeshChange asFix(MeshChange change, std::string step);
+
+}  // namespace handwheel

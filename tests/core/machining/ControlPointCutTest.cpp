@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/ControlPointCut.h"
+
+#include "TestClass.h"
+#include "machining/TurningPass.h"
+
+#include <rapidcheck.h>
+
+#include <QtTest>
+#include <cmath>
+#include <limits>
+
+using namespace handwheel;
+
+namespace {
+
+constexpr StockCylinder kShaft{40.0, 100.0, 0.0};
+
+double anyOf(double low, double high) {
+  return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
+}
+
+// N(i, 2) at u over uniform clamped knots by the textbook's recursion (Piegl and Tiller, eq. 2.5).
+double cardinal(int i, int degree, double u, int spans) {
+  const auto knot = [spans](int j) { return std::clamp(j - 2.0, 0.0, static_cast<double>(spans)); };
+  if (degree == 0) {
+    const bool isLast = u == spans && knot(i + 1) == spans && knot(i) < spans;
+    return (u >= knot(i) && u < knot(i + 1)) || isLast ? 1.0 : 0.0;
+  }
+  double sum = 0.0;
+  if (knot(i + degree) > knot(i))
+    sum += (u - knot(i)) / (knot(i + degree) - knot(i)) * cardinal(i, degree - 1, u, spans);
+  if (knot(i + degree + 1) > knot(i + 1))
+    sum += (knot(i + degree + 1) - u) / (knot(i + degree + 1) - knot(i + 1)) * cardinal(i + 1, degree - 1, u, spans);
+  return sum;
+}
+
+double largestDistance(const TurnedProfile& a, const TurnedProfile& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, std::abs(a.radius(i) - b.radius(i)));
+    largest = std::max(largest, std::abs(a.inner(i) - b.inner(i)));
+  }
+  return largest;
+}
+
+}  // namespace
+
+class ControlPointCutTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // One plunge of a small nose moves one pole: eq. 5-9 by its definition.
+  void onePoleMoves_data() {
+    QTest::addColumn<double>("z");
+    for (const double z : {0.0, 0.3, 1.0, 2.4, 37.1, 50.0, 99.9, 100.0}) QTest::addRow("%g", z) << z;
+  }
+  void onePoleMoves() {
+    QFETCH(double, z);
+    constexpr double kResolution = 2.0, kNoseRadius = 0.011, kDepth = 0.5;
+    constexpr int kSpans = 50;
+    TurnedProfile part(kShaft, 0.02);
+    const auto at = static_cast<std::size_t>(std::lround(z / part.spacing()));
+    const ProfilePoint nose(20.0 - kDepth + kNoseRadius, part.z(at));
+    ControlPointCut(part, kResolution).cut(part, TurningSide::Outside, nose, nose, kNoseRadius);
+    const double u = part.z(at) / kResolution;
+    int strongest = 0;
+    for (int k = 1; k < kSpans + 2; ++k) {
+      if (cardinal(k, 2, u, kSpans) > cardinal(strongest, 2, u, kSpans) + 1e-12) strongest = k;
+    }
+    const double by = kDepth / cardinal(strongest, 2, u, kSpans);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const double expected = 20.0 - by * cardinal(strongest, 2, part.z(i) / kResolution, kSpans);
+      QVERIFY2(std::abs(part.radius(i) - expected) < 1e-9, qPrintable(QString::number(part.z(i))));
+    }
+    QVERIFY(std::abs(part.radius(at) - (20.0 - kDepth)) < 1e-9);
+  }
+
+  void materialOnlyLeavesAndNothingFolds() {
+    QVERIFY(rc::check("radii of both sides only go apart from the material", [] {
+      TurnedProfile part(kShaft, 1.0);
+      const ControlPointCut poles(part, anyOf(0.5, 20.0));
+      for (int step = 0; step < 12; ++step) {
+        const TurnedProfile before = part;
+        const ProfilePoint a(anyOf(-5.0, 40.0), anyOf(-10.0, 110.0)), b(anyOf(-5.0, 40.0), anyOf(-10.0, 110.0));
+        const TurningSide side = *rc::gen::inRange(0, 2) ? TurningSide::Bore : TurningSide::Outside;
+        const TurnedProfile::Range changed = poles.cut(part, side, a, b, anyOf(0.2, 5.0));
+        for (std::size_t i = 0; i < part.size(); ++i) {
+          RC_ASSERT(part.radius(i) <= before.radius(i) && part.inner(i) >= before.inner(i));
+          RC_ASSERT(part.inner(i) >= 0.0 && part.inner(i) <= part.radius(i));
+          const bool isIn = i >= changed.first && i < changed.last;
+          RC_ASSERT(isIn || (part.radius(i) == before.radius(i) && part.inner(i) == before.inner(i)));
+        }
+      }
+    }));
+  }
+
+  // A long taper, which degree 2 has exactly: the finer the control points, the nearer to what the nose sweeps.
+  void finerIsNearer() {
+    TurnedProfile exact(kShaft, 0.02);
+    const ProfilePoint from(25.0, 10.0), to(18.0, 80.0);
+    exact.cut(from, to, 4.0);
+    double last = std::numeric_limits<double>::infinity();
+    for (const double resolution : {4.0, 1.0, 0.25}) {
+      TurnedProfile part(kShaft, 0.02);
+      ControlPointCut(part, resolution).cut(part, TurningSide::Outside, from, to, 4.0);
+      double largest = 0.0;
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        if (part.z(i) > 40.0 && part.z(i) < 75.0)
+          largest = std::max(largest, std::abs(part.radius(i) - exact.radius(i)));
+      }
+      QVERIFY2(largest < 0.6 * last, qPrintable(QString::number(largest)));
+      last = largest;
+    }
+    QVERIFY2(last < 0.05, qPrintable(QString::number(last)));
+  }
+
+  // In a bore the mirror image of the outside.
+  void boresAsItTurns() {
+    TurnedProfile outside(kShaft, 0.1), tube(kShaft, 0.1);
+    for (std::size_t i = 0; i < tube.size(); ++i) tube.limitInner(i, 10.0);
+    ControlPointCut(outside, 1.0).cut(outside, TurningSide::Outside, {20.0, 30.0}, {19.0, 60.0}, 2.0);
+    ControlPointCut(tube, 1.0).cut(tube, TurningSide::Bore, {10.0, 30.0}, {11.0, 60.0}, 2.0);
+    for (std::size_t i = 0; i < tube.size(); ++i) {
+      QVERIFY(std::abs((20.0 - outside.radius(i)) - (tube.inner(i) - 10.0)) < 1e-9);
+      QCOMPARE(tube.radius(i), 20.0);
+    }
+  }
+
+  void nothingAndNoNumber() {
+    TurnedProfile part(kShaft, 1.0);
+    const TurnedProfile before = part;
+    const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+    const ControlPointCut poles(part, nan);
+    for (const double bad : {nan, inf, -inf}) {
+      QVERIFY(poles.cut(part, TurningSide::Outside, {bad, 50}, {10, 50}, 1.0).isEmpty());
+      QVERIFY(poles.cut(part, TurningSide::Bore, {10, 50}, {10, bad}, 1.0).isEmpty());
+    }
+    QVERIFY(poles.cut(part, TurningSide::Outside, {10, 50}, {10, 60}, 0.0).isEmpty());
+    QVERIFY(poles.cut(part, TurningSide::Outside, {21.0, 50}, {21.0, 60}, 1.0).isEmpty());  // touches, and no deeper
+    QVERIFY(part == before);
+    QVERIFY(!poles.cut(part, TurningSide::Outside, {21.0 - 1e-8, 50}, {21.0 - 1e-8, 50}, 1.0).isEmpty());
+    QVERIFY(largestDistance(part, before) < 2e-8);
+    poles.cut(part, TurningSide::Outside, {-1e9, 50}, {-1e9, 50}, 1e9);
+    for (std::size_t i = 0; i < part.size(); ++i) QVERIFY(part.radius(i) >= 0.0);
+  }
+
+  // The whole way of a pass, in either method, twice: the same profile, bit for bit.
+  void aPassRepeats() {
+    for (const TurningMethod method : {TurningMethod::Trim, TurningMethod::Poles}) {
+      TurningPass pass;
+      pass.method = method;
+      pass.resolution = 0.5;
+      for (int i = 0; i < 500; ++i) {
+        pass.path.emplace_back(19.0 - 3.0 * std::sin(0.02 * i), 0.2 * i);
+        pass.times.push_back(0.0);
+      }
+      TurnedProfile once(kShaft, 0.1), again = once;
+      cut(once, pass);
+      cut(again, pass);
+      QVERIFY(once == again && once.volume() < kShaft.volume());
+      QVERIFY(samplesUnder(once, pass) > 0);
+    }
+  }
+};
+
+HANDWHEEL_TEST(ControlPointCutTest)
+#include "ControlPointCutTest.moc"

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "MeshDocuments.h"
+#include "document/Container.h"
+#include "mesh/structure/MeshValidator.h"
+#include "tools/mesh/MeshScript.h"
+
+#include <optional>
+
+namespace handwheel::test {
+
+// What a container of the document holds, as bytes.
+inline std::string bytesOf(const MeshDocument& document) {
+  Container container;
+  document.kind().save(*document.snapshot(), container);
+  return writeContainer(container, Compression::Fast).value();
+}
+
+// What is wrong with the document that the steps of another make of the same triangles; nothing, where both are the
+// same byte for byte, now and after each step.
+inline std::string replayed(const TriangleSoup& soup, MeshDocument& edited) {
+  const auto steps = scriptLinesSince(edited);
+  if (!steps) return "an edit has no step";
+  QUndoStack& history = *edited.history();
+  const int end = history.index();
+  // The first step undoes the reversal on opening where that is undone.
+  const int start = edited.facesAsInFile().empty() ? edited.openingSteps() : -1;
+  const auto document = meshDocument(soup, edited.file().path);
+  std::string problem;
+  for (std::size_t i = 0; i < steps->size() && problem.empty(); ++i) {
+    const auto done = applyScriptLine(*document, (*steps)[i]);
+    history.setIndex(start + static_cast<int>(i) + 1);
+    if (!done) {
+      problem = done.error().arguments.at(0);
+    } else if (!done->changed) {
+      problem = "changed nothing";
+    } else {
+      problem = validate(document->mesh());
+    }
+    if (problem.empty() && bytesOf(*document) != bytesOf(edited)) problem = "the bytes differ";
+    if (!problem.empty()) problem = (*steps)[i] + ": " + problem;
+  }
+  history.setIndex(end);
+  if (problem.empty() && scriptLinesSince(*document) != steps) problem = "the steps of the replay are others";
+  return problem;
+}
+
+}  // namespace handwheel::test

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <functional>
+#include <vector>
+
+class QAction;
+class QGridLayout;
+class QLabel;
+
+namespace handwheel {
+
+// A suggested next step with its actions.
+struct Suggestion {
+  QString icon;
+  QColor colour;
+  QString title;
+  QString detail;
+  std::vector<QAction*> actions;
+  bool isFirstObvious = true;  // the first action stands out as the one that most people want
+  // Called when pointer or focus come to the button of an action, or leave it. May be empty.
+  std::function<void(const QAction* action, bool isPointed)> pointed = {};
+
+  bool isEmpty() const { return title.isEmpty(); }
+};
+
+// A card over the lower edge of the viewport with the suggested next step.
+class SuggestionCard : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit SuggestionCard(QWidget* over);
+
+  void showStep(const Suggestion& step);  // hides when the step is empty
+
+ signals:
+  void dismissed();
+  // The number of pixels at the lower edge that the card covers; 0 when it is hidden.
+  void covers(int pixels);
+
+ protected:
+  bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void place();
+
+  QLabel* m_icon;
+  QLabel* m_title;
+  QLabel* m_detail;
+  QGridLayout* m_buttons;
+};
+
+}  // namespace handwheel
