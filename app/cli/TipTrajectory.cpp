@@ -13,7 +13,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"t_s", "x_mm", "y_mm", "z_mm"};
+constexpr std::array<std::string_view, 5> kNames{"t_s", "x_mm", "y_mm", "z_mm", "stroke"};
+constexpr std::size_t kNeeded = 4;  // of them
 // An hour and a half at 1 kHz.
 constexpr std::size_t kMostPoses = 5'000'000;
 
@@ -60,7 +61,7 @@ class PathReader {
       }
     }
     std::string missing;
-    for (std::size_t k = 0; k < kNames.size(); ++k) {
+    for (std::size_t k = 0; k < kNeeded; ++k) {
       if (m_columns[k] == kMissing) missing += (missing.empty() ? "" : ", ") + std::string(kNames[k]);
     }
     if (!missing.empty())
@@ -83,10 +84,18 @@ class PathReader {
       }
     }
     for (std::size_t k = 0; k < kNames.size(); ++k)
-      if (std::isnan(values[k])) return refuse("The value for " + std::string(kNames[k]) + " is missing.");
+      if (std::isnan(values[k]) && m_columns[k] != kMissing)
+        return refuse("The value for " + std::string(kNames[k]) + " is missing.");
     if (!m_path.poses.empty() && values[0] < m_path.poses.back().time) return refuse("The time must not decrease.");
     if (m_path.poses.size() == kMostPoses)
       return refuse("A path can have at most " + std::to_string(kMostPoses) + " lines.");
+    if (m_columns[kNeeded] != kMissing) {
+      const double stroke = values[kNeeded];
+      if (!(stroke >= 0.0 && stroke <= kMostStrokes && stroke == std::floor(stroke)))
+        return refuse("The number of a stroke is a whole one from 0, which is none, to " +
+                      std::to_string(kMostStrokes) + ".");
+      m_path.strokes.push_back(static_cast<std::uint32_t>(stroke));
+    }
     HandPose pose;
     pose.time = values[0];
     pose.position = Vec3(values[1], values[2], values[3]);
@@ -94,6 +103,7 @@ class PathReader {
   }
 
   static constexpr std::size_t kMissing = ~std::size_t{0};
+  static constexpr int kMostStrokes = 1'000'000;
   static constexpr double kLargest = 1e100;  // squares of it are still numbers
 
   TipTrajectory m_path;

@@ -48,6 +48,9 @@ std::vector<FidelityCase> volumeReductionCases();
 // volume.polygons: a block along the grid and one that is turned, by their edges.
 std::vector<FidelityCase> volumePolygonsCases();
 
+// volume.pieces: a ball of clay that is carved at some places.
+std::vector<FidelityCase> volumePiecesCases();
+
 // drill.erosion: a head that goes evenly through material, along the grid and across it.
 std::vector<FidelityCase> drillErosionCases();
 

@@ -29,6 +29,7 @@ FidelityRegistry measuredSettings() {
   registry.add(volumeMethodSetting(), volumeMethodCases());
   registry.add(volumeReductionSetting(), volumeReductionCases());
   registry.add(volumePolygonsSetting(), volumePolygonsCases());
+  registry.add(volumePiecesSetting(), volumePiecesCases());
   registry.add(drillErosionSetting(), drillErosionCases());
   registry.add(chordSetting(), chordCases());
   registry.add(stepChordSetting(), stepChordCases());

@@ -3,13 +3,16 @@
 #include "base/ThreadClock.h"
 #include "fidelity/CaseShapes.h"
 #include "fidelity/Cases.h"
+#include "fidelity/SeededInput.h"
 #include "proximity/TriangleHierarchy.h"
+#include "volume/ClayDab.h"
 #include "volume/VolumeFidelity.h"
 #include "volume/VolumeShapes.h"
 #include "volume/drilling/DrillRun.h"
 #include "volume/drilling/DrillTools.h"
 #include "volume/repair/VolumeRepair.h"
 #include "volume/surface/SharpSurface.h"
+#include "volume/surface/VolumeSurface.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <tbb/task_arena.h>
@@ -176,6 +179,26 @@ FidelitySample hole(double value, double slope, const Progress& progress) {
   return sample;
 }
 
+// Balls of so many voxels are carved out of the surface of a large one. Of each only the renewal of pieces is timed.
+FidelitySample renewedPieces(double tool, double value, std::uint64_t seed, const Progress& progress) {
+  constexpr double kVoxel = 0.1, kBall = 128.0 * kVoxel;
+  constexpr int kDabs = 16;
+  SparseVolume volume = ballOfVoxels(kBall, kVoxel);
+  VolumeSurface surface(volume, progress, pieceCellsOf(value));
+  FidelitySample sample;
+  sample.error = static_cast<double>(surface.pieces().size());
+  Random random(seed);
+  for (int i = 0; i < kDabs && !progress.cancelled(); ++i) {
+    ClayDab dab;
+    dab.centre = kBall * random.direction();
+    dab.radius = tool * kVoxel;
+    const std::vector<VoxelIndex> changed = applyDab(volume, dab);
+    sample.cost += millisecondsAlone([&] { surface.update(volume, changed); });
+  }
+  sample.cost /= kDabs;
+  return sample;
+}
+
 }  // namespace
 
 std::vector<FidelityCase> volumeVoxelsCases() {
@@ -193,6 +216,16 @@ std::vector<FidelityCase> volumeReductionCases() {
 std::vector<FidelityCase> volumePolygonsCases() {
   return {caseOf("block of 48 mm along the grid", block(Eigen::Matrix3d::Identity()), polygons),
           caseOf("turned block of 48 mm", turnedBlock(), polygons)};
+}
+
+std::vector<FidelityCase> volumePiecesCases() {
+  const auto carved = [](const char* name, double tool) {
+    return FidelityCase{name, "counted", [tool](double value, std::uint64_t seed, Progress progress) {
+                          return renewedPieces(tool, value, seed, progress);
+                        }};
+  };
+  return {carved("ball of 256 voxels, carved by one of 16", 8.0),
+          carved("ball of 256 voxels, carved by one of 80", 40.0)};
 }
 
 std::vector<FidelityCase> drillErosionCases() {

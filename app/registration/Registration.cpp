@@ -59,7 +59,7 @@ std::vector<KindRegistration> registeredKinds() {
   std::vector<KindRegistration> all;
   all.push_back({entryWithKind<RobotCellUi, RobotCellKind>(), cellCommands()});
   all.push_back({exerciseEntry(), exerciseCommands()});
-  all.push_back({entryOf<VolumeUi, VolumeKind>(), volumeCommands()});
+  all.push_back({entryWithKind<VolumeUi, VolumeKind>(), volumeCommands()});
   all.push_back({entryOf<WorkpieceUi, WorkpieceKind>(), workpieceCommands()});
   all.push_back({entryWithKind<MeshUi, MeshKind>(), meshCommands()});
   return all;

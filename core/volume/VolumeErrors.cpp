@@ -77,8 +77,20 @@ const ErrorDescription VolumeErrors::NoSuchDrillMaterial{
 
 const ErrorDescription VolumeErrors::PathTooLong{
     .id = "PathTooLong",
-    .sentences = {translatable("ErrorText", "the path takes %1 s, and at most %2 s can be drilled at this rate")},
+    .sentences = {translatable("ErrorText", "the path takes %1 s, and at most %2 s can be followed at this rate")},
     .advice = {translatable("ErrorText", "Choose a lower rate, or a part of the path.")}};
+
+const ErrorDescription VolumeErrors::ClayRadius{
+    .id = "ClayRadius",
+    .sentences = {translatable(
+        "ErrorText", "a tool with a radius of %1 mm does not suit voxels of %2 mm: from %3 to %4 mm it does")},
+    .advice = {translatable("ErrorText", "Choose another radius, or other voxels.")}};
+
+const ErrorDescription VolumeErrors::StrokesTooLong{
+    .id = "StrokesTooLong",
+    .sentences = {translatable("ErrorText",
+                               "the strokes go %1 mm, and a tool with a radius of %2 mm can be led %3 mm at most")},
+    .advice = {translatable("ErrorText", "Check the unit of the places, or divide the strokes.")}};
 
 const ErrorDescription VolumeErrors::ProgramWord{
     .id = "ProgramWord",

@@ -21,6 +21,8 @@ extern const ErrorDescription WallTooThin;          // {wall in mm, voxel in mm,
 extern const ErrorDescription NoSuchDrill;          // {word}
 extern const ErrorDescription NoSuchDrillMaterial;  // {word}
 extern const ErrorDescription PathTooLong;          // {seconds, most seconds}
+extern const ErrorDescription ClayRadius;           // {radius, voxel, least radius, largest radius, all in mm}
+extern const ErrorDescription StrokesTooLong;       // {mm, radius of the tool in mm, most mm}
 extern const ErrorDescription ProgramWord;          // {word} of a drilling program, that is not understood
 extern const ErrorDescription ProgramLacks;         // {word, what needs it}
 extern const ErrorDescription ProgramValue;         // {word, what it has to be}

@@ -66,6 +66,18 @@ FidelitySetting volumePolygonsSetting() {
   return s;
 }
 
+FidelitySetting volumePiecesSetting() {
+  FidelitySetting s;
+  s.id = "volume.pieces";
+  s.label = translatable("Fidelity", "Cells of a volume along a piece of its display");
+  setChoices(s, {"16", "32", "64", "128"});
+  s.standard = 2.0;
+  s.presets = {2.0, 2.0, 2.0};
+  s.error = {translatable("Fidelity", "draw calls of a frame"), translatable("Fidelity", "calls")};
+  s.cost = {translatable("Fidelity", "CPU time to renew the pieces that a touch of clay changes"), "ms"};
+  return s;
+}
+
 FidelitySetting drillErosionSetting() {
   FidelitySetting s;
   s.id = "drill.erosion";
@@ -80,6 +92,10 @@ FidelitySetting drillErosionSetting() {
 
 VoxelMethod voxelMethodOf(const FidelityValues& values) {
   return static_cast<VoxelMethod>(values.of(volumeMethodSetting()));
+}
+
+int pieceCellsOf(double value) {
+  return 16 << static_cast<int>(value);
 }
 
 double erosionOf(double value) {

@@ -13,10 +13,13 @@ FidelitySetting volumeVoxelsSetting();     // volume.voxels: along the largest e
 FidelitySetting volumeMethodSetting();     // volume.method: VoxelMethod
 FidelitySetting volumeReductionSetting();  // volume.reduction: VolumeRepairOptions::within, in voxels
 FidelitySetting volumePolygonsSetting();   // volume.polygons: surfaceOf() or sharpSurfaceOf()
+FidelitySetting volumePiecesSetting();     // volume.pieces: VolumeSurface::pieceCells()
 FidelitySetting drillErosionSetting();     // drill.erosion: DrillSetup::erosion
 
 // The chosen method.
 VoxelMethod voxelMethodOf(const FidelityValues& values);
+// The cells that a value of volume.pieces stands for.
+int pieceCellsOf(double value);
 // The erosion that a value of drill.erosion stands for.
 double erosionOf(double value);
 

@@ -134,7 +134,8 @@ class CalibrationTest : public QObject {
 
   // Time is what a machine changes. The loop comes first: Fit derives the others from its rate. What takes a hundredth
   // of a tick or frame whatever is chosen is not fitted; nor is what a plan may take, which has a time limit of its
-  // own, or a volume, whose size people choose with its memory in view.
+  // own, or a volume, whose size people choose with its memory in view; nor the pieces of its display, which no frame
+  // waits for.
   void theSettingsThatDependOnTheMachine() {
     const FidelityRegistry registry = measuredSettings();
     const auto entries = machineDependent(registry);
@@ -145,7 +146,7 @@ class CalibrationTest : public QObject {
       const std::set<std::string> free{"turn.method",         "turn.resolution", "turn.step",     "turn.force_model",
                                        "plan.resolution",     "plan.shortcuts",  "verify.step",   "ik.tolerance",
                                        "proximity.tolerance", "volume.voxels",   "volume.method", "volume.reduction",
-                                       "volume.polygons",     "drill.erosion"};
+                                       "volume.polygons",     "volume.pieces",   "drill.erosion"};
       const bool isFree = free.count(id) > 0;
       const bool isTime = (unit == "us" || unit == "us/s" || unit == "ms") && !isFree;
       QCOMPARE(std::count(entries.begin(), entries.end(), &entry), isTime ? 1 : 0);

@@ -13,6 +13,7 @@
 
 #include <QTest>
 #include <cmath>
+#include <limits>
 
 using namespace handwheel;
 
@@ -51,6 +52,7 @@ class CasesTest : public QObject {
   void tornVerticesOfAMesh();
   void patchesOfAMesh();
   void blocksOfAnySize();
+  void piecesOfAVolume();
   void standInsOfAMesh();
   void fewerTrianglesOfAMesh();
   void sidesOfRoundShapes();
@@ -213,6 +215,19 @@ void CasesTest::blocksOfAnySize() {
       drawn += g.indices.size() / 3;
     }
     QCOMPARE(drawn, std::size_t{4800});
+  }
+}
+
+// The larger the pieces, the fewer there are; the eight octants around the middle of a ball are parted at any size. By
+// which tool they are renewed does not matter.
+void CasesTest::piecesOfAVolume() {
+  const FidelityRegistry::Entry& entry = *registry().find("volume.pieces");
+  double before = std::numeric_limits<double>::infinity();
+  for (double value = entry.setting.least; value <= entry.setting.largest; ++value) {
+    const double count = errorAt(entry.cases.front(), value);
+    QVERIFY(count >= 8.0 && count < before);
+    QCOMPARE(errorAt(entry.cases.back(), value), count);
+    before = count;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/BooleanCommand.h"
+#include "cli/volume/ClayCommand.h"
 #include "cli/volume/DrillCommand.h"
 #include "cli/volume/OutputName.h"
 #include "cli/volume/SegmentCommand.h"
@@ -209,6 +210,7 @@ int runRemesh(const Arguments& arguments, const DocumentKinds& kinds) {
 std::vector<Command> volumeCommands() {
   std::vector<Command> commands{{voxelizeSpec(), runVoxelize}, {remeshSpec(), runRemesh}, booleanCommand()};
   for (Command& command : wallCommands()) commands.push_back(std::move(command));
+  commands.push_back(clayCommand());
   commands.push_back(drillCommand());
   commands.push_back(segmentCommand());
   return commands;

@@ -3,6 +3,7 @@
 #include "window/volume/VolumeUi.h"
 
 #include "document/volume/VolumeDocument.h"
+#include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "document/volume/exercise/DrillingSubject.h"
 #include "simulation/clay/ClayForce.h"
@@ -11,9 +12,11 @@
 #include "tools/volume/DrillingTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/VolumeLayer.h"
+#include "volume/VolumeFidelity.h"
 #include "window/JobRunner.h"
 #include "window/WindowServices.h"
 #include "window/documents/DocumentTab.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/tools/ToolHost.h"
 #include "window/volume/DrillView.h"
@@ -28,15 +31,16 @@
 
 namespace handwheel {
 
-VolumeUi::VolumeUi(const WindowContext& window)
+VolumeUi::VolumeUi(const WindowContext& window, VolumeKind& kind)
     : RigidPartsUi(window, {"Volume"}),
+      m_kind(kind),
       m_volumeLayer(std::make_shared<VolumeLayer>()),
       m_segmentation(new Segmentation(window, this)),
       m_drillView(new DrillView(window, this)),
       m_reshape(new ReshapeActions(window, this)),
       m_remesh(new RemeshAction(window, this)),
       m_stamp(new StampAction(window, this)),
-      m_voxelize(new VoxelizeQuestion(window.window, window.jobs, this)) {
+      m_voxelize(new VoxelizeQuestion(window.window, window.jobs, kind, this)) {
   connect(m_segmentation, &Segmentation::message, this, &VolumeUi::message);
   connect(m_voxelize, &VoxelizeQuestion::message, this, &KindUi::message);
   setFelt(false);  // through the depths of the volume, not through triangles
@@ -46,6 +50,8 @@ VolumeUi::VolumeUi(const WindowContext& window)
   connect(m_reshape, &ReshapeActions::message, this, &KindUi::message);
   connect(m_remesh, &RemeshAction::message, this, &KindUi::message);
   connect(m_stamp, &StampAction::message, this, &KindUi::message);
+  connect(&window.fidelity, &FidelityChoice::changed, this, &VolumeUi::followFidelity);
+  followFidelity();
 }
 
 VolumeUi::~VolumeUi() {
@@ -180,12 +186,16 @@ std::vector<StartAction> VolumeUi::startActions() const {
            true}};
 }
 
+void VolumeUi::followFidelity() {
+  m_kind.setPieceCells(pieceCellsOf(parts().fidelity.values().of(volumePiecesSetting())));
+}
+
 // It takes a second to be made.
 void VolumeUi::begin(const QString&) {
   Job job;
   job.name = tr("Making the skull");
-  job.work = [this, kind = parts().kinds.withId("volume")](Progress) {
-    OpenedFile opened{kind, {}, skullContent()};
+  job.work = [this](Progress) {
+    OpenedFile opened{&m_kind, {}, skullContent(m_kind.pieceCells())};
     opened.file.id = newDocumentId();
     return Job::Finish([this, opened]() mutable { parts().openDocument(std::move(opened)); });
   };

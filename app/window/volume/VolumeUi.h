@@ -13,6 +13,7 @@ class DrillView;
 class RemeshAction;
 class ReshapeActions;
 class Segmentation;
+class VolumeKind;
 class StampAction;
 class VolumeLayer;
 class VoxelizeQuestion;
@@ -23,7 +24,7 @@ class VolumeUi : public RigidPartsUi {
   Q_OBJECT
 
  public:
-  explicit VolumeUi(const WindowContext& window);
+  VolumeUi(const WindowContext& window, VolumeKind& kind);
   ~VolumeUi() override;
 
   void setDocument(DocumentTab* document) override;
@@ -51,7 +52,9 @@ class VolumeUi : public RigidPartsUi {
   void showVolume();
   void offerStill();
   void followTool();
+  void followFidelity();
 
+  VolumeKind& m_kind;
   std::shared_ptr<VolumeLayer> m_volumeLayer;
   Segmentation* m_segmentation;
   std::shared_ptr<const void> m_drawn;  // the volume in the layer, of the document or of a tool

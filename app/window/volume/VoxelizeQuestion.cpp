@@ -4,6 +4,7 @@
 
 #include "controls/property/PropertyDialog.h"
 #include "document/Document.h"
+#include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
@@ -24,8 +25,8 @@ Property said(const char* id, const char* label, const QString& text) {
 
 }  // namespace
 
-VoxelizeQuestion::VoxelizeQuestion(QWidget* window, JobRunner& jobs, QObject* parent)
-    : QObject(parent), m_window(window), m_jobs(jobs) {}
+VoxelizeQuestion::VoxelizeQuestion(QWidget* window, JobRunner& jobs, const VolumeKind& kind, QObject* parent)
+    : QObject(parent), m_window(window), m_jobs(jobs), m_kind(kind) {}
 
 void VoxelizeQuestion::ask(const Document& from, std::function<void(MakeOfSurface)> start) {
   if (m_dialog) return m_dialog->raise();
@@ -94,14 +95,16 @@ QString VoxelizeQuestion::reasonText() const {
 }
 
 MakeOfSurface VoxelizeQuestion::wanted() const {
-  return [settings = *m_settings](const TriangleSoup& surface, const std::string& source, std::vector<Note>& notes,
-                                  Progress progress) -> Result<SnapshotPointer> {
-    const Result<MadeVolume> made = makeVolume(settings.wall() ? wallsOf(surface, *settings.wall()) : surface,
-                                               settings.voxel(), source, progress, settings.method());
-    if (!made) return made.error();
-    notes = notesOn(made->surface);
-    return SnapshotPointer(made->volume);
-  };
+  return
+      [settings = *m_settings, &kind = m_kind](const TriangleSoup& surface, const std::string& source,
+                                               std::vector<Note>& notes, Progress progress) -> Result<SnapshotPointer> {
+        const Result<MadeVolume> made =
+            makeVolume(settings.wall() ? wallsOf(surface, *settings.wall()) : surface, settings.voxel(), source,
+                       progress, settings.method(), kind.pieceCells());
+        if (!made) return made.error();
+        notes = notesOn(made->surface);
+        return SnapshotPointer(made->volume);
+      };
 }
 
 }  // namespace handwheel

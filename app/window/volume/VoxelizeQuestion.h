@@ -11,6 +11,7 @@ namespace handwheel {
 
 class JobRunner;
 class PropertyDialog;
+class VolumeKind;
 
 // The dialog that asks how a volume is made of the surface of another document. It shows what that is going to take,
 // while numbers are typed, and remembers nothing. The surface is measured by a job before. Window thread.
@@ -18,7 +19,8 @@ class VoxelizeQuestion : public QObject {
   Q_OBJECT
 
  public:
-  VoxelizeQuestion(QWidget* window, JobRunner& jobs, QObject* parent);
+  // kind: of what is made; it outlives this.
+  VoxelizeQuestion(QWidget* window, JobRunner& jobs, const VolumeKind& kind, QObject* parent);
 
   // start: called with what makes the volume, unless the user declines.
   void ask(const Document& from, std::function<void(MakeOfSurface)> start);
@@ -34,6 +36,7 @@ class VoxelizeQuestion : public QObject {
 
   QWidget* m_window;
   JobRunner& m_jobs;
+  const VolumeKind& m_kind;
   QPointer<PropertyDialog> m_dialog;
   std::optional<VoxelizeSettings> m_settings;  // while the dialog is open
 };

@@ -19,6 +19,8 @@
 
 #include <QtGlobal>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
@@ -77,7 +79,7 @@ bool VolumeKind::recognises(std::string_view head, std::string_view) const {
 Result<OpenedFile> VolumeKind::import(const std::filesystem::path& path, const ReadOptions&, Progress progress) const {
   OpenedFile opened;
   opened.kind = this;
-  Result<std::shared_ptr<const VolumeSnapshot>> volume = importVolume(path, opened.file.notes, progress);
+  Result<std::shared_ptr<const VolumeSnapshot>> volume = importVolume(path, opened.file.notes, progress, m_pieceCells);
   if (!volume) return volume.error();
   opened.content = std::move(*volume);
   return opened;
@@ -116,7 +118,7 @@ Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector
   if (!volume) return volume.error();
   auto snapshot = std::make_shared<VolumeSnapshot>();
   snapshot->volume = std::move(*volume);
-  snapshot->surface = VolumeSurface(snapshot->volume, progress.part(0.5, 1.0));
+  snapshot->surface = VolumeSurface(snapshot->volume, progress.part(0.5, 1.0), m_pieceCells);
   const nlohmann::json source = (*container.manifest)["document"].value("source", nlohmann::json());
   if (source.is_string()) snapshot->source = source.get<std::string>();
   snapshot->mask = readMask(container, snapshot->volume, damage);
@@ -128,21 +130,23 @@ Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector
 
 Result<SnapshotPointer> VolumeKind::ofSurface(const TriangleSoup& surface, const std::string& source,
                                               Progress progress) const {
-  Result<MadeVolume> made = makeVolume(surface, std::nullopt, source, progress);
+  Result<MadeVolume> made = makeVolume(surface, std::nullopt, source, progress, VoxelMethod::Sign, m_pieceCells);
   if (!made) return made.error();
   return SnapshotPointer(std::move(made->volume));
 }
 
 SnapshotPointer VolumeKind::blank() const {
   constexpr double kRadius = 20.0, kVoxel = 0.2;  // mm
-  // Made once: the window asks for it twice.
-  static const SnapshotPointer made = [] {
-    auto ball = std::make_shared<VolumeSnapshot>();
-    ball->volume = ballOfVoxels(kRadius, kVoxel);
-    ball->surface = VolumeSurface(ball->volume);
-    return ball;
-  }();
-  return made;
+  // Made once for each division: the window asks for it twice.
+  static std::mutex mutex;
+  static std::map<int, SnapshotPointer> made;
+  const std::lock_guard lock(mutex);
+  SnapshotPointer& known = made[m_pieceCells];
+  if (known) return known;
+  auto ball = std::make_shared<VolumeSnapshot>();
+  ball->volume = ballOfVoxels(kRadius, kVoxel);
+  ball->surface = VolumeSurface(ball->volume, {}, m_pieceCells);
+  return known = std::move(ball);
 }
 
 std::unique_ptr<Document> VolumeKind::make(OpenedFile opened) const {

@@ -3,12 +3,19 @@
 #pragma once
 
 #include "document/DocumentKind.h"
+#include "volume/surface/VolumeSurface.h"
+
+#include <atomic>
 
 namespace handwheel {
 
 // The kind of volumes. They are exported as their surface, in the formats of meshes.
 class VolumeKind : public DocumentKind {
  public:
+  // How the surface of what is opened and made from now on is divided, as that of VolumeSurface. Any thread.
+  void setPieceCells(int cells) { m_pieceCells = cells; }
+  int pieceCells() const { return m_pieceCells; }
+
   std::string id() const override { return "volume"; }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
@@ -28,6 +35,9 @@ class VolumeKind : public DocumentKind {
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;
+
+ private:
+  std::atomic<int> m_pieceCells = VolumeSurface::kPieceCells;
 };
 
 }  // namespace handwheel

@@ -81,7 +81,7 @@ Result<OpenedImage> openImage(const std::filesystem::path& path, std::vector<Not
 
 Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& volume, const std::string& source,
                                                          Progress progress, std::shared_ptr<const Scan> scan,
-                                                         const Segment& segment) {
+                                                         const Segment& segment, int pieceCells) {
   constexpr double kMost = 0.95 * static_cast<double>(kLargestContainer);
   const auto megabytes = [](double bytes) { return roundedText(bytes / 1e6, 3); };
   const auto bytes = static_cast<double>(volume.bytes());
@@ -92,7 +92,7 @@ Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& vol
     return Error{VolumeErrors::ImageTooLarge, {megabytes(image), megabytes(bytes), megabytes(kMost)}, {}, {}};
   auto snapshot = std::make_shared<VolumeSnapshot>();
   snapshot->volume = volume;
-  snapshot->surface = VolumeSurface(volume, progress);
+  snapshot->surface = VolumeSurface(volume, progress, pieceCells);
   snapshot->source = source;
   if (scan) snapshot->segment = segment;
   snapshot->scan = std::move(scan);
@@ -100,24 +100,26 @@ Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& vol
   return std::shared_ptr<const VolumeSnapshot>(std::move(snapshot));
 }
 
-std::shared_ptr<const VolumeSnapshot> skullContent() {
+std::shared_ptr<const VolumeSnapshot> skullContent(int pieceCells) {
   static std::mutex mutex;
   static std::weak_ptr<const VolumeSnapshot> made;
   const std::lock_guard lock(mutex);
-  if (auto kept = made.lock()) return kept;
+  const auto kept = made.lock();
+  if (kept && kept->surface.pieceCells() == pieceCells) return kept;
   auto snapshot = std::make_shared<VolumeSnapshot>();
-  snapshot->volume = shippedSkull();
-  snapshot->surface = VolumeSurface(snapshot->volume);
+  snapshot->volume = kept ? kept->volume : shippedSkull();
+  snapshot->surface = VolumeSurface(snapshot->volume, {}, pieceCells);
   made = snapshot;
   return snapshot;
 }
 
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
-                              Progress progress, VoxelMethod method) {
+                              Progress progress, VoxelMethod method, int pieceCells) {
   Result<SurfaceVolume> made =
       volumeOfSurface(surface, voxel.value_or(usualVoxel(surface)), method, progress.part(0.0, 0.7));
   if (!made) return made.error();
-  Result<std::shared_ptr<const VolumeSnapshot>> snapshot = snapshotOf(made->volume, source, progress.part(0.7, 1.0));
+  Result<std::shared_ptr<const VolumeSnapshot>> snapshot =
+      snapshotOf(made->volume, source, progress.part(0.7, 1.0), {}, {}, pieceCells);
   if (!snapshot) return snapshot.error();
   return MadeVolume{std::move(*snapshot), std::move(*made)};
 }
@@ -132,18 +134,19 @@ std::vector<Note> notesOn(const SurfaceVolume& made) {
 }
 
 Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,
-                                                           Progress progress) {
+                                                           Progress progress, int pieceCells) {
   const Result<std::string> head = readFileHead(path);
   if (!head) return head.error();
   const Progress reading = progress.part(0.0, 0.7);
   if (looksLikeVdb(*head)) {
     const Result<SparseVolume> volume = volumeOfVdb(path, notes, reading);
     if (!volume) return volume.error();
-    return snapshotOf(*volume, sourceName(path), progress.part(0.7, 1.0));
+    return snapshotOf(*volume, sourceName(path), progress.part(0.7, 1.0), {}, {}, pieceCells);
   }
   const Result<OpenedImage> image = openImage(path, notes, reading);
   if (!image) return image.error();
-  return snapshotOf(image->volume, sourceName(path), progress.part(0.7, 1.0), image->scan, Segment(image->range));
+  return snapshotOf(image->volume, sourceName(path), progress.part(0.7, 1.0), image->scan, Segment(image->range),
+                    pieceCells);
 }
 
 bool isVolumeFile(std::string_view head) {

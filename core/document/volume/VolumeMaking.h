@@ -15,11 +15,12 @@
 
 namespace handwheel {
 
-// The content of a document made of a volume. scan: the image that is saved with it. Errors:
-// VolumeErrors::TooLargeToSave, ImageTooLarge, Cancelled.
+// The content of a document made of a volume. scan: the image that is saved with it. pieceCells: as that of
+// VolumeSurface, here and below. Errors: VolumeErrors::TooLargeToSave, ImageTooLarge, Cancelled.
 Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& volume, const std::string& source,
                                                          Progress progress, std::shared_ptr<const Scan> scan = {},
-                                                         const Segment& segment = {});
+                                                         const Segment& segment = {},
+                                                         int pieceCells = VolumeSurface::kPieceCells);
 
 struct MadeVolume {
   std::shared_ptr<const VolumeSnapshot> volume;
@@ -29,19 +30,22 @@ struct MadeVolume {
 // The content of a document of what a surface encloses. voxel: mm; none: the usual one. Errors: those of
 // volumeOfSurface(), and VolumeErrors::TooLargeToSave.
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
-                              Progress progress, VoxelMethod method = VoxelMethod::Sign);
+                              Progress progress, VoxelMethod method = VoxelMethod::Sign,
+                              int pieceCells = VolumeSurface::kPieceCells);
 
 // What there is to say of a volume that was made of a surface: walls that were lost.
 std::vector<Note> notesOn(const SurfaceVolume& made);
 
-// The content of a document of the skull that ships. It is made when nobody holds it, which takes a second.
-std::shared_ptr<const VolumeSnapshot> skullContent();
+// The content of a document of the skull that ships. It is made when nobody holds it, which takes a second; its pieces
+// are, when somebody holds it with others.
+std::shared_ptr<const VolumeSnapshot> skullContent(int pieceCells = VolumeSurface::kPieceCells);
 
 // The content of a document of a file of images (ImageFiles.h), or of VDB. An image becomes what is above the threshold
 // that parts it best (otsuThreshold()), which is a note, as is what there is to say of the file. Errors: those of the
 // readers and of volumeOfImage(); VolumeErrors::TooLargeToSave, ImageTooLarge.
 Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,
-                                                           Progress progress);
+                                                           Progress progress,
+                                                           int pieceCells = VolumeSurface::kPieceCells);
 // Whether the first bytes are those of such a file.
 bool isVolumeFile(std::string_view head);
 

@@ -39,9 +39,11 @@ class ClaySimulation : public Simulation {
   // Applies kMostDabs at most: the rest waits for the next steps, so that a hand that is faster than the machine is
   // followed late, and not by one long step.
   void step(double dt, std::span<const SimulationInput> inputs) override;
-  // Applies what is left. To be called at the end of a gesture.
+  // Applies what is left. To be called at the end of a gesture, and after each step where nobody waits for it.
   void finish();
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
+  // The blocks that ClayState::changedBlocks counts.
+  const std::set<std::array<int, 3>>& changed() const { return m_changed; }
 
   static constexpr std::size_t kMostDabs = 4;
 

@@ -4,6 +4,7 @@
 
 #include "document/volume/VolumeEdit.h"
 #include "tools/ToolProperty.h"
+#include "tools/volume/ClayOperation.h"
 #include "volume/VolumeReader.h"
 
 #include <QCoreApplication>
@@ -14,8 +15,7 @@
 namespace handwheel {
 namespace {
 
-constexpr double kRadiusShare = 0.05;  // of the extent of a volume, for a first radius
-constexpr double kStiffness = 0.5;     // N/mm, at the device
+constexpr double kStiffness = 0.5;  // N/mm, at the device
 
 bool isShape(ClayAction action) {
   return action == ClayAction::Add || action == ClayAction::Carve;
@@ -74,11 +74,7 @@ ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services,
     : m_document(document),
       m_stamps(std::move(stamps)),
       m_gesture(services, channel()->inputs, kRate, [this] { return simulation(); }) {
-  Box box;
-  for (const auto& [key, piece] : m_document.volume()->surface.pieces()) box.extend(piece->box);
-  const double extent = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
-  m_brush.radius = radiusLimits().bring(kRadiusShare * extent);
-  m_brush.mirror = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
+  m_brush = usualClayBrush(*m_document.volume());
   m_brush.pressure = ClayPressure::Strength;
   m_present = m_brush;
   m_gesture.restart();

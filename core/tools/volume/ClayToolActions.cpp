@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/volume/VolumeEdit.h"
 #include "tools/ToolProperty.h"
+#include "tools/volume/ClayOperation.h"
 #include "tools/volume/ClayTool.h"
 
 #include <QCoreApplication>
@@ -11,7 +12,6 @@
 namespace handwheel {
 namespace {
 
-constexpr double kLeastVoxels = 1.5;  // of a radius
 constexpr double kRadiusStep = 1.25;  // from one size to the next by key
 constexpr Limits kShares{0.01, 1.0};  // strength
 constexpr Limits kFalloffs{0.0, 1.0};
@@ -32,15 +32,6 @@ constexpr ToolKey kKeys[] = {
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the stroke")},
 };
 
-// In the order of ClayAction.
-constexpr std::array<const char*, 10> kActionNames = {
-    QT_TRANSLATE_NOOP("Property", "Add"),     QT_TRANSLATE_NOOP("Property", "Carve"),
-    QT_TRANSLATE_NOOP("Property", "Inflate"), QT_TRANSLATE_NOOP("Property", "Smooth"),
-    QT_TRANSLATE_NOOP("Property", "Flatten"), QT_TRANSLATE_NOOP("Property", "Move"),
-    QT_TRANSLATE_NOOP("Property", "Smudge"),  QT_TRANSLATE_NOOP("Property", "Attract"),
-    QT_TRANSLATE_NOOP("Property", "Pinch"),   QT_TRANSLATE_NOOP("Property", "Mask"),
-};
-
 // In the order of ClayPressure.
 constexpr std::array<const char*, 4> kPressureNames = {
     QT_TRANSLATE_NOOP("Property", "Nothing"), QT_TRANSLATE_NOOP("Property", "Strength"),
@@ -49,8 +40,7 @@ constexpr std::array<const char*, 4> kPressureNames = {
 }  // namespace
 
 Limits ClayTool::radiusLimits() const {
-  const double voxel = m_document.volume()->volume.voxel();
-  return {kLeastVoxels * voxel, ClayDab::kMostVoxels * voxel};
+  return clayRadii(m_document.volume()->volume);
 }
 
 std::span<const ToolKey> ClayTool::keys() {
@@ -129,10 +119,11 @@ std::vector<ToolAction> ClayTool::actions() const {
 
 std::vector<Property> ClayTool::settings() const {
   const bool isShape = m_brush.action == ClayAction::Add || m_brush.action == ClayAction::Carve;
-  std::vector<Property> all{choiceSetting("action", QT_TRANSLATE_NOOP("Property", "Action"),
-                                          static_cast<int>(m_brush.action), {kActionNames.begin(), kActionNames.end()}),
-                            numberSetting("radius", QT_TRANSLATE_NOOP("Property", "Brush radius"), m_brush.radius,
-                                          Quantity::Length, radiusLimits())};
+  std::vector<Property> all{
+      choiceSetting("action", QT_TRANSLATE_NOOP("Property", "Action"), static_cast<int>(m_brush.action),
+                    {clayActionNames().begin(), clayActionNames().end()}),
+      numberSetting("radius", QT_TRANSLATE_NOOP("Property", "Brush radius"), m_brush.radius, Quantity::Length,
+                    radiusLimits())};
   if (m_brush.action != ClayAction::Move && m_brush.action != ClayAction::Mask) {
     all.push_back(numberSetting("strength",
                                 isShape && !m_brush.stamp ? QT_TRANSLATE_NOOP("Property", "Depth (mouse)")
@@ -164,7 +155,7 @@ std::vector<Property> ClayTool::settings() const {
 
 void ClayTool::setSetting(std::string_view id, const PropertyValue& value) {
   bool isBrush = false;
-  if (id == "action") isBrush = assignChoice(m_brush.action, value, static_cast<int>(kActionNames.size()));
+  if (id == "action") isBrush = assignChoice(m_brush.action, value, static_cast<int>(clayActionNames().size()));
   if (id == "radius") isBrush = assignNumber(m_brush.radius, value, radiusLimits());
   if (id == "strength") isBrush = assignNumber(m_brush.strength, value, kShares);
   if (id == "pressure") isBrush = assignChoice(m_brush.pressure, value, static_cast<int>(kPressureNames.size()));

@@ -170,7 +170,8 @@ void ReshapeTool::propose() {
       });
     };
     if (!made) return answer(made.error(), debris.parts);
-    const auto snapshot = snapshotOf(*made, before->source, progress.part(0.7, 1.0), scan);
+    const auto snapshot =
+        snapshotOf(*made, before->source, progress.part(0.7, 1.0), scan, {}, before->surface.pieceCells());
     if (!snapshot) return answer(snapshot.error(), debris.parts);
     auto state = std::make_shared<ClayState>();
     state->volume = (*snapshot)->volume;

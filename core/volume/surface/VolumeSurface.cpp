@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <set>
 #include <unordered_map>
 #include <vector>
@@ -15,53 +16,68 @@
 namespace handwheel {
 namespace {
 
-constexpr int kSide = 64;   // cells of a piece
 constexpr int kStride = 4;  // of the samples of coarse triangles
 
-VolumeSurface::Key pieceOf(const VoxelIndex& block) {
-  return {block.z() >> 3, block.y() >> 3, block.x() >> 3};
-}
+// How the blocks of a volume are divided among pieces.
+class PieceGrid {
+ public:
+  // cells: of a piece along each axis.
+  explicit PieceGrid(int cells)
+      : m_cells(cells), m_bits(std::countr_zero(static_cast<unsigned>(cells / VolumeBlock::kSize))) {}
 
-VoxelIndex firstBlockOf(const VolumeSurface::Key& key) {
-  return 8 * VoxelIndex(key[2], key[1], key[0]);
-}
+  int cells() const { return m_cells; }
 
-// The number of a block in its piece.
-std::uint16_t numberOf(const VoxelIndex& block) {
-  return static_cast<std::uint16_t>((block.z() & 7) << 6 | (block.y() & 7) << 3 | (block.x() & 7));
-}
-
-VoxelIndex blockOfNumber(std::uint16_t number) {
-  return {number & 7, number >> 3 & 7, number >> 6};
-}
-
-// The blocks of a piece in whose cells there can be surface, by number.
-std::vector<std::uint16_t> blocksOf(const SparseVolume& volume, const VolumeSurface::Key& key) {
-  constexpr int kBlocks = 9;                                    // with those whose first samples end the last cells
-  std::array<std::uint8_t, kBlocks * kBlocks * kBlocks> state;  // 0 empty, 1 full, 2 samples
-  const auto at = [](int x, int y, int z) { return static_cast<std::size_t>((z * kBlocks + y) * kBlocks + x); };
-  const VoxelIndex first = firstBlockOf(key);
-  for (int z = 0; z < kBlocks; ++z)
-    for (int y = 0; y < kBlocks; ++y)
-      for (int x = 0; x < kBlocks; ++x) {
-        const SparseVolume::View view = volume.view(first + VoxelIndex(x, y, z));
-        state[at(x, y, z)] = view.block ? 2 : view.isFull ? 1 : 0;
-      }
-  std::vector<std::uint16_t> blocks;
-  for (std::uint16_t number = 0; number < 512; ++number) {
-    const VoxelIndex in = blockOfNumber(number);
-    const std::uint8_t own = state[at(in.x(), in.y(), in.z())];
-    bool hasCells = own == 2;
-    for (int k = 1; k < 8 && !hasCells; ++k)
-      hasCells = state[at(in.x() + (k & 1), in.y() + (k >> 1 & 1), in.z() + (k >> 2))] != own;
-    if (hasCells) blocks.push_back(number);
+  VolumeSurface::Key pieceOf(const VoxelIndex& block) const {
+    return {block.z() >> m_bits, block.y() >> m_bits, block.x() >> m_bits};
   }
-  return blocks;
-}
+  VoxelIndex firstBlockOf(const VolumeSurface::Key& key) const {
+    return (1 << m_bits) * VoxelIndex(key[2], key[1], key[0]);
+  }
+  VoxelIndex firstVoxelOf(const VolumeSurface::Key& key) const { return VolumeBlock::kSize * firstBlockOf(key); }
+  Vec3 originOf(const SparseVolume& volume, const VolumeSurface::Key& key) const {
+    return volume.centre(firstVoxelOf(key) + VoxelIndex::Constant(m_cells / 2));
+  }
 
-Vec3 originOf(const SparseVolume& volume, const VolumeSurface::Key& key) {
-  return volume.centre(VolumeBlock::kSize * firstBlockOf(key) + VoxelIndex::Constant(kSide / 2));
-}
+  // The number of a block in its piece.
+  std::uint16_t numberOf(const VoxelIndex& block) const {
+    const int last = (1 << m_bits) - 1;
+    return static_cast<std::uint16_t>((block.z() & last) << 2 * m_bits | (block.y() & last) << m_bits |
+                                      (block.x() & last));
+  }
+  VoxelIndex blockOfNumber(std::uint16_t number) const {
+    const int last = (1 << m_bits) - 1;
+    return {number & last, number >> m_bits & last, number >> 2 * m_bits};
+  }
+
+  // The blocks of a piece in whose cells there can be surface, by number.
+  std::vector<std::uint16_t> blocksOf(const SparseVolume& volume, const VolumeSurface::Key& key) const {
+    const int side = (1 << m_bits) + 1;  // with those whose first samples end the last cells
+    const auto at = [side](int x, int y, int z) { return static_cast<std::size_t>((z * side + y) * side + x); };
+    std::vector<std::uint8_t> state(at(0, 0, side));  // 0 empty, 1 full, 2 samples
+    const VoxelIndex first = firstBlockOf(key);
+    for (int z = 0; z < side; ++z)
+      for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+          const SparseVolume::View view = volume.view(first + VoxelIndex(x, y, z));
+          state[at(x, y, z)] = view.block ? 2 : view.isFull ? 1 : 0;
+        }
+    std::vector<std::uint16_t> blocks;
+    for (int i = 0; i < 1 << 3 * m_bits; ++i) {
+      const auto number = static_cast<std::uint16_t>(i);
+      const VoxelIndex in = blockOfNumber(number);
+      const std::uint8_t own = state[at(in.x(), in.y(), in.z())];
+      bool hasCells = own == 2;
+      for (int k = 1; k < 8 && !hasCells; ++k)
+        hasCells = state[at(in.x() + (k & 1), in.y() + (k >> 1 & 1), in.z() + (k >> 2))] != own;
+      if (hasCells) blocks.push_back(number);
+    }
+    return blocks;
+  }
+
+ private:
+  int m_cells;
+  int m_bits;  // of the number of a block along an axis
+};
 
 void extendBox(VolumePiece& piece) {
   const std::vector<float>& points = piece.fine.points;
@@ -75,11 +91,11 @@ void extendBox(VolumePiece& piece) {
 using Renewed = std::unordered_map<std::uint16_t, VolumeTriangles>;
 
 // A piece of what is renewed and, for the other blocks, of what it was before; null: nothing.
-VolumeSurface::Piece assembled(const SparseVolume& volume, const VolumeSurface::Key& key,
+VolumeSurface::Piece assembled(const SparseVolume& volume, const PieceGrid& grid, const VolumeSurface::Key& key,
                                const std::vector<std::uint16_t>& blocks, const Renewed& renewed,
                                const VolumePiece* before) {
   auto piece = std::make_shared<VolumePiece>();
-  piece->origin = originOf(volume, key);
+  piece->origin = grid.originOf(volume, key);
   for (const std::uint16_t block : blocks) {
     const auto points = static_cast<std::uint32_t>(piece->fine.points.size() / 3);
     const auto corners = static_cast<std::uint32_t>(piece->fine.corners.size());
@@ -99,27 +115,28 @@ VolumeSurface::Piece assembled(const SparseVolume& volume, const VolumeSurface::
     if (piece->fine.corners.size() > corners) piece->parts.push_back({block, points, corners});
   }
   if (piece->fine.corners.empty()) return nullptr;
-  piece->coarse =
-      coarseTriangles(volume, VolumeBlock::kSize * firstBlockOf(key), kSide / kStride, kStride, piece->origin);
+  piece->coarse = coarseTriangles(volume, grid.firstVoxelOf(key), grid.cells() / kStride, kStride, piece->origin);
   extendBox(*piece);
   return piece;
 }
 
 }  // namespace
 
-VolumeSurface::VolumeSurface(const SparseVolume& volume, Progress progress) {
+VolumeSurface::VolumeSurface(const SparseVolume& volume, Progress progress, int pieceCells) : m_pieceCells(pieceCells) {
+  const PieceGrid grid(pieceCells);
   std::set<Key> pieces;
-  for (const VoxelIndex& block : blocksWithCells(volume)) pieces.insert(pieceOf(block));
+  for (const VoxelIndex& block : blocksWithCells(volume)) pieces.insert(grid.pieceOf(block));
   const std::vector<Key> keys(pieces.begin(), pieces.end());
   std::vector<Piece> made(keys.size());
   std::atomic<std::size_t> done{0};
   tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
     if (progress.cancelled()) return;
-    const std::vector<std::uint16_t> blocks = blocksOf(volume, keys[i]);
+    const std::vector<std::uint16_t> blocks = grid.blocksOf(volume, keys[i]);
     Renewed all;
     for (const std::uint16_t block : blocks)
-      all[block] = blockTriangles(volume, firstBlockOf(keys[i]) + blockOfNumber(block), originOf(volume, keys[i]));
-    made[i] = assembled(volume, keys[i], blocks, all, nullptr);
+      all[block] = blockTriangles(volume, grid.firstBlockOf(keys[i]) + grid.blockOfNumber(block),
+                                  grid.originOf(volume, keys[i]));
+    made[i] = assembled(volume, grid, keys[i], blocks, all, nullptr);
     progress.set(static_cast<double>(++done) / static_cast<double>(keys.size()));
   });
   for (std::size_t i = 0; i < keys.size(); ++i) set(keys[i], std::move(made[i]));
@@ -127,11 +144,12 @@ VolumeSurface::VolumeSurface(const SparseVolume& volume, Progress progress) {
 
 void VolumeSurface::update(const SparseVolume& volume, std::span<const VoxelIndex> changedBlocks) {
   // A block's samples are corners of its own cells and of those of the blocks below, and give normals around it.
+  const PieceGrid grid(m_pieceCells);
   std::map<Key, std::set<std::uint16_t>> touched;
   for (const VoxelIndex& block : changedBlocks)
     for (int k = 0; k < 27; ++k) {
       const VoxelIndex near = block + VoxelIndex(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-      touched[pieceOf(near)].insert(numberOf(near));
+      touched[grid.pieceOf(near)].insert(grid.numberOf(near));
     }
   struct Work {
     Key key;
@@ -143,7 +161,7 @@ void VolumeSurface::update(const SparseVolume& volume, std::span<const VoxelInde
   std::vector<std::pair<std::size_t, VolumeTriangles*>> renewals;  // of a work; filled below
   std::vector<std::uint16_t> numbers;
   for (const auto& [key, dirty] : touched) {
-    Work& work = works.emplace_back(Work{key, blocksOf(volume, key), {}, nullptr});
+    Work& work = works.emplace_back(Work{key, grid.blocksOf(volume, key), {}, nullptr});
     for (const std::uint16_t block : work.blocks)
       if (dirty.contains(block)) work.renewed[block];
   }
@@ -154,11 +172,12 @@ void VolumeSurface::update(const SparseVolume& volume, std::span<const VoxelInde
     }
   tbb::parallel_for(std::size_t{0}, renewals.size(), [&](std::size_t i) {
     const Key& key = works[renewals[i].first].key;
-    *renewals[i].second = blockTriangles(volume, firstBlockOf(key) + blockOfNumber(numbers[i]), originOf(volume, key));
+    *renewals[i].second =
+        blockTriangles(volume, grid.firstBlockOf(key) + grid.blockOfNumber(numbers[i]), grid.originOf(volume, key));
   });
   tbb::parallel_for(std::size_t{0}, works.size(), [&](std::size_t i) {
     const auto before = m_pieces.find(works[i].key);
-    works[i].made = assembled(volume, works[i].key, works[i].blocks, works[i].renewed,
+    works[i].made = assembled(volume, grid, works[i].key, works[i].blocks, works[i].renewed,
                               before != m_pieces.end() ? before->second.get() : nullptr);
   });
   for (Work& work : works) set(work.key, std::move(work.made));

@@ -12,11 +12,11 @@
 
 namespace handwheel {
 
-// The surface of a volume in 64³ of its cells. Points count from its origin.
+// The surface of a volume in a cube of its cells. Points count from its origin.
 struct VolumePiece {
   // The part of the triangles that is in the cells of one block.
   struct BlockPart {
-    std::uint16_t block;  // z y x, three bits each
+    std::uint16_t block;  // its number in the piece, x fastest
     std::uint32_t firstPoint, firstCorner;
   };
 
@@ -34,12 +34,15 @@ struct VolumePiece {
 class VolumeSurface {
  public:
   using Piece = std::shared_ptr<const VolumePiece>;  // not empty
-  using Key = std::array<int, 3>;                    // of a piece: its 64³ cells along z, y, x
+  using Key = std::array<int, 3>;                    // of a piece: its number along z, y, x
+
+  static constexpr int kPieceCells = 64;  // of a piece along each axis, where nobody chooses
 
   VolumeSurface() = default;
-  // On all threads of the arena. Without some pieces once cancelled.
-  explicit VolumeSurface(const SparseVolume& volume, Progress progress = {});
+  // pieceCells: 16, 32, 64 or 128. On all threads of the arena. Without some pieces once cancelled.
+  explicit VolumeSurface(const SparseVolume& volume, Progress progress = {}, int pieceCells = kPieceCells);
 
+  int pieceCells() const { return m_pieceCells; }
   const std::map<Key, Piece>& pieces() const { return m_pieces; }
   std::size_t triangleCount() const;
   std::size_t bytes() const;  // of all pieces
@@ -52,6 +55,7 @@ class VolumeSurface {
   void set(const Key& key, Piece piece);
 
   std::map<Key, Piece> m_pieces;
+  int m_pieceCells = kPieceCells;
 };
 
 }  // namespace handwheel

@@ -24,11 +24,19 @@ using Key = VolumeSurface::Key;
 using Piece = VolumeSurface::Piece;
 using Mask = std::shared_ptr<const ClayMask>;
 
-// Whether a piece looks the same under two masks.
-bool looksSame(const Key& key, const Mask& one, const Mask& other) {
+// Whether a piece of so many cells along each axis looks the same under two masks, which are compared by 64³ of them.
+bool looksSame(const Key& key, int cells, const Mask& one, const Mask& other) {
   if (one == other) return true;
   const ClayMask none;
-  return (one ? *one : none).isKnownSame(other ? *other : none, {key[2], key[1], key[0]});
+  const VoxelIndex number(key[2], key[1], key[0]);
+  const auto regionOf = [](int voxel) { return voxel >> 6; };
+  const VoxelIndex first = (cells * number).unaryExpr(regionOf);
+  const VoxelIndex last = (cells * number + VoxelIndex::Constant(cells - 1)).unaryExpr(regionOf);
+  for (int z = first.z(); z <= last.z(); ++z)
+    for (int y = first.y(); y <= last.y(); ++y)
+      for (int x = first.x(); x <= last.x(); ++x)
+        if (!(one ? *one : none).isKnownSame(other ? *other : none, {x, y, z})) return false;
+  return true;
 }
 
 // Colours points by how much they are protected; none where nothing is.
@@ -82,6 +90,7 @@ class VolumeLayer::Private {
   LayerProps& props;
   SparseVolume volume;
   std::map<Key, Piece> wanted;
+  int pieceCells = VolumeSurface::kPieceCells;  // of those
   Mask mask;
   std::map<Key, Shown> shown;
   std::deque<Key> waiting;     // pieces to be built
@@ -96,6 +105,7 @@ class VolumeLayer::Private {
 void VolumeLayer::Private::want(const VolumeSurface& surface) {
   if (shown.empty()) isFirst = true;
   wanted = surface.pieces();
+  pieceCells = surface.pieceCells();
   waiting.clear();
   std::erase_if(built, [&](const auto& entry) { return !isAsWanted(entry.first, entry.second); });
   for (const auto& [key, piece] : wanted) {
@@ -109,7 +119,7 @@ void VolumeLayer::Private::want(const VolumeSurface& surface) {
 
 bool VolumeLayer::Private::isAsWanted(const Key& key, const Shown& made) const {
   const auto found = wanted.find(key);
-  return found != wanted.end() && found->second == made.piece && looksSame(key, mask, made.mask);
+  return found != wanted.end() && found->second == made.piece && looksSame(key, pieceCells, mask, made.mask);
 }
 
 std::size_t VolumeLayer::Private::take() {

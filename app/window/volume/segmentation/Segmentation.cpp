@@ -326,11 +326,12 @@ void Segmentation::makeSurface() {
     if (error.code != ErrorCode::Cancelled) fail(tr("The surface was not made"), errorSentence(error));
   };
   job.work = [this, document, how, failed, scan = document->scan(), segment = document->segment(),
-              source = document->volume()->source](Progress progress) -> Job::Finish {
+              source = document->volume()->source,
+              pieces = document->volume()->surface.pieceCells()](Progress progress) -> Job::Finish {
     const Result<SparseVolume> made =
         volumeOfSmoothed(scan->image, segment, how.voxel, how.isSmoothed, progress.part(0.0, 0.7));
     if (!made) return [failed, error = made.error()] { failed(error); };
-    const auto snapshot = snapshotOf(*made, source, progress.part(0.7, 1.0), scan);
+    const auto snapshot = snapshotOf(*made, source, progress.part(0.7, 1.0), scan, {}, pieces);
     if (!snapshot) return [failed, error = snapshot.error()] { failed(error); };
     const auto finish = [document, made = *snapshot] {
       document->settle();

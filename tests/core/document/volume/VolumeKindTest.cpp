@@ -72,6 +72,29 @@ class VolumeKindTest : public QObject {
     }));
   }
 
+  // The surface of what is opened and made is divided as it was chosen last; the triangles are the same.
+  void piecesAsChosen() {
+    const auto value = snapshotOf(moved(cube(4.0), Vec3::Zero()), 0.05);
+    VolumeKind kind;
+    Container container;
+    kind.save(*value, container);
+    for (const int cells : {32, 128, 32}) {
+      kind.setPieceCells(cells);
+      std::vector<Error> damage;
+      const auto loaded = kind.load(container, damage, {});
+      QVERIFY(loaded.hasValue());
+      const VolumeSurface& surface = static_cast<const VolumeSnapshot&>(**loaded).surface;
+      QCOMPARE(surface.pieceCells(), cells);
+      QCOMPARE(surface.triangleCount(), value->surface.triangleCount());
+      const SnapshotPointer blank = kind.blank();
+      QCOMPARE(static_cast<const VolumeSnapshot&>(*blank).surface.pieceCells(), cells);
+      QCOMPARE(kind.blank(), blank);
+      const auto made = kind.ofSurface(cube(4.0), {}, {});
+      QVERIFY(made.hasValue());
+      QCOMPARE(static_cast<const VolumeSnapshot&>(**made).surface.pieceCells(), cells);
+    }
+  }
+
   // What is protected comes back, inverted or not; a chunk of it that is lost was not painted, and is said.
   void mask() {
     for (const bool isInverted : {false, true}) {

@@ -65,24 +65,40 @@ bool isSame(const VolumeTriangles& a, const VolumeTriangles& b) {
   return a.points == b.points && a.normals == b.normals && a.corners == b.corners;
 }
 
+void pieceSizes() {
+  QTest::addColumn<int>("cells");
+  for (const int cells : {16, 32, 64, 128}) QTest::addRow("%d", cells) << cells;
+}
+
 }  // namespace
 
 class VolumeSurfaceTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The pieces together are the whole surface. Corners that rounding parts are a few.
+  // The pieces together are the whole surface, whatever their size. Corners that rounding parts are a few.
+  void piecesAreTheWhole_data() { pieceSizes(); }
   void piecesAreTheWhole() {
+    QFETCH(int, cells);
     const SparseVolume volume = volumeOfSurface(moved(icosphere(3), Vec3::Zero(), 10.0), 0.13)->volume;
-    const VolumeSurface surface(volume);
-    QVERIFY(surface.pieces().size() > 8);
+    const VolumeSurface surface(volume, {}, cells);
+    QCOMPARE(surface.pieceCells(), cells);
+    if (cells <= 64) QVERIFY(surface.pieces().size() > 8);
     const std::vector<Corners> pieces = sorted(trianglesOf(surface)), whole = sorted(trianglesOf(surfaceOf(volume)));
     QCOMPARE(pieces.size(), whole.size());
     QCOMPARE(surface.triangleCount(), whole.size());
     std::vector<Corners> different;
     std::set_difference(pieces.begin(), pieces.end(), whole.begin(), whole.end(), std::back_inserter(different));
     QVERIFY2(different.size() < whole.size() / 50, qPrintable(QString::number(different.size())));
-    for (const auto& [key, piece] : surface.pieces()) QVERIFY(piece->fine.count() < 64'000);
+    for (const auto& [key, piece] : surface.pieces()) {
+      if (cells <= 64) QVERIFY(piece->fine.count() < 64'000);
+      // No larger than so many cells, and where its key says.
+      QVERIFY(piece->box.sizes().maxCoeff() < 0.13 * cells + 1e-5);
+      for (int k = 0; k < 3; ++k) {
+        const double low = volume.origin()[k] + 0.13 * cells * key[static_cast<std::size_t>(2 - k)];
+        QVERIFY(piece->box.min()[k] > low - 1e-5 && piece->box.max()[k] < low + 0.13 * cells + 1e-5);
+      }
+    }
   }
 
   // Points, fine and coarse, lie on the ball, within the box, and their normals are its normals.
@@ -104,15 +120,17 @@ class VolumeSurfaceTest : public QObject {
   }
 
   // What is renewed is what would be made from nothing; what has nothing to do with a change is not touched.
+  void updatesAreTheWhole_data() { pieceSizes(); }
   void updatesAreTheWhole() {
+    QFETCH(int, cells);
     SparseVolume volume = ballOfVoxels(10.0, 0.13);
-    VolumeSurface surface(volume);
+    VolumeSurface surface(volume, {}, cells);
     const VolumeSurface before = surface;
     ClayDab dab;
     dab.centre = Vec3(6.0, 5.0, 6.0);
     dab.radius = 3.0;
     surface.update(volume, applyDab(volume, dab));
-    const VolumeSurface fresh(volume);
+    const VolumeSurface fresh(volume, {}, cells);
     QCOMPARE(surface.pieces().size(), fresh.pieces().size());
     for (const auto& [key, piece] : fresh.pieces()) {
       QVERIFY(isSame(surface.pieces().at(key)->fine, piece->fine));
@@ -121,6 +139,18 @@ class VolumeSurfaceTest : public QObject {
     std::size_t kept = 0;
     for (const auto& [key, piece] : before.pieces()) kept += surface.pieces().at(key) == piece;
     QVERIFY(kept > before.pieces().size() / 2 && kept < before.pieces().size());
+  }
+
+  // Around the middle of a ball the eight octants are pieces of 128 cells; each halving parts a surface in about four.
+  void smallerPiecesAreMore() {
+    const SparseVolume volume = ballOfVoxels(12.0, 0.1);
+    std::size_t before = 0;
+    for (const int cells : {128, 64, 32, 16}) {
+      const std::size_t count = VolumeSurface(volume, {}, cells).pieces().size();
+      if (cells == 128) QCOMPARE(count, std::size_t{8});
+      QVERIFY(before == 0 || (count > 2 * before && count < 8 * before));
+      before = count;
+    }
   }
 
   void ofNothing() { QVERIFY(VolumeSurface(SparseVolume(Vec3::Zero(), 1.0)).pieces().empty()); }

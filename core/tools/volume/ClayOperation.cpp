@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/volume/ClayOperation.h"
+
+#include "base/NumberText.h"
+#include "simulation/clay/ClaySimulation.h"
+#include "tools/volume/ClayTool.h"
+#include "tools/volume/VolumeOperations.h"
+#include "volume/VolumeErrors.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+constexpr double kLeastVoxels = 1.5;   // of a radius
+constexpr double kRadiusShare = 0.05;  // of the extent of a volume, for a first radius
+constexpr double kMostPlaces = 1e7;    // of the hand: some hours at 1 kHz
+constexpr double kMostRadii = 1e6;     // that a hand goes: a dab takes a millisecond and more
+constexpr double kRadiiAtOnce = 50.0;  // that it goes between two places, or in a step: no list of dabs is longer
+
+// In the order of ClayAction.
+constexpr std::array<const char*, 10> kActionNames = {
+    QT_TRANSLATE_NOOP("Property", "Add"),     QT_TRANSLATE_NOOP("Property", "Carve"),
+    QT_TRANSLATE_NOOP("Property", "Inflate"), QT_TRANSLATE_NOOP("Property", "Smooth"),
+    QT_TRANSLATE_NOOP("Property", "Flatten"), QT_TRANSLATE_NOOP("Property", "Move"),
+    QT_TRANSLATE_NOOP("Property", "Smudge"),  QT_TRANSLATE_NOOP("Property", "Attract"),
+    QT_TRANSLATE_NOOP("Property", "Pinch"),   QT_TRANSLATE_NOOP("Property", "Mask"),
+};
+constexpr std::array<const char*, 10> kActionWords = {"add", "carve",  "inflate", "smooth", "flatten",
+                                                      "tug", "smudge", "attract", "pinch",  "mask"};
+
+Parameter clayNumber(const char* id, const char* label, double value, Limits limits, const char* meaning,
+                     const char* word) {
+  return {.property =
+              {.id = id, .group = {}, .label = label, .value = value, .least = limits.least, .largest = limits.largest},
+          .meaning = meaning,
+          .word = word};
+}
+
+Parameter clayMirror(const char* id, const char* label, const char* meaning) {
+  return {.property = {.id = id, .group = {}, .label = label, .value = false}, .meaning = meaning};
+}
+
+Operation makeClayOperation() {
+  Parameter tool = {.property = {.id = "tool",
+                                 .group = {},
+                                 .label = QT_TRANSLATE_NOOP("Property", "Action"),
+                                 .value = static_cast<double>(ClayAction::Carve),
+                                 .choices = {kActionNames.begin(), kActionNames.end()}},
+                    .meaning =
+                        "add and carve: a ball of material along the stroke; inflate: the surface grows; tug: material "
+                        "goes along; smudge: it is drawn out along the surface; attract, pinch: it comes nearer; mask: "
+                        "it is protected from later strokes",
+                    .word = "TOOL",
+                    .words = {kActionWords.begin(), kActionWords.end()}};
+  return {.id = "clay",
+          .title = QT_TRANSLATE_NOOP("Tool", "Shape clay"),
+          .meaning = "Sculpts along strokes of the hand",
+          .parameters = {
+              std::move(tool),
+              lengthParameter("radius", QT_TRANSLATE_NOOP("Property", "Brush radius"),
+                              "Radius of the tool; default: a twentieth of the largest extent"),
+              clayNumber("strength", QT_TRANSLATE_NOOP("Property", "Strength"), ClayBrush().strength, {-1.0, 1.0},
+                         "Share of what the tool can do at most; below 0 it does the opposite. Not of add, carve, tug",
+                         "N"),
+              clayNumber("falloff", QT_TRANSLATE_NOOP("Property", "Falloff"), ClayBrush().falloff, {0.0, 1.0},
+                         "0: the same within the radius; 1: less and less towards it. Not of add, carve", "N"),
+              clayMirror("mirror-x", QT_TRANSLATE_NOOP("Property", "Mirror across X"),
+                         "Do the same on the other side of the part's middle, along x"),
+              clayMirror("mirror-y", QT_TRANSLATE_NOOP("Property", "Mirror across Y"), "The same along y"),
+              clayMirror("mirror-z", QT_TRANSLATE_NOOP("Property", "Mirror across Z"), "The same along z"),
+              clayNumber("rate", QT_TRANSLATE_NOOP("Property", "Cycles a second"), 1000.0, {1.0, 1e5},
+                         "Places of the hand per second between those of the strokes", "HZ")}};
+}
+
+Box boxOf(const VolumeSurface& surface) {
+  Box box;
+  for (const auto& [key, piece] : surface.pieces()) box.extend(piece->box);
+  return box;
+}
+
+// Leads a simulation along a stroke, and lets it finish each of its steps.
+class LedStroke {
+ public:
+  LedStroke(ClaySimulation& simulation, double radius) : m_simulation(simulation), m_longest(kRadiiAtOnce * radius) {}
+
+  void add(const Vec3& place, double time) {
+    const double way = m_inputs.empty() ? 0.0 : (place - m_inputs.back().proxy).norm();
+    if (!m_inputs.empty() && (time >= m_begin + kPeriod || m_way + way > m_longest)) step();
+    if (m_inputs.empty()) m_begin = time;
+    m_way += way;
+    SimulationInput input;
+    input.tip.position = input.proxy = place;
+    input.tip.time = time;
+    input.gesture = 1;
+    m_inputs.push_back(input);
+  }
+  void end() {
+    SimulationInput input;
+    input.gesture = 1;
+    input.isEnd = true;
+    m_inputs.push_back(input);
+    step();
+  }
+
+ private:
+  static constexpr double kPeriod = 1.0 / ClayTool::kRate;  // s
+
+  void step() {
+    m_simulation.step(kPeriod, m_inputs);
+    m_simulation.finish();
+    m_inputs.clear();
+    m_way = 0.0;
+  }
+
+  ClaySimulation& m_simulation;
+  double m_longest;                       // mm, in a step
+  std::vector<SimulationInput> m_inputs;  // of the next step
+  double m_begin = 0.0;                   // s, of that
+  double m_way = 0.0;                     // mm, in that
+};
+
+// How many places there are on the way from one pose to the next, with the latter.
+double placesBetween(const HandPose& from, const HandPose& to, double radius, double rate) {
+  const double byTime = (to.time - from.time) * rate, byWay = (to.position - from.position).norm() / radius;
+  return std::max(1.0, std::ceil(std::max(byTime, byWay / kRadiiAtOnce)));
+}
+
+Status canBeLed(const std::vector<HandStroke>& strokes, double radius, double rate) {
+  double seconds = 0.0, way = 0.0;
+  for (const HandStroke& stroke : strokes)
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+      seconds += stroke[i].time - stroke[i - 1].time;
+      way += (stroke[i].position - stroke[i - 1].position).norm();
+    }
+  if (!(seconds * rate <= kMostPlaces))
+    return Error{VolumeErrors::PathTooLong, {roundedText(seconds), roundedText(kMostPlaces / rate)}, {}, {}};
+  if (!(way <= kMostRadii * radius))
+    return Error{VolumeErrors::StrokesTooLong,
+                 {roundedText(way), roundedText(radius), roundedText(kMostRadii * radius)},
+                 {},
+                 {}};
+  return Done{};
+}
+
+// Voxels that are material in one volume only, in blocks of them; mm³.
+struct MaterialDifference {
+  double added = 0.0, removed = 0.0;
+
+  void addBlock(const SparseVolume& before, const SparseVolume& after, const VoxelIndex& block) {
+    const SparseVolume::View old = before.view(block), now = after.view(block);
+    if (old.block == now.block && old.isFull == now.isFull) return;
+    const auto isInside = [](const SparseVolume::View& view, std::size_t i) {
+      return view.block ? view.block->depths[i] > 0 : view.isFull;
+    };
+    const double voxel = std::pow(after.voxel(), 3);
+    for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
+      const bool wasInside = isInside(old, i);
+      if (wasInside != isInside(now, i)) (wasInside ? removed : added) += voxel;
+    }
+  }
+};
+
+}  // namespace
+
+const Operation& clayOperation() {
+  static const Operation operation = makeClayOperation();
+  return operation;
+}
+
+std::span<const char* const> clayActionNames() {
+  return kActionNames;
+}
+
+Limits clayRadii(const SparseVolume& volume) {
+  return {kLeastVoxels * volume.voxel(), ClayDab::kMostVoxels * volume.voxel()};
+}
+
+ClayBrush usualClayBrush(const VolumeSnapshot& part) {
+  const Box box = boxOf(part.surface);
+  ClayBrush brush;
+  brush.radius = clayRadii(part.volume).bring(box.isEmpty() ? 0.0 : kRadiusShare * box.sizes().maxCoeff());
+  if (!box.isEmpty()) brush.mirror = box.center();
+  return brush;
+}
+
+Result<ClayBrush> clayBrushOf(const OperationValues& values, const VolumeSnapshot& part) {
+  ClayBrush brush = usualClayBrush(part);
+  brush.action = static_cast<ClayAction>(values.whole("tool"));
+  brush.strength = values.number("strength");
+  brush.falloff = values.number("falloff");
+  brush.isMirrored = {values.flag("mirror-x"), values.flag("mirror-y"), values.flag("mirror-z")};
+  const std::optional<double> radius = values.given("radius");
+  if (!radius) return brush;
+  const Limits limits = clayRadii(part.volume);
+  if (*radius < limits.least || *radius > limits.largest)
+    return Error{VolumeErrors::ClayRadius,
+                 {roundedText(*radius), roundedText(part.volume.voxel()), roundedText(limits.least),
+                  roundedText(limits.largest)},
+                 {},
+                 {}};
+  brush.radius = *radius;
+  return brush;
+}
+
+Result<Sculpted> sculptAlong(const std::shared_ptr<const VolumeSnapshot>& part, const ClayBrush& brush,
+                             const std::vector<HandStroke>& strokes, double rate, Progress progress) {
+  if (const Status can = canBeLed(strokes, brush.radius, rate); !can) return can.error();
+  auto begin = std::make_shared<ClayState>();
+  begin->volume = part->volume;
+  begin->surface = part->surface;
+  begin->mask = part->mask;
+  std::shared_ptr<const ClayState> state = std::move(begin);
+  const auto channel = std::make_shared<ClayChannel>();
+  std::set<std::array<int, 3>> changed;
+  Sculpted done;
+  for (std::size_t s = 0; s < strokes.size(); ++s) {
+    const HandStroke& stroke = strokes[s];
+    if (stroke.empty()) continue;
+    ClaySimulation simulation(state, brush, channel);
+    LedStroke led(simulation, brush.radius);
+    led.add(stroke.front().position, stroke.front().time);
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+      const HandPose &from = stroke[i - 1], &to = stroke[i];
+      const double count = placesBetween(from, to, brush.radius, rate);
+      for (double k = 1.0; k <= count; ++k) {
+        if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+        const double share = k / count, gone = static_cast<double>(i) - 1.0 + share;
+        led.add(from.position + share * (to.position - from.position), from.time + share * (to.time - from.time));
+        progress.set((static_cast<double>(s) + gone / static_cast<double>(stroke.size() - 1)) /
+                     static_cast<double>(strokes.size()));
+      }
+    }
+    led.end();
+    done.seconds += stroke.back().time - stroke.front().time;
+    state = std::static_pointer_cast<const ClayState>(simulation.state());
+    changed.insert(simulation.changed().begin(), simulation.changed().end());
+  }
+  if (state->volume.isEmpty()) return Error{VolumeErrors::NothingLeft, {}, {}, {}};
+  MaterialDifference difference;
+  for (const auto& [x, y, z] : changed) difference.addBlock(part->volume, state->volume, {x, y, z});
+  done.added = difference.added;
+  done.removed = difference.removed;
+  done.changedBlocks = changed.size();
+  auto after = std::make_shared<VolumeSnapshot>(*part);
+  after->volume = state->volume;
+  after->surface = state->surface;
+  after->mask = state->mask;
+  done.part = std::move(after);
+  return done;
+}
+
+}  // namespace handwheel

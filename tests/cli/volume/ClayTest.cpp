@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../Program.h"
+#include "../Shapes.h"
+#include "TestClass.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+using Place = std::array<double, 3>;
+
+// 40 by 30 by 20 mm from the origin.
+Shape clayBlock() {
+  Shape block = cube();
+  for (Place& p : block.points) p = {40.0 * p[0], 30.0 * p[1], 20.0 * p[2]};
+  return block;
+}
+
+// Turned, so that no face lies along samples.
+Place turnedPlace(const Place& p) {
+  const double y = std::cos(0.4) * p[1] - std::sin(0.4) * p[2], z = std::sin(0.4) * p[1] + std::cos(0.4) * p[2];
+  return {std::cos(0.5) * p[0] - std::sin(0.5) * y, std::sin(0.5) * p[0] + std::cos(0.5) * y, z};
+}
+
+// The lines of a way in straight pieces, each taking as long, s.
+QByteArray linesOf(const std::vector<Place>& places, double period = 1.0, const QByteArray& more = {}) {
+  QByteArray lines;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    lines += QByteArray::number(period * static_cast<double>(i), 'g', 12);
+    for (const double x : places[i]) lines += "," + QByteArray::number(x, 'g', 12);
+    lines += more + "\n";
+  }
+  return lines;
+}
+
+QByteArray strokesCsv(const std::vector<Place>& places, double period = 1.0) {
+  return "t_s,x_mm,y_mm,z_mm\n" + linesOf(places, period);
+}
+
+double capsule(double radius, const Place& from, const Place& to) {
+  const double length = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+  return M_PI * radius * radius * length + 4.0 / 3.0 * M_PI * radius * radius * radius;
+}
+
+// What the command says of a part; null and a failed check where it fails.
+nlohmann::json sculpt(const Bench& bench, const QStringList& words) {
+  const Ran ran = bench.run(QStringList{"clay"} + words + QStringList{"--json"}, "de_DE.UTF-8");
+  if (ran.code != 0 || !ran.err.isEmpty()) qWarning("%s", ran.err.constData());
+  return ran.code == 0 ? nlohmann::json::parse(ran.out.toStdString()) : nlohmann::json();
+}
+
+double figure(const nlohmann::json& report, const char* name) {
+  return report.is_object() ? report.at(name).get<double>() : std::nan("");
+}
+
+// Voxels on the border count whole; a stroke may end a twentieth of the radius early, as nothing is done for less.
+bool isCapsule(double found, double exact, double radius) {
+  const double late = M_PI * radius * radius * 0.05 * radius;
+  return found > 0.995 * exact - late && found < 1.005 * exact;
+}
+
+constexpr double kToolRadius = 3.0;
+constexpr Place kStrokeFrom{10.0, 11.0, 8.0},
+    kStrokeTo{28.0, 19.0, 12.0};  // along no axis, 5 mm and more within the block
+
+}  // namespace
+
+class ClayTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // A ball along a line takes a cylinder with two half balls out of a block, however the hand is sampled: also where it
+  // is there at once.
+  void carves_data() {
+    QTest::addColumn<double>("period");
+    QTest::addColumn<QString>("rate");
+    QTest::newRow("as a device") << 1.0 << "1000";
+    QTest::newRow("few places") << 1.0 << "20";
+    QTest::newRow("at once") << 0.0 << "1000";
+  }
+  void carves() {
+    QFETCH(double, period);
+    QFETCH(QString, rate);
+    const Bench bench;
+    bench.put("a.off", clayBlock().off());
+    bench.put("s.csv", strokesCsv({kStrokeFrom, kStrokeTo}, period));
+    const auto report = sculpt(bench, {"a.off", "--strokes", "s.csv", "--tool", "carve", "--radius", "3", "--voxel",
+                                       "0.25", "--rate", rate, "-o", "b.handwheel"});
+    const double removed = figure(report, "removed_mm3");
+    QVERIFY2(isCapsule(removed, capsule(kToolRadius, kStrokeFrom, kStrokeTo), kToolRadius),
+             QByteArray::number(removed));
+    QCOMPARE(figure(report, "added_mm3"), 0.0);
+    QVERIFY(std::abs(figure(report, "volume_before_mm3") - removed - figure(report, "volume_mm3")) < 1e-6);
+    QVERIFY(figure(report, "changed_blocks") > removed / (8.0 * 0.25 * 8.0 * 0.25 * 8.0 * 0.25));
+    QVERIFY(figure(report, "computed_s") > 0.0);
+    QCOMPARE(figure(report, "time_s"), period);
+    QCOMPARE(figure(report, "voxel_mm"), 0.25);
+    QCOMPARE(figure(report, "radius_mm"), kToolRadius);
+    // It is there in the file, and in one of a mesh.
+    const auto inspected = nlohmann::json::parse(bench.run({"inspect", "b.handwheel", "--json"}).out.toStdString());
+    QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.25);
+    QCOMPARE(bench.run({"remesh", "b.handwheel", "-o", "b.off"}).code, 0);
+    const auto mesh = nlohmann::json::parse(bench.run({"inspect", "b.off", "--json"}).out.toStdString());
+    QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
+    QCOMPARE(mesh["components"].get<int>(), 2);  // the block, and the cavity in it
+    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / (24000.0 - removed) - 1.0) < 0.01);
+  }
+
+  // Beside the part clay comes, and nothing is there to be carved, smoothed or moved.
+  void besideThePart() {
+    const Bench bench;
+    bench.put("a.off", clayBlock().off());
+    Place from = kStrokeFrom, to = kStrokeTo;
+    for (Place* p : {&from, &to}) (*p)[2] += 40.0;
+    bench.put("s.csv", strokesCsv({from, to}));
+    const QStringList words{"a.off", "--strokes", "s.csv", "--radius", "3", "--voxel", "0.25", "-o", "b.stl"};
+    for (const char* tool : {"carve", "inflate", "smooth", "flatten", "tug", "smudge", "attract", "pinch"}) {
+      const auto report = sculpt(bench, words + QStringList{"--tool", tool});
+      QCOMPARE(figure(report, "changed_blocks"), 0.0);
+      QCOMPARE(figure(report, "added_mm3"), 0.0);
+      QCOMPARE(figure(report, "removed_mm3"), 0.0);
+      QCOMPARE(figure(report, "volume_mm3"), figure(report, "volume_before_mm3"));
+    }
+    const Ran said = bench.run(QStringList{"clay"} + words + QStringList{"--tool", "smooth"});
+    QCOMPARE(said.code, 0);
+    QVERIFY2(said.out.contains("no stroke comes to the material"), said.out);
+    const auto report = sculpt(bench, words + QStringList{"--tool", "add"});
+    const double added = figure(report, "added_mm3");
+    QVERIFY2(isCapsule(added, capsule(kToolRadius, from, to), kToolRadius), QByteArray::number(added));
+    QCOMPARE(figure(report, "removed_mm3"), 0.0);
+    const auto mesh = nlohmann::json::parse(bench.run({"inspect", "b.stl", "--json"}).out.toStdString());
+    QCOMPARE(mesh["components"].get<int>(), 2);
+    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / (24000.0 + added) - 1.0) < 0.01);
+  }
+
+  // On either side of the middle the same is removed; by two numbered strokes, between which the hand moves only, and
+  // by one that is mirrored, as much as by both.
+  void symmetry() {
+    const Bench bench;
+    bench.put("a.off", clayBlock().off());
+    const std::vector<Place> left{{6.0, 8.0, 19.0}, {14.0, 20.0, 17.0}};
+    std::vector<Place> right = left;
+    for (Place& p : right) p[0] = 40.0 - p[0];
+    bench.put("left.csv", strokesCsv(left));
+    bench.put("right.csv", strokesCsv(right));
+    QByteArray both = "t_s,x_mm,y_mm,z_mm,stroke\n" + linesOf(left, 1.0, ",1") + "1.5,20,15,18,0\n";
+    for (std::size_t i = 0; i < right.size(); ++i)
+      both += QByteArray::number(2 + static_cast<int>(i)) + "," + linesOf({right[i]}).mid(2).trimmed() + ",2\n";
+    bench.put("both.csv", both);
+    const auto removed = [&](const char* strokes, const QStringList& more = {}) {
+      return figure(sculpt(bench, QStringList{"a.off", "--strokes", strokes, "--radius", "2.5", "--voxel", "0.25", "-o",
+                                              "b.vdb"} +
+                                      more),
+                    "removed_mm3");
+    };
+    const double one = removed("left.csv"), other = removed("right.csv");
+    QVERIFY(one > 100.0);
+    QVERIFY2(std::abs(one / other - 1.0) < 0.01, QByteArray::number(one / other));
+    QVERIFY(std::abs(removed("both.csv") / (one + other) - 1.0) < 1e-3);
+    QVERIFY(std::abs(removed("left.csv", {"--mirror-x"}) / (one + other) - 1.0) < 0.01);
+  }
+
+  // What grows and what is pulled out comes; what shrinks and what is smoothed along an edge goes: depths below a
+  // convex surface are concave, so that no mean of them is larger. The others change something.
+  void tools_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QString>("where");
+    QTest::addColumn<int>("way");  // 1: material comes; -1: it goes
+    QTest::newRow("inflate") << QStringList{"inflate"} << "face" << 1;
+    QTest::newRow("shrink") << QStringList{"inflate", "--strength=-0.5"} << "face" << -1;
+    QTest::newRow("tug") << QStringList{"tug"} << "out" << 1;
+    QTest::newRow("smooth") << QStringList{"smooth", "--strength", "1"} << "edge" << -1;
+    QTest::newRow("flatten") << QStringList{"flatten"} << "edge" << 0;
+    QTest::newRow("smudge") << QStringList{"smudge"} << "edge" << 0;
+    QTest::newRow("attract") << QStringList{"attract"} << "edge" << 0;
+    QTest::newRow("pinch") << QStringList{"pinch"} << "edge" << 0;
+  }
+  void tools() {
+    QFETCH(QStringList, words);
+    QFETCH(QString, where);
+    QFETCH(int, way);
+    const Bench bench;
+    Shape block = cube(20.0);
+    for (Place& p : block.points) p = turnedPlace(p);
+    bench.put("a.off", block.off());
+    std::vector<Place> places{{5.0, 10.0, 20.0}, {15.0, 10.0, 20.0}};
+    if (where == "out") places = {{10.0, 10.0, 20.0}, {10.0, 10.0, 23.0}};
+    if (where == "edge") places = {{5.0, 0.0, 20.0}, {15.0, 0.0, 20.0}};
+    for (Place& p : places) p = turnedPlace(p);
+    bench.put("s.csv", strokesCsv(places));
+    const auto report = sculpt(bench, QStringList{"a.off", "--strokes", "s.csv", "--radius", "5", "--voxel", "0.25",
+                                                  "-o", "b.handwheel", "--tool"} +
+                                          words);
+    QVERIFY(figure(report, "changed_blocks") > 0.0);
+    const double change = figure(report, "added_mm3") - figure(report, "removed_mm3");
+    QVERIFY2(change * way >= 0.0 && (way == 0 || change != 0.0), QByteArray::number(change));
+    QVERIFY(std::abs(figure(report, "volume_mm3") - figure(report, "volume_before_mm3") - change) < 1e-6);
+    const auto mesh = [&] {
+      if (bench.run({"remesh", "b.handwheel", "-o", "b.off"}).code != 0) return nlohmann::json();
+      return nlohmann::json::parse(bench.run({"inspect", "b.off", "--json"}).out.toStdString());
+    }();
+    QVERIFY(mesh.is_object() && mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
+  }
+
+  // What a stroke has masked is there for the next command, and held back; without the mask it goes.
+  void masks() {
+    const Bench bench;
+    bench.put("a.off", clayBlock().off());
+    bench.put("s.csv", strokesCsv({{12.0, 12.0, 19.5}, {26.0, 18.0, 19.5}}));
+    const auto masked = sculpt(bench, {"a.off", "--strokes", "s.csv", "--tool", "mask", "--radius", "6", "--falloff",
+                                       "0", "--voxel", "0.25", "-o", "masked.handwheel"});
+    QVERIFY(figure(masked, "changed_blocks") > 0.0);
+    QCOMPARE(figure(masked, "added_mm3") + figure(masked, "removed_mm3"), 0.0);
+    const QStringList carve{"--strokes", "s.csv", "--tool", "carve", "--radius", "1.5", "-o", "b.stl"};
+    QCOMPARE(figure(sculpt(bench, QStringList{"masked.handwheel"} + carve), "removed_mm3"), 0.0);
+    const auto bare = sculpt(bench, QStringList{"a.off", "--voxel", "0.25"} + carve);
+    QVERIFY(figure(bare, "removed_mm3") > 20.0);
+  }
+
+  // A tool is as large as in the window where nothing is said: a twentieth of the part.
+  void usualTool() {
+    const Bench bench;
+    bench.put("a.off", clayBlock().off());
+    bench.put("s.csv", strokesCsv({kStrokeFrom, kStrokeTo}));
+    const auto report = sculpt(bench, {"a.off", "--strokes", "s.csv", "--voxel", "0.5", "-o", "b.nrrd"});
+    QVERIFY(std::abs(figure(report, "radius_mm") - 2.0) < 0.01);
+    QVERIFY(std::abs(figure(report, "removed_mm3") / capsule(2.0, kStrokeFrom, kStrokeTo) - 1.0) < 0.03);
+    // It can be sculpted again as it is, and its own voxels hold.
+    const auto again = sculpt(bench, {"b.nrrd", "--strokes", "s.csv", "--tool", "add", "-o", "c.handwheel"});
+    QVERIFY(std::abs(figure(again, "voxel_mm") - 0.5) < 1e-6);
+    QVERIFY(figure(again, "added_mm3") > 0.9 * figure(report, "removed_mm3"));
+  }
+
+  void refusals_data() {
+    QTest::addColumn<QByteArray>("strokes");
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QByteArray>("says");
+    const QByteArray good = strokesCsv({kStrokeFrom, kStrokeTo}), head = "t_s,x_mm,y_mm,z_mm\n";
+    const QStringList out{"--strokes", "s.csv", "-o", "b.stl"};
+    QTest::newRow("no strokes") << good << QStringList{"-o", "b.stl"} << QByteArray("--strokes FILE is missing");
+    QTest::newRow("no output") << good << QStringList{"--strokes", "s.csv"} << QByteArray("-o OUT is missing");
+    QTest::newRow("no file") << good << QStringList{"--strokes", "none.csv", "-o", "b.stl"} << QByteArray("none.csv");
+    QTest::newRow("no tool") << good << out + QStringList{"--tool", "chisel"} << QByteArray("chisel");
+    QTest::newRow("ending") << good << QStringList{"--strokes", "s.csv", "-o", "b.txt"} << QByteArray(".vdb");
+    QTest::newRow("strong") << good << out + QStringList{"--strength", "2"} << QByteArray("strength");
+    QTest::newRow("radius of nothing") << good << out + QStringList{"--radius", "0"} << QByteArray("radius");
+    QTest::newRow("small") << good << out + QStringList{"--radius", "0.5"} << QByteArray("from 0.75 to 250 mm");
+    QTest::newRow("large") << good << out + QStringList{"--radius", "251"} << QByteArray("from 0.75 to 250 mm");
+    QTest::newRow("empty") << QByteArray() << out << QByteArray("no line of numbers");
+    QTest::newRow("head alone") << head << out << QByteArray("no line of numbers");
+    QTest::newRow("no head") << linesOf({kStrokeFrom, kStrokeTo}) << out << QByteArray("Line 1");
+    QTest::newRow("NaN") << head + "0,1,2,nan\n" << out << QByteArray("Line 2: 'nan'");
+    QTest::newRow("infinite") << head + "0,1,2,1e300\n" << out << QByteArray("Line 2: '1e300'");
+    QTest::newRow("missing") << head + "0,1,2\n" << out << QByteArray("z_mm is missing");
+    QTest::newRow("unsorted") << head + "1,1,2,3\n0,1,2,3\n" << out << QByteArray("Line 3: The time must not decrease");
+    QTest::newRow("half a stroke") << QByteArray("t_s,x_mm,y_mm,z_mm,stroke\n0,1,2,3,0.5\n") << out
+                                   << QByteArray("Line 2: The number of a stroke");
+    QTest::newRow("no stroke") << QByteArray("t_s,x_mm,y_mm,z_mm,stroke\n0,1,2,3,0\n") << out
+                               << QByteArray("number its strokes");
+    QTest::newRow("an age") << head + "0,1,2,3\n1e9,1,2,4\n" << out << QByteArray("can be followed at this rate");
+    QTest::newRow("far") << head + "0,1,2,3\n1,1e9,2,3\n" << out << QByteArray("Check the unit");
+    QTest::newRow("all") << strokesCsv({{20.0, 15.0, 10.0}, {21.0, 15.0, 10.0}}) << out + QStringList{"--radius", "60"}
+                         << QByteArray("othing is left of the material");
+  }
+  void refusals() {
+    QFETCH(QByteArray, strokes);
+    QFETCH(QStringList, words);
+    QFETCH(QByteArray, says);
+    const Bench bench;
+    bench.put("a.off", clayBlock().off());
+    bench.put("s.csv", strokes);
+    const Ran ran = bench.run(QStringList{"clay", "a.off", "--voxel", "0.5"} + words);
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.contains(says), ran.err);
+    QVERIFY(!bench.names().contains("b.stl") && !bench.names().contains("b.txt"));
+  }
+};
+
+HANDWHEEL_TEST(ClayTest)
+#include "ClayTest.moc"
