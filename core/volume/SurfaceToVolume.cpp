@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/SurfaceToVolume.h"
 
-#include "proximity/ClosestPoint.h"
 #include "volume/repair/ClosedSurfaceInVoxels.h"
 #include "volume/repair/WindingNumberFill.h"
 #include "volume/surface/ScanlineCrossings.h"
+#include "volume/surface/SurfaceTile.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -20,8 +20,7 @@
 namespace handwheel {
 namespace {
 
-constexpr double kBand = 3.0;  // voxels from the surface in which distances are exact
-constexpr double kWide = 4.0;  // voxels, of a hole that a membrane closes, and no cone
+constexpr double kBand = SurfaceTile::kBand;
 constexpr double kBytesOfBlock = sizeof(VolumeBlock) + 64.0;
 // What is taken for a while beside the result, and by the triangles that its surface becomes, as shares of it;
 // measured.
@@ -29,24 +28,10 @@ constexpr double kWhileMaking = 1.5, kTriangles = 4.0;
 // Of one thread, for a block with its triangles: 5.3 s for 61,242 blocks (docs/adr/0041). An estimate of the least that
 // a job takes; s.
 constexpr double kSecondsOfBlock = 87e-6, kSecondsOfJob = 0.01;
-constexpr int kTile = 32;  // voxels along an edge of what is sampled at once; four blocks
+constexpr int kTile = SurfaceTile::kSide;
 
 using Tile = std::array<int, 3>;  // its number along z, y, x: the order of the map
 using Tiles = std::vector<std::pair<Tile, std::vector<std::uint32_t>>>;
-
-struct Corners {
-  Vec3 a, b, c;
-  Vec3 normal;  // unit; zero for a triangle without area
-
-  Corners(const TriangleSoup& soup, const Triangle& t)
-      : a(soup.points[t[0]]), b(soup.points[t[1]]), c(soup.points[t[2]]) {
-    const Vec3 cross = (b - a).cross(c - a);
-    const double length = cross.norm();
-    normal = length > 0.0 ? Vec3(cross / length) : Vec3::Zero();
-  }
-  Vec3 low() const { return a.cwiseMin(b).cwiseMin(c); }
-  Vec3 high() const { return a.cwiseMax(b).cwiseMax(c); }
-};
 
 int floorOf(double v) {
   return static_cast<int>(std::floor(v));
@@ -59,7 +44,7 @@ Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed, const
   const double halfDiagonal = 0.5 * kTile * std::sqrt(3.0);
   for (std::size_t i = 0; i < soup.triangles.size() && !progress.cancelled(); ++i) {
     if (!isUsed[i]) continue;
-    const Corners t(soup, soup.triangles[i]);
+    const SurfaceTile::Corners t(soup, soup.triangles[i]);
     const Vec3 low = (t.low().array() - kBand) / kTile, high = (t.high().array() + kBand) / kTile;
     for (int z = floorOf(low.z()); z <= high.z(); ++z)
       for (int y = floorOf(low.y()); y <= high.y(); ++y)
@@ -77,59 +62,10 @@ Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed, const
   return {std::make_move_iterator(near.begin()), std::make_move_iterator(near.end())};
 }
 
-// Squared distances of the voxels of a tile from triangles, up to the band.
-class TileDistances {
- public:
-  explicit TileDistances(const VoxelIndex& first)
-      : m_first(first), m_squared(static_cast<std::size_t>(kTile * kTile * kTile), kFar) {}
-
-  static constexpr float kFar = static_cast<float>(kBand * kBand);
-
-  void add(const Corners& t) {
-    const Vec3 lowest = t.low(), highest = t.high();
-    const VoxelIndex low = (lowest.array() - kBand).ceil().cast<int>().max(m_first.array());
-    const VoxelIndex high = (highest.array() + kBand).floor().cast<int>().min(m_first.array() + kTile - 1);
-    const auto beside = [&](double v, Eigen::Index axis) {
-      return std::max({0.0, lowest[axis] - v, v - highest[axis]});
-    };
-    const double slope = t.normal.x();
-    for (int z = low.z(); z <= high.z(); ++z)
-      for (int y = low.y(); y <= high.y(); ++y) {
-        const double offset = t.normal.dot(Vec3(0.0, y, z) - t.a);
-        const double besideRow = beside(y, 1) * beside(y, 1) + beside(z, 2) * beside(z, 2);
-        float* row = &m_squared[index(0, y - m_first.y(), z - m_first.z())];
-        for (int x = low.x(); x <= high.x(); ++x) {
-          float& least = row[x - m_first.x()];
-          // No point of the triangle is nearer than its plane, or than its box.
-          const double fromPlane = offset + slope * x, besideBox = beside(x, 0);
-          if (std::max(fromPlane * fromPlane, besideRow + besideBox * besideBox) >= static_cast<double>(least))
-            continue;
-          const Vec3 p(x, y, z);
-          least = std::min(least, static_cast<float>((closestOnTriangle(p, t.a, t.b, t.c) - p).squaredNorm()));
-        }
-      }
-  }
-
-  float squared(const VoxelIndex& inTile) const { return m_squared[index(inTile.x(), inTile.y(), inTile.z())]; }
-
- private:
-  static std::size_t index(int x, int y, int z) { return static_cast<std::size_t>((z * kTile + y) * kTile + x); }
-
-  VoxelIndex m_first;
-  std::vector<float> m_squared;
-};
-
 using NumberedBlock = std::pair<VoxelIndex, SparseVolume::Content>;
 
-// A sample so far from a surface, its square in voxels.
-std::int16_t sampleAt(float squared, bool isInside) {
-  if (squared >= TileDistances::kFar) return isInside ? VolumeBlock::kFull : VolumeBlock::kEmpty;
-  const std::int16_t depth = depthSample(std::sqrt(static_cast<double>(squared)));
-  return isInside ? depth : static_cast<std::int16_t>(-depth);
-}
-
 // The content of a block where membranes can be.
-SparseVolume::Content holeFillBlock(const TileDistances& distances, const VoxelIndex& inTile,
+SparseVolume::Content holeFillBlock(const SurfaceTile& distances, const VoxelIndex& inTile,
                                     const WindingNumberFill::Samples& holeFill) {
   auto block = std::make_shared<VolumeBlock>();
   bool isNear = false;
@@ -137,30 +73,11 @@ SparseVolume::Content holeFillBlock(const TileDistances& distances, const VoxelI
     const auto at = static_cast<int>(i);
     const float fromSurface = distances.squared(inTile + VoxelIndex(at & 7, at >> 3 & 7, at >> 6));
     const float squared = std::min(fromSurface, holeFill.distance[i] * holeFill.distance[i]);
-    isNear = isNear || squared < TileDistances::kFar;
-    block->depths[i] = sampleAt(squared, holeFill.isInside[i]);
+    isNear = isNear || squared < SurfaceTile::kFar;
+    block->depths[i] = SurfaceTile::sampleAt(squared, holeFill.isInside[i]);
   }
   if (!isNear) return {nullptr, holeFill.isInside.front()};
   return {std::move(block), false};
-}
-
-// The block of a tile, signed; null where nothing of the band is in it.
-SparseVolume::Block signedBlock(const TileDistances& distances, const VoxelIndex& inTile, const VoxelIndex& firstVoxel,
-                                const ScanlineCrossings& rows) {
-  constexpr int n = VolumeBlock::kSize;
-  bool isNear = false;
-  for (int i = 0; i < n * n * n && !isNear; ++i)
-    isNear = distances.squared(inTile + VoxelIndex(i % n, i / n % n, i / n / n)) < TileDistances::kFar;
-  if (!isNear) return nullptr;
-  auto block = std::make_shared<VolumeBlock>();
-  for (int z = 0; z < n; ++z)
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) {
-        const VoxelIndex at(x, y, z);
-        block->depths[VolumeBlock::at(x, y, z)] =
-            sampleAt(distances.squared(inTile + at), rows.isInside(firstVoxel + at));
-      }
-  return block;
 }
 
 // Where a surface bounds its inside.
@@ -229,7 +146,8 @@ std::vector<Vec3> inVoxels(std::vector<Vec3> places, const SparseVolume& volume)
 
 Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress,
                                       const std::optional<Vec3>& alignedTo) {
-  Result<ClosedSurfaceInVoxels> prepared = closedInVoxels(soup, voxel, kWide, alignedTo, progress.part(0.0, 0.05));
+  Result<ClosedSurfaceInVoxels> prepared =
+      closedInVoxels(soup, voxel, WindingNumberFill::kWide, alignedTo, progress.part(0.0, 0.05));
   if (!prepared) return prepared.error();
   const TriangleSoup& closed = prepared->closed;
   const BoundaryCaps& caps = prepared->caps;
@@ -251,15 +169,15 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
     if (progress.cancelled()) return;
     const Tile& tile = tiles[i].first;
     const VoxelIndex first = kTile * VoxelIndex(tile[2], tile[1], tile[0]);
-    TileDistances distances(first);
-    for (const std::uint32_t t : tiles[i].second) distances.add(Corners(closed, closed.triangles[t]));
+    SurfaceTile distances(first);
+    for (const std::uint32_t t : tiles[i].second) distances.add({closed, closed.triangles[t]});
     constexpr int n = kTile / VolumeBlock::kSize;
     for (int b = 0; b < n * n * n; ++b) {
       const VoxelIndex inTile = VolumeBlock::kSize * VoxelIndex(b % n, b / n % n, b / n / n);
       const VoxelIndex block = SparseVolume::blockOf(first + inTile);
-      SparseVolume::Content content =
-          holeFill.contains(block) ? holeFillBlock(distances, inTile, holeFill.samples(block, rows))
-                                   : SparseVolume::Content{signedBlock(distances, inTile, first + inTile, rows), false};
+      SparseVolume::Content content = holeFill.contains(block)
+                                          ? holeFillBlock(distances, inTile, holeFill.samples(block, rows))
+                                          : SparseVolume::Content{distances.signedBlock(inTile, rows), false};
       if (content.block || content.isFull) blocks[i].emplace_back(block, std::move(content));
     }
     sampling.set(static_cast<double>(++done) / static_cast<double>(tiles.size()));

@@ -15,6 +15,7 @@
 #include "document/volume/VolumeKind.h"
 #include "simulation/clay/ClayForce.h"
 #include "support/MeshShapes.h"
+#include "volume/HybridPart.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeShapes.h"
 #include "volume/drilling/DrillRun.h"
@@ -284,6 +285,28 @@ void holes(benchmark::State& state) {
     }
 }
 BENCHMARK(holes)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+// A block of 300 mm at 0.1 mm, with voxels near a ball of 3 mm only: what they take, and the cycles that make them.
+void holeInALargePart(benchmark::State& state) {
+  const TriangleSoup block = test::box({-150.0, -150.0, -300.0}, {300.0, 300.0, 300.0});
+  for (auto _ : state) {
+    Result<HybridPart> part = HybridPart::of(block, 0.1);
+    if (!part) return bars.failed(state, "voxels near the drill", "they were refused");
+    DrillSetup setup;
+    setup.tool.diameter = 3.0;
+    DrillRun run(*part, setup);
+    std::vector<double> seconds;
+    for (int i = 0; i <= 2000; ++i)
+      seconds.push_back(bench::secondsOf([&] { run.move({0.013, -0.021, 2.0 - 0.01 * i}, Vec3::UnitZ(), 0.001 * i); }));
+    bars.atMost("0.1 mm on 300 mm, voxels near the drill, MB", 10.0,
+                static_cast<double>(part->figures().mostBytes) / 1e6);
+    bars.tell("the same, voxels of the whole part as predicted, MB",
+              predictedVolumeBytes(surfaceArea(block), 0.1) / 1e6);
+    bars.tell("the same, cycle, p99, ms", 1e3 * percentile(seconds, 0.99));
+    bars.tell("the same, longest cycle, ms", 1e3 * percentile(seconds, 1.0));
+  }
+}
+BENCHMARK(holeInALargePart)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

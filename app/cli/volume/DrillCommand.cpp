@@ -32,6 +32,13 @@ constexpr double kVoxelAtRest = 1.0;  // mm, of a path that goes nowhere
 struct DrillRequest {
   fs::path part, path, output, forces;
   ReadOptions read;
+  bool isWhole = false;  // voxels are made of all of the part
+};
+
+// The voxels that were made of triangles.
+struct MadeVoxels {
+  bool isHybrid = false;                                  // near the head only
+  std::size_t blocks = 0, mostBlocks = 0, mostBytes = 0;  // in all, and at once
 };
 
 struct DrillAnswer {
@@ -41,6 +48,7 @@ struct DrillAnswer {
   DrillSetup setup;
   double voxel = 0.0;
   std::shared_ptr<const VolumeSnapshot> before;  // of a part that is a volume
+  std::optional<MadeVoxels> made;                // of any other
 };
 
 // The mean speed of the head while it moves, mm/s.
@@ -111,13 +119,41 @@ void takeTask(const DrillingTask& task, const OperationValues& values, DrillSetu
     pose.orientation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), -task.plan.direction);
 }
 
+// Drills all of a part.
+Status drillWhole(const DrillRequest& request, const OpenedFile& opened, const PoseTrajectory& path, double rate,
+                  MemoryNotice& notice, DrillAnswer& done, Progress progress) {
+  Result<SparseVolume> volume = materialOf(opened, request.part, done.voxel, {}, notice, progress.part(0.0, 0.4));
+  if (!volume) return volume.error();
+  done.voxel = volume->voxel();
+  if (!done.before) done.made = MadeVoxels{false, volume->blockCount(), volume->blockCount(), volume->bytes()};
+  Result<Drilled> drilled = drillAlong(std::move(*volume), done.setup, path, rate, progress.part(0.4, 1.0));
+  if (!drilled) return drilled.error();
+  done.drilled = std::move(*drilled);
+  return Done{};
+}
+
+// Drills a part that gets voxels near the head only. False: they are not certain to be those of the whole part, and
+// nothing is drilled.
+Result<bool> drillHybrid(const DrillRequest& request, const OpenedFile& opened, const PoseTrajectory& path, double rate,
+                         DrillAnswer& done, Progress progress) {
+  Result<HybridPart> part = hybridOf(opened, request.part, done.voxel, progress.part(0.0, 0.4));
+  if (!part) return part.error();
+  Result<Drilled> drilled = drillAlong(*part, done.setup, path, rate, progress.part(0.4, 1.0));
+  if (!drilled) return drilled.error();
+  if (!part->isExact()) return false;
+  done.drilled = std::move(*drilled);
+  const HybridPart::Figures& figures = part->figures();
+  done.made = MadeVoxels{true, figures.blocksMade, figures.mostBlocks, figures.mostBytes};
+  return true;
+}
+
 Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues& values, std::vector<HandPose> poses,
                               const DocumentKinds& kinds, MemoryNotice& notice, Progress progress) {
   Result<DrillSetup> setup = drillSetupOf(values);
   if (!setup) return setup.error();
   const Result<OpenedFile> opened = kinds.open(request.part, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
-  DrillAnswer done{opened->file, {}, {}, *setup, 0.0, {}};
+  DrillAnswer done{opened->file, {}, {}, *setup, 0.0, {}, {}};
   if (const auto before = volumeIn(*opened)) {
     done.before = before;
   } else {
@@ -128,16 +164,18 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   if (!request.output.empty()) done.refusal = refusalToReplace(request.output, opened->file);
   if (!done.refusal.empty()) return done;
   const double rate = values.number("rate"), feed = feedOf(poses);
-  std::optional<double> voxel = values.given("voxel");
-  if (!voxel && feed > 0.0) voxel = drillVoxel(feed, rate);
-  Result<SparseVolume> volume =
-      materialOf(*opened, request.part, voxel.value_or(kVoxelAtRest), {}, notice, progress.part(0.1, 0.4));
-  if (!volume) return volume.error();
-  done.voxel = volume->voxel();
-  Result<Drilled> drilled =
-      drillAlong(std::move(*volume), *setup, PoseTrajectory(poses), rate, progress.part(0.4, 0.8));
-  if (!drilled) return drilled.error();
-  done.drilled = std::move(*drilled);
+  done.voxel = values.given("voxel").value_or(feed > 0.0 ? drillVoxel(feed, rate) : kVoxelAtRest);
+  const PoseTrajectory path(poses);
+  // All voxels are needed where the part is saved.
+  bool isDrilled = false;
+  if (!done.before && !request.isWhole && request.output.empty()) {
+    const Result<bool> hybrid = drillHybrid(request, *opened, path, rate, done, progress.part(0.1, 0.5));
+    if (!hybrid) return hybrid.error();
+    isDrilled = *hybrid;
+  }
+  if (!isDrilled)
+    if (const Status whole = drillWhole(request, *opened, path, rate, notice, done, progress.part(0.5, 0.8)); !whole)
+      return whole.error();
   const Status written = writeResults(request, done, kinds, progress.part(0.8, 1.0));
   if (!written) return written.error();
   return done;
@@ -156,6 +194,12 @@ nlohmann::ordered_json reportOf(const DrillAnswer& done, const MemoryNotice& not
                                    {"material_verified", done.setup.material.isVerified},
                                    {"material_source", done.setup.material.source}};
   if (drilled.breakthrough) report["breakthrough_s"] = *drilled.breakthrough;
+  if (done.made) {
+    report["hybrid"] = done.made->isHybrid;
+    report["voxels_made"] = VolumeBlock::kCount * done.made->blocks;
+    report["voxels_at_most"] = VolumeBlock::kCount * done.made->mostBlocks;
+    report["voxel_MB_at_most"] = static_cast<double>(done.made->mostBytes) / 1e6;
+  }
   notice.addTo(report);
   return report;
 }
@@ -165,6 +209,9 @@ std::string textOf(const DrillAnswer& done) {
   std::string text = "Removed " + roundedText(drilled.removed) + " mm³ in voxels of " + roundedText(done.voxel) +
                      " mm: at most " + roundedText(drilled.maxThrust, 4) + " N and " +
                      roundedText(drilled.maxTorque, 4) + " N·mm, " + roundedText(drilled.energy, 4) + " J.\n";
+  if (done.made)
+    text += "Voxels were made " + std::string(done.made->isHybrid ? "near the head" : "of all of the part") +
+            ": at most " + roundedText(static_cast<double>(done.made->mostBytes) / 1e6, 3) + " MB.\n";
   if (drilled.breakthrough) text += "Breakthrough after " + roundedText(*drilled.breakthrough, 5) + " s.\n";
   if (!done.setup.material.isVerified)
     text += "The constants of " + done.setup.material.id + " are not verified: " + done.setup.material.source + ".\n";
@@ -176,14 +223,15 @@ CommandSpec drillSpec() {
       "drill",
       "PART",
       "Drills a part along the path of a head and reports thrust, torque and work. Only the head removes "
-      "material; its shank\npoints up, along z. The part may be any document. Work on an exercise is "
-      "drilled with the exercise's drill,\nalong its planned path, and can be handed in. Exit code 0: "
-      "done; 1: error.",
+      "material; its shank\npoints up, along z. The part may be any document. Of triangles, voxels are made near the "
+      "head only, unless the drilled\npart is saved. Work on an exercise is drilled with the exercise's drill, along "
+      "its planned path, and can be handed in.\nExit code 0: done; 1: error.",
       {{"path", 0, "FILE", "The head's centre: CSV with the columns t_s, x_mm, y_mm, z_mm"},
        {"program", 0, "FILE", "Or a program: G0, G1, G81 to G83; X, Y, Z of the foremost point, S the spindle"},
        {"output", 'o', "OUT", "The drilled part: a .handwheel, or a mesh"},
        {"forces", 0, "CSV", "Write thrust and torque of each cycle"}}};
   for (OptionSpec& option : optionsOf(drillOperation())) spec.options.push_back(std::move(option));
+  spec.options.push_back({"whole", 0, "", "Make voxels of all of the part, not near the head only"});
   spec.options.push_back(consentOption());
   spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
   spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
@@ -203,7 +251,8 @@ int runDrill(const Arguments& arguments, const DocumentKinds& kinds) {
                        arguments.valueOf(arguments.has("program") ? "program" : "path"),
                        arguments.valueOf("output"),
                        arguments.valueOf("forces"),
-                       {}};
+                       {},
+                       arguments.has("whole")};
   request.read.partial = arguments.has("partial");
   if (!request.output.empty() && !isContainerName(request.output)) {
     if (const auto format = formatForOutput(request.output); !format) return fail(format.error());

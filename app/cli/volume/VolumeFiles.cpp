@@ -27,6 +27,15 @@ Result<SparseVolume> materialOf(const OpenedFile& opened, const std::filesystem:
   return error;
 }
 
+Result<HybridPart> hybridOf(const OpenedFile& opened, const std::filesystem::path& path, double voxel,
+                            Progress progress) {
+  Result<HybridPart> part = HybridPart::of(placedSoup(opened.kind->display(*opened.content)), voxel, progress);
+  if (part) return part;
+  Error error = part.error();
+  error.subject = path.string();
+  return error;
+}
+
 Status canWriteVolume(const std::filesystem::path& output, const DocumentKinds& kinds) {
   const auto endings = writtenEndings(kinds.withId("volume")->formats());
   if (!hasOneOf(output, endings) && !isContainerName(output)) return unknownEnding(output, endings);

@@ -4,6 +4,7 @@
 
 #include "document/DocumentKind.h"
 #include "document/volume/VolumeSnapshot.h"
+#include "volume/HybridPart.h"
 
 #include <filesystem>
 #include <memory>
@@ -22,6 +23,11 @@ std::shared_ptr<const VolumeSnapshot> volumeIn(const OpenedFile& opened);
 Result<SparseVolume> materialOf(const OpenedFile& opened, const std::filesystem::path& path,
                                 std::optional<double> voxel, const std::optional<Vec3>& alignedTo, MemoryNotice& notice,
                                 Progress progress);
+
+// What the surface of a document encloses, with voxels of this edge, mm, where they are asked for. Errors: those of
+// HybridPart::of(), about the path.
+Result<HybridPart> hybridOf(const OpenedFile& opened, const std::filesystem::path& path, double voxel,
+                            Progress progress);
 
 // Whether a volume can be written under this name: as one, or its surface as a mesh. Error: that of unknownEnding().
 Status canWriteVolume(const std::filesystem::path& output, const DocumentKinds& kinds);

@@ -3,12 +3,14 @@
 #include "tools/volume/DrillOperation.h"
 
 #include "base/NumberText.h"
+#include "tools/ToolProperty.h"
 #include "volume/VolumeErrors.h"
 #include "volume/drilling/DrillTools.h"
 
 #include <QtGlobal>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 namespace {
@@ -66,6 +68,36 @@ Operation makeOperation() {
   return operation;
 }
 
+// As drillAlong(), without what is left. goesOn: whether the next cycle is to be gone.
+template <class GoesOn>
+Result<Drilled> drillCycles(DrillRun run, const DrillSetup& setup, const PoseTrajectory& path, double rate,
+                            GoesOn goesOn, Progress progress) {
+  Drilled done;
+  const double cycles = std::ceil(path.duration() * rate);
+  constexpr auto most = static_cast<double>(DrillRecord::kMostPoses - 1);
+  if (!(cycles <= most))
+    return Error{VolumeErrors::PathTooLong, {roundedText(path.duration()), roundedText(most / rate)}, {}, {}};
+  auto hole = std::make_shared<DrillRecord>();
+  hole->setup = setup;
+  for (double i = 0.0; i <= cycles && !path.isEmpty() && goesOn(); ++i) {
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    const HandPose at = path.at(i / rate);
+    const DrillPose pose = DrillPose::of(at.position, at.orientation * Vec3::UnitZ(), i / rate);
+    const DrillTick tick = move(run, pose);
+    hole->poses.push_back(pose);
+    if (tick.removed > 0.0 || (!done.ticks.empty() && done.ticks.back().removed > 0.0)) done.ticks.push_back(tick);
+    progress.set(i / std::max(1.0, cycles));
+  }
+  done.hole = std::move(hole);
+  done.removed = run.removed();
+  done.maxThrust = run.maxThrust();
+  done.maxTorque = run.maxTorque();
+  done.energy = run.energy();
+  done.breakthrough = run.breakthrough();
+  done.seconds = path.duration();
+  return done;
+}
+
 }  // namespace
 
 const Operation& drillOperation() {
@@ -85,32 +117,16 @@ Result<DrillSetup> drillSetupOf(const OperationValues& values) {
 
 Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress) {
-  Drilled done;
-  done.volume = std::move(volume);
-  const double cycles = std::ceil(path.duration() * rate);
-  constexpr auto most = static_cast<double>(DrillRecord::kMostPoses - 1);
-  if (!(cycles <= most))
-    return Error{VolumeErrors::PathTooLong, {roundedText(path.duration()), roundedText(most / rate)}, {}, {}};
-  DrillRun run(done.volume, setup);
-  auto hole = std::make_shared<DrillRecord>();
-  hole->setup = setup;
-  for (double i = 0.0; i <= cycles && !path.isEmpty(); ++i) {
-    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    const HandPose at = path.at(i / rate);
-    const DrillPose pose = DrillPose::of(at.position, at.orientation * Vec3::UnitZ(), i / rate);
-    const DrillTick tick = move(run, pose);
-    hole->poses.push_back(pose);
-    if (tick.removed > 0.0 || (!done.ticks.empty() && done.ticks.back().removed > 0.0)) done.ticks.push_back(tick);
-    progress.set(i / std::max(1.0, cycles));
-  }
-  done.hole = std::move(hole);
-  done.removed = run.removed();
-  done.maxThrust = run.maxThrust();
-  done.maxTorque = run.maxTorque();
-  done.energy = run.energy();
-  done.breakthrough = run.breakthrough();
-  done.seconds = path.duration();
+  Result<Drilled> done = drillCycles(
+      DrillRun(volume, setup), setup, path, rate, [] { return true; }, progress);
+  if (done) done->volume = std::move(volume);
   return done;
+}
+
+Result<Drilled> drillAlong(HybridPart& part, const DrillSetup& setup, const PoseTrajectory& path, double rate,
+                           Progress progress) {
+  return drillCycles(
+      DrillRun(part, setup), setup, path, rate, [&] { return part.isExact(); }, progress);
 }
 
 }  // namespace handwheel

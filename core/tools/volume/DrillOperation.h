@@ -6,6 +6,7 @@
 #include "base/Result.h"
 #include "document/Operation.h"
 #include "haptics/device/PoseTrajectory.h"
+#include "volume/HybridPart.h"
 #include "volume/drilling/DrillRecord.h"
 
 namespace handwheel {
@@ -17,7 +18,7 @@ const Operation& drillOperation();
 Result<DrillSetup> drillSetupOf(const OperationValues& values);
 
 struct Drilled {
-  SparseVolume volume;
+  SparseVolume volume;                      // what is left; empty where it was of a HybridPart
   std::shared_ptr<const DrillRecord> hole;  // that it can be drilled by again
   std::vector<DrillTick> ticks;             // with thrust or removal
   double removed = 0.0;                     // mm³
@@ -31,6 +32,9 @@ struct Drilled {
 // Goes along a path of the head's centre in cycles of `rate` Hz, the shank as the poses turn +z. Errors:
 // VolumeErrors::PathTooLong (more poses than DrillRecord::kMostPoses), Cancelled.
 Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const PoseTrajectory& path, double rate,
+                           Progress progress);
+// The same with voxels of a part that are made where the head goes. It ends where they turn out not to be exact.
+Result<Drilled> drillAlong(HybridPart& part, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress);
 
 }  // namespace handwheel

@@ -81,6 +81,25 @@ class HeadSweep {
   int m_places;
 };
 
+// The cubes of so many voxels within a box, in voxels, whose blocks a head comes near and that matter.
+template <class Matters>
+std::vector<VoxelIndex> cubesNear(const HeadSweep& head, const Box& box, int edge, Matters matters) {
+  std::vector<VoxelIndex> cubes;
+  if (box.isEmpty()) return cubes;
+  // From the middle of a cube to that of a block in it.
+  const double inCube = 0.5 * std::sqrt(3.0) * (edge - VolumeBlock::kSize);
+  const VoxelIndex low = (box.min().array().floor() / edge).floor().matrix().cast<int>();
+  const VoxelIndex high = (box.max().array().ceil() / edge).floor().matrix().cast<int>();
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) {
+        const VoxelIndex cube(x, y, z);
+        const Vec3 middle = edge * cube.cast<double>() + Vec3::Constant(0.5 * (edge - 1));
+        if (matters(cube) && head.inside(middle) > -kDepths - kNear - inCube) cubes.push_back(cube);
+      }
+  return cubes;
+}
+
 BlockCut cutBlock(const SparseVolume& volume, const VoxelIndex& block, const HeadSweep& head) {
   BlockCut cut;
   const SparseVolume::Content old = volume.content(block);
@@ -122,18 +141,10 @@ DrillCut drill(SparseVolume& volume, const DrillTool& tool, const DrillMove& mov
   Box box = head.box();
   if (!box.min().allFinite() || !box.max().allFinite()) return done;
   if (box.sizes().maxCoeff() > kWideHead) box = box.intersection(volume.extent());
-  if (box.isEmpty()) return done;
-  const VoxelIndex low = SparseVolume::blockOf(box.min().array().floor().cast<int>().matrix());
-  const VoxelIndex high = SparseVolume::blockOf(box.max().array().ceil().cast<int>().matrix());
-  std::vector<VoxelIndex> blocks;
-  for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y)
-      for (int x = low.x(); x <= high.x(); ++x) {
-        const VoxelIndex block(x, y, z);
-        const SparseVolume::View view = volume.view(block);
-        const Vec3 middle = VolumeBlock::kSize * block.cast<double>() + Vec3::Constant(3.5);
-        if ((view.block || view.isFull) && head.inside(middle) > -kDepths - kNear) blocks.push_back(block);
-      }
+  const std::vector<VoxelIndex> blocks = cubesNear(head, box, VolumeBlock::kSize, [&](const VoxelIndex& block) {
+    const SparseVolume::View view = volume.view(block);
+    return view.block || view.isFull;
+  });
   std::vector<BlockCut> cuts(blocks.size());
   const auto cutOne = [&](std::size_t i) { cuts[i] = cutBlock(volume, blocks[i], head); };
   if (blocks.size() < kFewBlocks) {
@@ -152,6 +163,15 @@ DrillCut drill(SparseVolume& volume, const DrillTool& tool, const DrillMove& mov
   done.removed *= std::pow(volume.voxel(), 3);
   if (push.norm() > 0.0) done.push = push.normalized();
   return done;
+}
+
+std::vector<VoxelIndex> cubesOfMove(const SparseVolume& grid, const Box& within, int edge, const DrillTool& tool,
+                                    const DrillMove& move) {
+  if (!isSound(grid, tool, move)) return {};
+  const HeadSweep head(grid, tool, move);
+  const Box box = head.box();
+  if (!box.min().allFinite() || !box.max().allFinite()) return {};
+  return cubesNear(head, box.intersection(within), edge, [](const VoxelIndex&) { return true; });
 }
 
 double countedMaterial(const SparseVolume& volume) {

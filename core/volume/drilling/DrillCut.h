@@ -32,6 +32,11 @@ struct DrillMove {
 // surface).
 DrillCut drill(SparseVolume& volume, const DrillTool& tool, const DrillMove& move);
 
+// The cubes of `edge` voxels, whole blocks, that drill() reads and changes on a move, as far as they meet a box, in
+// voxels; by their numbers along the axes. Empty where nothing happens.
+std::vector<VoxelIndex> cubesOfMove(const SparseVolume& grid, const Box& within, int edge, const DrillTool& tool,
+                                    const DrillMove& move);
+
 // How far a head may go in one call, in its diameters.
 inline constexpr double kMostDrillWay = 4.0;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/drilling/DrillRun.h"
 
+#include "volume/HybridPart.h"
 #include "volume/VolumeReader.h"
 
 #include <algorithm>
@@ -12,6 +13,20 @@ namespace handwheel {
 
 DrillRun::DrillRun(SparseVolume& volume, const DrillSetup& setup)
     : m_volume(volume), m_before(volume), m_setup(setup) {}
+
+DrillRun::DrillRun(HybridPart& part, const DrillSetup& setup) : m_volume(part.left()), m_part(&part), m_setup(setup) {}
+
+DrillCut DrillRun::cut(const DrillMove& move) {
+  if (!m_part) return drill(m_volume, m_setup.tool, move);
+  m_part->make(cubesOfMove(m_volume, m_part->extent(), HybridPart::kTile, m_setup.tool, move));
+  DrillCut done = drill(m_volume, m_setup.tool, move);
+  m_part->keep(done.changedBlocks);
+  return done;
+}
+
+double DrillRun::depthBefore(const Vec3& place) const {
+  return m_part ? m_part->depthBefore(place) : VolumeReader(m_before).depthAt(place).depth;
+}
 
 DrillTick DrillRun::move(const Vec3& place, const Vec3& axis, double time) {
   DrillTick tick{time, place};
@@ -27,10 +42,10 @@ DrillTick DrillRun::move(const Vec3& place, const Vec3& axis, double time) {
   for (int i = 0; i < parts; ++i) {
     const DrillMove move{from + static_cast<double>(i) / parts * way, from + (i + 1.0) / parts * way, axis,
                          m_setup.erosion};
-    const DrillCut cut = drill(m_volume, m_setup.tool, move);
-    tick.removed += cut.removed;
-    push += cut.removed * cut.push;
-    m_changed.insert(m_changed.end(), cut.changedBlocks.begin(), cut.changedBlocks.end());
+    const DrillCut taken = cut(move);
+    tick.removed += taken.removed;
+    push += taken.removed * taken.push;
+    m_changed.insert(m_changed.end(), taken.changedBlocks.begin(), taken.changedBlocks.end());
   }
   const double feed = way.norm() / dt;
   const DrillLoad load = drillLoad(m_setup.material, m_setup.tool, tick.removed, dt, feed, m_setup.spindle);
@@ -57,9 +72,8 @@ Vec3 DrillRun::aheadOf(const Vec3& axis, const Vec3& way, bool isCutting) {
 // there is material behind it; where it is drawn back, or slips over the surface, there is none.
 void DrillRun::watchTip(const Vec3& ahead, double way, double time) {
   if (m_breakthrough || (m_setup.tool.shape == DrillShape::Saw && !m_ahead)) return;
-  const VolumeReader before(m_before);
   const Vec3 tip = *m_place + m_setup.tool.edge() * ahead;
-  const auto isInside = [&](double behind) { return before.depthAt(tip - behind * ahead).depth > 0.0; };
+  const auto isInside = [&](double behind) { return depthBefore(tip - behind * ahead) > 0.0; };
   const bool wasInside = std::exchange(m_isTipInside, isInside(0.0));
   if (!wasInside || m_isTipInside) return;
   const int steps = static_cast<int>(std::min(1e4, std::ceil(way / m_volume.voxel()))) + 1;

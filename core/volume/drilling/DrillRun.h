@@ -11,6 +11,8 @@
 
 namespace handwheel {
 
+class HybridPart;
+
 // How a volume is drilled.
 struct DrillSetup {
   DrillTool tool;
@@ -37,6 +39,8 @@ class DrillRun {
  public:
   // The volume must outlive it.
   DrillRun(SparseVolume& volume, const DrillSetup& setup);
+  // Voxels of the part are made where the head goes. It must outlive the run, too.
+  DrillRun(HybridPart& part, const DrillSetup& setup);
 
   // Goes to a place, with its axis to the shank, at a time, s. The first call only places it. Long ways are gone in
   // parts.
@@ -53,11 +57,14 @@ class DrillRun {
   std::optional<double> breakthrough() const { return m_breakthrough; }
 
  private:
+  DrillCut cut(const DrillMove& move);
+  double depthBefore(const Vec3& place) const;
   Vec3 aheadOf(const Vec3& axis, const Vec3& way, bool isCutting);
   void watchTip(const Vec3& ahead, double way, double time);
 
   SparseVolume& m_volume;
-  const SparseVolume m_before;
+  HybridPart* m_part = nullptr;  // whose volume it is; null: the volume is all there
+  const SparseVolume m_before;   // of such a volume
   DrillSetup m_setup;
   std::optional<Vec3> m_place;
   double m_time = 0.0;

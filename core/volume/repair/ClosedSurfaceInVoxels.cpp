@@ -99,8 +99,8 @@ Error ClosedSurfaceInVoxels::nothingInside() const {
                 : Error{VolumeErrors::NothingInside, {}, {}, {}};
 }
 
-Result<ClosedSurfaceInVoxels> closedInVoxels(const TriangleSoup& soup, double voxel, double wideFrom,
-                                             const std::optional<Vec3>& alignedTo, Progress progress) {
+Result<ClosedSurfaceInVoxels> closedInGrid(const TriangleSoup& soup, double voxel, double wideFrom,
+                                           const std::optional<Vec3>& alignedTo, Progress progress) {
   if (soup.triangles.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
   if (!(voxel > 0.0) || !std::isfinite(voxel))
     return Error{ErrorCode::ValueOutOfRange, {"voxel", shortestText(voxel), "0", "1e300"}, {}, {}};
@@ -121,9 +121,16 @@ Result<ClosedSurfaceInVoxels> closedInVoxels(const TriangleSoup& soup, double vo
   made.grid = SparseVolume(originBefore(made.bounds.min().array() - 3.5 * voxel, voxel, alignedTo), voxel);
   for (Vec3& p : made.closed.points) p = (p - made.grid.origin()) / voxel;
   made.caps = closeBoundaries(made.closed, wideFrom, progress);
-  const Vec3 across = made.bounds.sizes() / voxel;
-  const double bytes = predictedMakingBytes(surfaceArea(made.closed), across, 1.0) +
-                       WindingNumberFill::predictedBlocks(made.closed, made.caps.wide) * WindingNumberFill::kBytes;
+  return made;
+}
+
+Result<ClosedSurfaceInVoxels> closedInVoxels(const TriangleSoup& soup, double voxel, double wideFrom,
+                                             const std::optional<Vec3>& alignedTo, Progress progress) {
+  Result<ClosedSurfaceInVoxels> made = closedInGrid(soup, voxel, wideFrom, alignedTo, progress);
+  if (!made) return made;
+  const Vec3 across = made->bounds.sizes() / voxel;
+  const double bytes = predictedMakingBytes(surfaceArea(made->closed), across, 1.0) +
+                       WindingNumberFill::predictedBlocks(made->closed, made->caps.wide) * WindingNumberFill::kBytes;
   if (const auto error = memoryRefusal(voxel, bytes)) return *error;
   return made;
 }

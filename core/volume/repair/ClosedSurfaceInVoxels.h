@@ -43,5 +43,8 @@ std::optional<Error> lossRefusal(const SparseVolume& volume, double nearShare, d
 // take, and such cones); Cancelled.
 Result<ClosedSurfaceInVoxels> closedInVoxels(const TriangleSoup& soup, double voxel, double wideFrom,
                                              const std::optional<Vec3>& alignedTo, Progress progress);
+// The same for voxels that are not all made at once: without TooLarge.
+Result<ClosedSurfaceInVoxels> closedInGrid(const TriangleSoup& soup, double voxel, double wideFrom,
+                                           const std::optional<Vec3>& alignedTo, Progress progress);
 
 }  // namespace handwheel

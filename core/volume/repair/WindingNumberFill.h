@@ -27,6 +27,7 @@ class WindingNumberFill {
 
   // How many blocks there are going to be, within a factor of two, as far as one hole does not shadow another. O(n).
   static double predictedBlocks(const TriangleSoup& closed, std::span<const std::uint32_t> cones);
+  static constexpr double kWide = 4.0;     // voxels, of a hole that a membrane closes, and no lid
   static constexpr double kBytes = 160.0;  // of a block, while the volume is made
 
   bool isEmpty() const { return m_blocks.empty(); }

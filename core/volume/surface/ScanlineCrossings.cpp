@@ -55,18 +55,21 @@ std::pair<double, double> extentAt(double z, const std::array<Vec2, 3>& seen) {
   return {low, high};
 }
 
-// Calls found(y, z, x, step) for each row that crosses the triangle.
+// Calls found(y, z, x, step) for each of the rows that crosses the triangle.
 template <class Visit>
-void forEachCrossing(const std::array<Vec3, 3>& corners, const Progress& progress, Visit found) {
+void forEachCrossing(const std::array<Vec3, 3>& corners, const Eigen::AlignedBox2i& rows, const Progress& progress,
+                     Visit found) {
   const std::array<Vec2, 3> seen{seenAlongX(corners[0]), seenAlongX(corners[1]), seenAlongX(corners[2])};
   const Vec2 low = seen[0].cwiseMin(seen[1]).cwiseMin(seen[2]), high = seen[0].cwiseMax(seen[1]).cwiseMax(seen[2]);
   const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double lowX = std::min({corners[0].x(), corners[1].x(), corners[2].x()});
   const double highX = std::max({corners[0].x(), corners[1].x(), corners[2].x()});
-  for (int z = static_cast<int>(std::ceil(low.y())); z <= high.y() && !progress.cancelled(); ++z) {
+  const double highest = std::min<double>(high.y(), rows.max().y());
+  for (int z = std::max(static_cast<int>(std::ceil(low.y())), rows.min().y()); z <= highest && !progress.cancelled();
+       ++z) {
     const auto [from, to] = extentAt(z, seen);
-    const double last = std::min(high.x(), to);
-    for (int y = static_cast<int>(std::ceil(std::max(low.x(), from))); y <= last; ++y) {
+    const double last = std::min({high.x(), to, static_cast<double>(rows.max().x())});
+    for (int y = std::max(static_cast<int>(std::ceil(std::max(low.x(), from))), rows.min().x()); y <= last; ++y) {
       const Vec2 row(y, z);
       const int side = sideOfRow(seen[0], seen[1], row);
       if (side == 0 || sideOfRow(seen[1], seen[2], row) != side || sideOfRow(seen[2], seen[0], row) != side) continue;
@@ -80,16 +83,20 @@ void forEachCrossing(const std::array<Vec3, 3>& corners, const Progress& progres
 
 }  // namespace
 
-ScanlineCrossings::ScanlineCrossings(const TriangleSoup& closed, Progress progress)
+ScanlineCrossings::ScanlineCrossings(const TriangleSoup& closed, Progress progress,
+                                     const std::optional<Eigen::AlignedBox2i>& within)
     : m_crossed(closed.triangles.size(), false) {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  const Eigen::AlignedBox2i wanted =
+      within.value_or(Eigen::AlignedBox2i(Eigen::Vector2i::Constant(-kMost), Eigen::Vector2i::Constant(kMost)));
   tbb::enumerable_thread_specific<std::vector<Found>> found;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, closed.triangles.size()),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       std::vector<Found>& mine = found.local();
                       for (std::size_t i = range.begin(); i < range.end(); ++i) {
                         const Triangle& t = closed.triangles[i];
-                        forEachCrossing({closed.points[t[0]], closed.points[t[1]], closed.points[t[2]]}, progress,
-                                        [&](int y, int z, double x, int step) {
+                        forEachCrossing({closed.points[t[0]], closed.points[t[1]], closed.points[t[2]]}, wanted,
+                                        progress, [&](int y, int z, double x, int step) {
                                           mine.push_back({y, z, {x, step, static_cast<std::uint32_t>(i)}});
                                         });
                       }
@@ -165,6 +172,11 @@ std::span<const ScanlineCrossings::Crossing> ScanlineCrossings::row(int y, int z
   const std::size_t row =
       static_cast<std::size_t>(z - m_range.min().y()) * width + static_cast<std::size_t>(y - m_range.min().x());
   return std::span(m_crossings).subspan(m_begin[row], m_begin[row + 1] - m_begin[row]);
+}
+
+std::size_t ScanlineCrossings::bytes() const {
+  return sizeof *this + m_begin.size() * sizeof m_begin[0] +
+         m_crossings.size() * (sizeof m_crossings[0] + sizeof m_after[0]) + m_crossed.size() / 8;
 }
 
 int ScanlineCrossings::winding(const VoxelIndex& voxel) const {

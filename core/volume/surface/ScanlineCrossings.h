@@ -7,6 +7,7 @@
 #include "volume/SparseVolume.h"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,8 +28,10 @@ class ScanlineCrossings {
   };
 
   // Points in voxels: a voxel's centre has whole coordinates. Each edge of the surface is passed equally often both
-  // ways (closeBoundaries()). O(n + area), on all threads of the arena. Nothing once cancelled.
-  ScanlineCrossings(const TriangleSoup& closed, Progress progress = {});
+  // ways (closeBoundaries()). O(n + area), on all threads of the arena. Nothing once cancelled. within: the rows that
+  // are looked at, by their y and z; then triangles may be missing that none of them crosses. None: all.
+  ScanlineCrossings(const TriangleSoup& closed, Progress progress = {},
+                    const std::optional<Eigen::AlignedBox2i>& within = {});
 
   // The crossings of a row, by x.
   std::span<const Crossing> row(int y, int z) const;
@@ -50,6 +53,7 @@ class ScanlineCrossings {
   Bounding boundingBy(const Turns& turns) const;
   // Per triangle: whether any row crosses it.
   const std::vector<bool>& crossed() const { return m_crossed; }
+  std::size_t bytes() const;
 
  private:
   Eigen::AlignedBox2i m_range;        // of y and z

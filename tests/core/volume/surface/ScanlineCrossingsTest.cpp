@@ -96,6 +96,29 @@ class ScanlineCrossingsTest : public QObject {
     }));
   }
 
+  // Some of the rows are crossed as they are among all; of the others nothing is known.
+  void someRows() {
+    QVERIFY(rc::check([] {
+      TriangleSoup soup = anySoup();
+      closeBoundaries(soup, 1e9);
+      const Eigen::AlignedBox2i within(Eigen::Vector2i(2, 3), Eigen::Vector2i(5, 7));
+      const ScanlineCrossings all(soup), some(soup, {}, within);
+      for (int i = 0; i < 12 * 12; ++i) {
+        const int y = i % 12 - 1, z = i / 12 - 1;
+        const auto row = some.row(y, z), expected = all.row(y, z);
+        if (!within.contains(Eigen::Vector2i(y, z))) {
+          RC_ASSERT(row.empty());
+          continue;
+        }
+        RC_ASSERT(row.size() == expected.size());
+        for (std::size_t k = 0; k < row.size(); ++k)
+          RC_ASSERT(row[k].x == expected[k].x && row[k].step == expected[k].step &&
+                    row[k].triangle == expected[k].triangle);
+        for (int x = -1; x < 11; ++x) RC_ASSERT(some.winding({x, y, z}) == all.winding({x, y, z}));
+      }
+    }));
+  }
+
   // A ball within a ball bounds nothing; ball and ball beside each other do.
   void whatBounds() {
     TriangleSoup balls = moved(icosphere(2), Vec3(0.1, 0.2, 0.3), 20.0);

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../Program.h"
+#include "../Shapes.h"
+#include "TestClass.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+nlohmann::json drillJson(const QByteArray& out) {
+  return nlohmann::json::parse(out.toStdString());
+}
+
+}  // namespace
+
+// Voxels of triangles are made near the head only.
+class DrillTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Near the head, or of all of the part: the same figures, of fewer voxels. A top that is missing is closed by a lid.
+  void asAllOfThePart() {
+    const Bench bench;
+    bench.put("a.off", openCube(20.0).off());
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.1,9.9,23\n1,10.1,9.9,-4\n1.5,10.1,9.9,23\n");
+    const QStringList words{"drill",  "a.off",   "--path", "p.csv",  "--tool",
+                            "ball:4", "--voxel", "0.25",   "--rate", "200"};
+    const Ran near = bench.run(QStringList(words) << "--json");
+    QCOMPARE(near.err, QByteArray());
+    QCOMPARE(near.code, 0);
+    const Ran all = bench.run(QStringList(words) << "--whole"
+                                                 << "--json");
+    QCOMPARE(all.code, 0);
+    const auto figures = drillJson(near.out), whole = drillJson(all.out);
+    for (const char* const key : {"removed_mm3", "max_thrust_N", "max_torque_Nmm", "energy_J", "breakthrough_s"}) {
+      const double value = figures[key].get<double>();
+      QVERIFY2(value > 0.0 && std::abs(value - whole[key].get<double>()) <= 1e-9 * value, key);
+    }
+    QVERIFY(figures["hybrid"].get<bool>() && !whole["hybrid"].get<bool>());
+    QVERIFY(figures["voxels_at_most"].get<double>() < whole["voxels_at_most"].get<double>());
+    QVERIFY(!figures.contains("predicted_bytes") && whole.contains("predicted_bytes"));
+    QVERIFY(bench.run(words).out.contains("Voxels were made near the head"));
+    const Ran saved = bench.run(QStringList(words) << "-o"
+                                                   << "b.handwheel"
+                                                   << "--json");
+    QCOMPARE(saved.code, 0);
+    QVERIFY(!drillJson(saved.out)["hybrid"].get<bool>());
+    // What is a volume already is made of nothing.
+    QVERIFY(!drillJson(bench.run({"drill", "b.handwheel", "--path", "p.csv", "--json"}).out).contains("hybrid"));
+  }
+
+  // 0.1 mm on a part of 300 mm, whose voxels would take more than a gigabyte, in a few megabytes.
+  void fineVoxelsOnALargePart() {
+    const Bench bench;
+    bench.put("a.off", cube(300.0).off());
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,140.03,150.04,302\n1,140.03,150.04,299\n");
+    const Ran ran = bench.run(
+        {"drill", "a.off", "--path", "p.csv", "--tool", "ball:3", "--voxel", "0.1", "--rate", "100", "--json"});
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto figures = drillJson(ran.out);
+    const double exact = M_PI * 2.25 * 1.0 + 2.0 / 3.0 * M_PI * 3.375;  // a cylinder, and half a ball before it
+    QVERIFY(std::abs(figures["removed_mm3"].get<double>() / exact - 1.0) < 0.01);
+    QVERIFY(figures["voxel_MB_at_most"].get<double>() < 10.0 && figures["voxels_made"].get<double>() > 0.0);
+  }
+
+  // Beside the part nothing is drilled, and no voxel is made.
+  void besideThePart() {
+    const Bench bench;
+    bench.put("a.off", cube(20.0).off());
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,60,10,25\n1,60,10,-5\n");
+    const Ran ran = bench.run({"drill", "a.off", "--path", "p.csv", "--voxel", "0.3", "--json"});
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto figures = drillJson(ran.out);
+    QCOMPARE(figures["removed_mm3"].get<double>(), 0.0);
+    QCOMPARE(figures["voxels_made"].get<int>(), 0);
+    QVERIFY(figures["breakthrough_s"].is_null());
+  }
+
+  // Bodies that overlap: walls within them vanish, which only the whole part tells. It is made of voxels, then; the
+  // hole is in one of the bodies, beside the other.
+  void overlappingBodies() {
+    const Bench bench;
+    bench.put("a.off", cube(20.0).add(cube(10.0), {15.0, 5.0, 5.0}).off());
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,8.1,10.1,24\n1,8.1,10.1,-4\n");
+    const Ran ran = bench.run(
+        {"drill", "a.off", "--path", "p.csv", "--tool", "ball:4", "--voxel", "0.25", "--rate", "200", "--json"});
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto figures = drillJson(ran.out);
+    QVERIFY(!figures["hybrid"].get<bool>());
+    QVERIFY(std::abs(figures["removed_mm3"].get<double>() / (M_PI * 4.0 * 20.0) - 1.0) < 0.015);
+  }
+};
+
+HANDWHEEL_TEST(DrillTest)
+#include "DrillTest.moc"
