@@ -13,6 +13,8 @@ namespace {
 constexpr double kPlacesPerSpan = 4.0;  // of the nose on its way, between two knots
 constexpr double kMostVisits = 1e8;     // of samples, in one step of the path: some 0.3 s
 constexpr double kDepthLeft = 1e-12;    // mm: the nose counts as free
+constexpr double kPartsPerSpan = 4.0;   // of the depth, in as much of it as the distance of two knots
+constexpr double kMostParts = 64.0;     // of the depth, at one place
 
 }  // namespace
 
@@ -106,16 +108,28 @@ TurnedProfile::Range ControlPointCut::move(TurnedProfile& profile, TurningSide s
   return changed;
 }
 
-TurnedProfile::Range ControlPointCut::cut(TurnedProfile& profile, TurningSide side, const ProfilePoint& a,
-                                          const ProfilePoint& b, double noseRadius) const {
+// In how many parts a depth is taken at most where the nose has come to on a way from where it was free. A round nose
+// is no deeper there than that way and the flank that it has gone into; without a way it begins, at any depth.
+double ControlPointCut::mostPartsAfter(double way, double noseRadius) const {
+  if (way == 0.0) return kMostParts;
+  return std::clamp(std::ceil(kPartsPerSpan * (way + std::sqrt(2.0 * noseRadius * way)) / m_span), 1.0, kMostParts);
+}
+
+// Eq. 5-9 for one place of the nose, until it is free. A control point that takes a depth d at u takes up to d / 2 too
+// much beside u: so d is a fraction of the distance of the control points, as if the nose came in straight from
+// outside.
+TurnedProfile::Range ControlPointCut::cutAt(TurnedProfile& profile, TurningSide side, const ProfilePoint& nose,
+                                            double radius, double mostParts) const {
   TurnedProfile::Range changed;
-  if (profile.samplesUnder(a, b, noseRadius).isEmpty()) return changed;
-  const double places = placesOn(profile, a, b, noseRadius);
-  const std::size_t moves = movesUnder(noseRadius);
-  for (int i = 0; i <= static_cast<int>(places); ++i) {
-    const ProfilePoint nose = a + i / places * (b - a);
+  const double depth = deepestUnder(profile, side, nose, radius).depth;
+  // A depth that is whole parts but for rounding is as many.
+  const double parts = std::clamp(std::ceil(kPartsPerSpan * depth / m_span - 1e-9), 1.0, mostParts);
+  const double out = side == TurningSide::Bore ? -depth : depth;
+  const std::size_t moves = movesUnder(radius);
+  for (double left = parts - 1.0; left >= 0.0; --left) {
+    const ProfilePoint place = nose + ProfilePoint(left / parts * out, 0.0);
     for (std::size_t k = 0; k < moves; ++k) {
-      const Deepest deepest = deepestUnder(profile, side, nose, noseRadius);
+      const Deepest deepest = deepestUnder(profile, side, place, radius);
       if (!(deepest.depth > kDepthLeft)) break;
       const double z = profile.z(deepest.sample);
       const std::size_t pole = strongest(z);
@@ -127,13 +141,26 @@ TurnedProfile::Range ControlPointCut::cut(TurnedProfile& profile, TurningSide si
   return changed;
 }
 
+TurnedProfile::Range ControlPointCut::cut(TurnedProfile& profile, TurningSide side, const ProfilePoint& a,
+                                          const ProfilePoint& b, double noseRadius) const {
+  TurnedProfile::Range changed;
+  if (profile.samplesUnder(a, b, noseRadius).isEmpty()) return changed;
+  const double places = placesOn(profile, a, b, noseRadius);
+  const double parts = mostPartsAfter((b - a).norm() / places, noseRadius);
+  for (int i = 0; i <= static_cast<int>(places); ++i)
+    changed.extend(cutAt(profile, side, a + i / places * (b - a), noseRadius, i == 0 ? kMostParts : parts));
+  return changed;
+}
+
 double ControlPointCut::work(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b,
-                             double noseRadius) const {
+                             double noseRadius, bool isFree) const {
   const auto under = static_cast<double>(profile.samplesUnder(a, b, noseRadius).size());
   if (under == 0.0) return 0.0;
-  const double places = placesOn(profile, a, b, noseRadius) + 1.0;
+  const double places = placesOn(profile, a, b, noseRadius);
   const double each = std::min(under, 2.0 * noseRadius / profile.spacing() + 1.0) + 3.0 * m_span / profile.spacing();
-  return places * static_cast<double>(movesUnder(noseRadius)) * each;
+  const double way = (b - a).norm() / places, first = isFree ? 1.0 : kMostParts;
+  const double rest = way > 0.0 ? places * mostPartsAfter(way, noseRadius) : 1.0;  // at the same place it is free
+  return (first + rest) * static_cast<double>(movesUnder(noseRadius) + 1) * each;
 }
 
 }  // namespace handwheel

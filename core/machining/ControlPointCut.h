@@ -13,7 +13,10 @@ namespace handwheel {
 // as deep as the nose there (He 2008, eq. 5-9). V is straight towards the axis, away from it in a bore: so control
 // points keep their order along the axis, and the curve changes by the basis function alone, which is what is done to
 // the samples. It cannot fold or cross the axis, material only leaves, and corners between samples stay. Beside u the
-// control point takes more or less than the nose does: the error of this method, of the order of the distance.
+// control point takes more or less than the nose does: the error of this method. A depth is taken in parts of a quarter
+// of the distance, so that the error is of the order of the distance. Only beside a wall, where the nose is deeper than
+// its radius, up to half of the height of the wall goes in a notch as wide as the distance: a property of moving the
+// strongest control point alone.
 //
 // The depth is that of the nose as it is recorded. The servo loop lets it in by force over resistance in each tick,
 // which is d = F_r / κ (eq. 5-10) with κ = resistance times width of the chip over the period.
@@ -29,8 +32,9 @@ class ControlPointCut {
   TurnedProfile::Range cut(TurnedProfile& profile, TurningSide side, const ProfilePoint& a, const ProfilePoint& b,
                            double noseRadius) const;
 
-  // The most samples that cut() visits.
-  double work(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b, double noseRadius) const;
+  // The most samples that cut() visits. isFree: the nose is in no material at a, as after a cut that ended there.
+  double work(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b, double noseRadius,
+              bool isFree) const;
 
  private:
   struct Deepest {
@@ -40,6 +44,9 @@ class ControlPointCut {
   double basis(std::size_t pole, double z) const;
   std::size_t strongest(double z) const;
   std::size_t movesUnder(double noseRadius) const;
+  double mostPartsAfter(double way, double noseRadius) const;
+  TurnedProfile::Range cutAt(TurnedProfile& profile, TurningSide side, const ProfilePoint& nose, double radius,
+                             double mostParts) const;
   double placesOn(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b, double noseRadius) const;
   Deepest deepestUnder(const TurnedProfile& profile, TurningSide side, const ProfilePoint& nose, double radius) const;
   TurnedProfile::Range move(TurnedProfile& profile, TurningSide side, std::size_t pole, double by) const;

@@ -116,7 +116,7 @@ std::uint64_t samplesUnder(const TurnedProfile& profile, const TurningPass& pass
     const ProfilePoint &a = pointBefore(pass, i), &b = pass.path[i];
     sum += pass.tool ? static_cast<double>(samplesUnderTool(profile, *pass.tool, a, b))
            : pass.method == TurningMethod::Poles
-               ? poles.work(profile, a, b, pass.noseRadius)
+               ? poles.work(profile, a, b, pass.noseRadius, i > 0)
                : static_cast<double>(profile.samplesUnder(a, b, std::max(pass.noseRadius, profile.spacing())).size());
   }
   return static_cast<std::uint64_t>(std::min(sum, kMost));

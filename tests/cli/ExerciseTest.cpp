@@ -254,6 +254,63 @@ class ExerciseTest : public QObject {
     QCOMPARE(bench.run({"mark", kShaft, "a.handwheel", "--sort", "Shoe size"}).code, 1);
     QVERIFY(!bench.names().contains("x.handwheel"));
   }
+
+  // What was made by hand in the window is a document with its passes. Without a window they are cut again in the bar
+  // of the exercise: the same part, and the same marks; also of what was handed in.
+  void workIsTurnedAgain_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* const name : {"shaft", "bush", "thread-m20"}) QTest::newRow(name) << QString::fromLatin1(name);
+  }
+  void workIsTurnedAgain() {
+    QFETCH(QString, name);
+    const Bench bench;
+    const QString exercise = QStringLiteral(SOURCE_SAMPLES "/exercises/%1.exercise.json").arg(name);
+    const auto json = [&](const QStringList& words) {
+      const Ran run = bench.run(words);
+      if (run.code != 0) qWarning("%s", run.err.constData());
+      return run.code == 0 ? nlohmann::json::parse(run.out.toStdString()) : nlohmann::json();
+    };
+    QCOMPARE(bench.run({"exercise", exercise, "--solution", "-o", "work.handwheel"}).code, 0);
+    QVERIFY(json({"turn", exercise, "--recording", "work.handwheel", "-o", "again.handwheel", "--json"})
+                .contains("removed_mm3"));
+    const nlohmann::json work = json({"turn", "work.handwheel", "--replay", "--json"});
+    QVERIFY(work == json({"turn", "again.handwheel", "--replay", "--json"}) && work["same"].get<bool>());
+    QCOMPARE(
+        bench.run({"exercise", exercise, "--hand-in", "again.handwheel", "--name", "Ada", "-o", "ada.handwheel"}).code,
+        0);
+    QVERIFY(json({"turn", exercise, "--recording", "ada.handwheel", "-o", "third.handwheel", "--json"})
+                .contains("removed_mm3"));
+    QVERIFY(work == json({"turn", "third.handwheel", "--replay", "--json"}));
+    const nlohmann::json marked = json({"mark", exercise, "ada.handwheel", "--json"});
+    QCOMPARE(marked["submissions"][0]["points"], marked["submissions"][0]["of"]);
+
+    const Ran nose = bench.run({"turn", exercise, "--recording", "work.handwheel", "--nose", "2", "-o", "x.handwheel"});
+    QVERIFY(nose.code == 1 && nose.err.contains("--nose is not for a document"));
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);  // with no passes
+    QCOMPARE(bench.run({"turn", exercise, "--recording", "bar.handwheel", "-o", "x.handwheel"}).code, 2);
+    QVERIFY(!bench.names().contains("x.handwheel"));
+  }
+
+  // One point is told as one.
+  void aSinglePoint() {
+    const Bench bench;
+    QFile file(kShaft);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    nlohmann::json one = nlohmann::json::parse(file.readAll().toStdString());
+    nlohmann::json criterion = one["criteria"][0];
+    criterion["points"] = 1;
+    one["criteria"] = nlohmann::json::array({criterion});
+    for (nlohmann::json& step : one["steps"]) step["criteria"] = nlohmann::json::array();
+    bench.put("one.exercise.json", QByteArray::fromStdString(one.dump()));
+    QCOMPARE(bench.run({"exercise", "one.exercise.json", "--solution", "-o", "work.handwheel"}).code, 0);
+    QCOMPARE(bench
+                 .run({"exercise", "one.exercise.json", "--hand-in", "work.handwheel", "--name", "Ada", "-o",
+                       "ada.handwheel"})
+                 .code,
+             0);
+    const Ran marked = bench.run({"mark", "one.exercise.json", "ada.handwheel"});
+    QVERIFY2(marked.code == 0 && marked.out.contains("1 of 1 point\n"), marked.out);
+  }
 };
 
 HANDWHEEL_TEST(ExerciseTest)

@@ -177,6 +177,8 @@ class VolumeTest : public QObject {
     const QByteArray report = bench.content("ada.html");
     QVERIFY(report.contains("Thrust") && report.contains("Breakthrough: the drill is through"));
     QCOMPARE(report.contains("entered the forbidden region"), points == 0);
+    QVERIFY(report.contains("alt=\"work0-picture-0\"") && report.contains("The hole in section"));
+    QVERIFY(report.contains("Largest thrust: ") && report.contains("Largest torque: "));
   }
 
   // Down through a block of 20 mm: a hole of the ball's diameter, the work of its volume, and the time at which the

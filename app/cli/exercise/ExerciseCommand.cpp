@@ -70,6 +70,7 @@ Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const
     if (!imported) return imported.error();
     changed->task = std::move(imported->task);
     for (const Note& note : imported->notes) complain(noteText(note).toStdString());
+    for (const Note& note : exercise->subject->placeNotes(*changed->task)) complain(noteText(note).toStdString());
     if (imported->lies) complain(noteText(*imported->lies).toStdString());
   }
   if (values.isSet("round-target")) {

@@ -3,11 +3,11 @@
 #include "cli/workpiece/TurnByRecording.h"
 
 #include "cli/TipTrajectory.h"
-#include "cli/workpiece/RecordedPasses.h"
 #include "document/FileBytes.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "haptics/recording/RecordingCsv.h"
 #include "machining/force/WorkMaterials.h"
+#include "simulation/turning/RecordedPasses.h"
 
 #include <cmath>
 
@@ -15,20 +15,18 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kRecordedNose = 1.0;  // mm, unless another is given
 constexpr const char* kOfTheLathe =
     "This is a recording of the Lathe tool, which does not hold its levers and handwheels: only recordings of the Turn "
-    "tool can be turned again. The workpiece itself has the passes of the lathe.";
+    "tool can be turned again. The workpiece itself has the passes of the lathe: give that as the recording.";
 
 // A path is one pass: its distance from the axis and its height above the lower end of the bar.
-Result<std::vector<TurningPass>> passAlong(const std::vector<HandPose>& poses, double noseRadius, double base) {
+Result<std::vector<TurningPass>> passAlong(const std::vector<HandPose>& poses, double base) {
   if (poses.size() > TurningPass::kMostPoints)
     return Error{ErrorCode::FileTooLarge,
                  {"lines", std::to_string(poses.size()), std::to_string(TurningPass::kMostPoints)},
                  {},
                  {}};
   TurningPass pass;
-  pass.noseRadius = noseRadius;
   for (const HandPose& pose : poses) {
     pass.path.emplace_back(std::hypot(pose.position.x(), pose.position.y()), pose.position.z() - base);
     pass.times.push_back(pose.time - poses.front().time);
@@ -47,18 +45,17 @@ std::string missingColumns(std::string_view text, const std::string& problemAsPa
 }
 
 // problem: a sentence about the file, which is not cut as the arguments of an Error are.
-Result<std::vector<TurningPass>> passesIn(std::string_view text, const TurnRequest& request, double base,
-                                          std::string& problem, Progress progress) {
+Result<std::vector<TurningPass>> passesIn(std::string_view text, double base, std::string& problem, Progress progress) {
   if (isRecordingCsv(text)) {
     const Result<Recording> recording = recordingFromCsv(text, progress);
     if (!recording) return recording.error();
-    auto passes = passesOf(*recording, request.noseRadius.value_or(kRecordedNose), base);
+    auto passes = passesOf(*recording, base);
     if (passes) return std::move(*passes);
     problem = kOfTheLathe;
     return std::vector<TurningPass>();
   }
   const TipTrajectory path = readTipTrajectory(text);
-  if (path.problem.empty()) return passAlong(path.poses, request.noseRadius.value_or(kRecordedNose), base);
+  if (path.problem.empty()) return passAlong(path.poses, base);
   problem = missingColumns(text, path.problem);
   return std::vector<TurningPass>();
 }
@@ -67,7 +64,7 @@ Result<std::vector<TurningPass>> readPasses(const TurnRequest& request, double b
                                             Progress progress) {
   const Result<std::string> text = readFileBytes(request.recording);
   Result<std::vector<TurningPass>> passes =
-      text ? passesIn(*text, request, base, problem, progress) : Result<std::vector<TurningPass>>(text.error());
+      text ? passesIn(*text, base, problem, progress) : Result<std::vector<TurningPass>>(text.error());
   if (passes) return passes;
   Error error = passes.error();
   error.subject = request.recording.string();
@@ -93,8 +90,13 @@ Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, co
   Result<std::vector<TurningPass>> passes =
       readPasses(request, workpiece.stock.position, unreadable, progress.part(0.0, 0.2));
   if (!passes) return passes.error();
+  for (TurningPass& pass : *passes) {
+    pass.noseRadius = request.noseRadius.value_or(pass.noseRadius);
+    pass.method = request.method.value_or(pass.method);
+    pass.resolution = request.resolution.value_or(pass.resolution);
+  }
   CuttingEdge edge;
-  edge.noseRadius = request.noseRadius.value_or(kRecordedNose);
+  if (!passes->empty()) edge.noseRadius = passes->front().noseRadius;
   const std::unique_ptr<CuttingForceModel> model = kienzleModel(request.material, edge);
   const std::optional<ForcePeaks> peaks = forcePeaks(partOf(workpiece, request.spacing).profile, *passes,
                                                      {request.spindle, 0.0}, *model, progress.part(0.2, 0.5));
@@ -102,8 +104,6 @@ Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, co
   figures.force = peaks->force;
   figures.power = peaks->power;
   for (TurningPass& pass : *passes) {
-    pass.method = request.method;
-    pass.resolution = request.resolution;
     figures.time += pass.times.empty() ? 0.0 : pass.times.back();
     if (pass.speeds.empty()) pass.speeds.assign(pass.path.size(), request.spindle);
   }

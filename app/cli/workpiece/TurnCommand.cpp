@@ -13,9 +13,11 @@
 #include "cli/workpiece/TrainCommand.h"
 #include "cli/workpiece/TurnByProgram.h"
 #include "cli/workpiece/TurnByRecording.h"
+#include "cli/workpiece/TurnByWork.h"
 #include "cli/workpiece/TurnRequest.h"
 #include "cli/workpiece/TurnStatistics.h"
 #include "document/workpiece/FinishReport.h"
+#include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/exercise/ExerciseStock.h"
 #include "machining/force/WorkMaterials.h"
@@ -86,6 +88,16 @@ Result<OpenedFile> openInput(const TurnRequest& request, const DocumentKinds& ki
   return opened;
 }
 
+// The workpiece after the work in a document is done on it again. Errors: those of the file, Unsupported, Cancelled.
+Result<WorkpieceSnapshot> turnByDocument(const WorkpieceSnapshot& workpiece, const TurnRequest& request,
+                                         const DocumentKinds& kinds, TurnStatistics& figures, Progress progress) {
+  const Result<OpenedFile> opened = kinds.open(request.recording, {}, progress.part(0.0, 0.2));
+  if (!opened) return opened.error();
+  if (const auto work = turnedWorkIn(opened->content))
+    return turnByWork(workpiece, *work, request, figures, progress.part(0.2, 1.0));
+  return Error{ErrorCode::Unsupported, {"a recording that is not work on a lathe"}, {}, request.recording.string()};
+}
+
 int replay(const WorkpieceSnapshot& workpiece, bool asJson) {
   bool isSame = false, isCancelled = false;
   runInterruptible("Turning", [&](CommandJob& job) {
@@ -125,7 +137,10 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   std::vector<std::filesystem::path> inputs{request.program, request.recording, request.tools, request.target};
   if (exercise) inputs.emplace_back(request.input);  // a workpiece would take the place of the exercise
   if (const std::string refusal = refusalToOverwrite(request.output, inputs); !refusal.empty()) return refuse(refusal);
-  if (exercise) useMachineOf(*exercise->task, arguments, request);
+  if (exercise)
+    useMachineOf(*exercise->task, arguments, request);
+  else if (!request.bar && !arguments.has("spindle") && !request.recording.empty())
+    request.spindle = latheOf(*given).spindle.speed;
   std::string unreadable;
   std::vector<std::string> remarks;
   TurnStatistics figures;
@@ -136,8 +151,12 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
     if (!request.target.empty()) target = readTarget(request.target, kinds, job.progress().part(0.0, 0.1));
     if (target && !*target) return;
     const Progress cutting = job.progress().part(0.1, 0.7);
-    turned = request.program.empty() ? turnByRecording(*given, request, figures, unreadable, cutting)
-                                     : turnByProgram(*given, request, figures, remarks, cutting);
+    if (!request.program.empty())
+      turned = turnByProgram(*given, request, figures, remarks, cutting);
+    else if (isContainerName(request.recording))
+      turned = turnByDocument(*given, request, kinds, figures, cutting);
+    else
+      turned = turnByRecording(*given, request, figures, unreadable, cutting);
     if (*turned && passCount(turned->value()) > passCount(*given))
       written = saveDocument(*file.kind, file.file, turned->value(), request.output, job.progress().part(0.7, 1.0));
   });
@@ -171,30 +190,37 @@ std::vector<Command> workpieceCommands() {
         "Cuts a workpiece on a lathe by a program or a recording. STOCK is a workpiece, an exercise, or a bar such as "
         "cylinder:40x100:\n"
         "diameter and length in mm, its right end at Z 0, gripped at the left. docs/programs.md lists the words of\n"
-        "programs. R is a recording that the window has exported, in the coordinates of the document, where each "
-        "press\n"
-        "of the first button is a pass; or a table with the columns t_s,x_mm,y_mm,z_mm: the centre of the nose, of "
-        "one\n"
-        "pass. Forces follow Kienzle's law. Exit code 0: done; 2: the path does not touch the part and nothing is "
+        "programs. R is a document with work that was made by hand in the window, a workpiece or what was handed in, "
+        "whose\n"
+        "passes are cut again, turned, ground, bored or threaded; or a recording of a device that the window has "
+        "exported,\n"
+        "in the coordinates of the document, where each press of the first button is a pass; or a table with the "
+        "columns\n"
+        "t_s,x_mm,y_mm,z_mm: the centre of the nose, of one pass. Forces follow Kienzle's law. Exit code 0: done; 2: "
+        "the path does not touch the part and nothing is "
         "written, "
         "or\n"
         "--replay found a difference; 1: error.",
         {
             {"program", 0, "P.ngc", "The program that the lathe runs"},
-            {"recording", 0, "R.csv", "The recorded path of the tool", "path"},
+            {"recording", 0, "R", "Work by hand (.handwheel), or the recorded path of a tool (.csv)", "path"},
             {"output", 'o', "OUT",
              "The document to write, .handwheel or an export such as .step or .stl; may be STOCK"},
             {"dialect", 0, "NAME", "Dialect of the program: linuxcnc (default) or fanuc, system A"},
-            {"nose", 0, "MM", "Nose radius, 0.05 to 50; default: 0, a point, for a program; 1 for a recording",
+            {"nose", 0, "MM",
+             "Nose radius, 0.05 to 50; default: 0, a point, for a program; what a recording says, else 1",
              "nose-radius"},
             {"tools", 0, "T.tbl", "Table of tools as LinuxCNC has it, in mm: T1 P1 X0 Z0 D0.8 Q2"},
             {"material", 0, "NAME",
              "Material of the work, for the forces (default medium-carbon-steel, or that of the exercise)"},
             {"spindle", 0, "RPM",
-             "Speed of the spindle of a recording, for forces and roughness (default 500, or that of the exercise)"},
+             "Speed of the spindle of a recording, for forces and roughness (default 500, or that of the exercise or "
+             "workpiece)"},
             {"method", 0, "NAME",
              "How a recording cuts: trim (default), exactly what the nose sweeps; or poles, by moving the control "
-             "points of a smooth curve"},
+             "points of a smooth curve, which errs by up to their distance, and by millimetres beside walls higher "
+             "than "
+             "the nose radius"},
             {"resolution", 0, "MM", "Distance of these control points, 0.05 to 10 (default 0.5)"},
             {"target", 0, "FILE", "A drawing (.dxf, .svg) or workpiece to compare with, upper end at upper end"},
             {"spacing", 0, "MM", "Sample spacing of the profile, for a bar that was not cut yet"},
@@ -202,7 +228,7 @@ std::vector<Command> workpieceCommands() {
             {"json", 0, "", "Report as JSON"},
             {"help", 'h', "", "Show this help"},
         },
-        "STOCK (--program P.ngc | --recording R.csv) -o OUT [--dialect NAME] [--nose MM] [--material NAME] [--json]"},
+        "STOCK (--program P.ngc | --recording R) -o OUT [--dialect NAME] [--nose MM] [--material NAME] [--json]"},
        runTurn},
       programCommand(),
       targetCommand(),

@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "cli/workpiece/BarStockArgument.h"
+#include "document/DocumentKind.h"
 #include "machining/program/ToolPath.h"
 
 namespace handwheel {
@@ -42,12 +43,16 @@ std::string readDialect(const Arguments& arguments, TurnRequest& request) {
 std::string readMethod(const Arguments& arguments, TurnRequest& request) {
   for (const char* const each : {"method", "resolution"})
     if (arguments.has(each) && !arguments.has("recording")) return std::string("--") + each + " is of --recording R.";
-  const std::string method = arguments.has("method") ? arguments.valueOf("method") : "trim";
-  if (method != "trim" && method != "poles") return "--method is trim or poles.";
-  if (method == "poles") request.method = TurningMethod::Poles;
+  const std::string method = arguments.valueOf("method");
+  if (arguments.has("method") && method != "trim" && method != "poles") return "--method is trim or poles.";
+  if (arguments.has("method")) request.method = method == "poles" ? TurningMethod::Poles : TurningMethod::Trim;
   if (arguments.has("resolution") && method != "poles") return "--resolution is of --method poles.";
+  if (method != "poles") return {};
   const FidelitySetting setting = turnResolutionSetting();
-  return readLength(arguments, "resolution", setting.least, setting.largest, request.resolution);
+  double resolution = setting.standard;
+  const std::string problem = readLength(arguments, "resolution", setting.least, setting.largest, resolution);
+  request.resolution = resolution;
+  return problem;
 }
 
 std::string readNose(const Arguments& arguments, TurnRequest& request) {
@@ -77,6 +82,9 @@ std::string readTurnRequest(const Arguments& arguments, TurnRequest& request) {
   const int ways = int(request.isReplay) + int(arguments.has("recording")) + int(arguments.has("program"));
   if (ways != 1) return "Give one of --program P.ngc, --recording R and --replay.";
   if (!request.isReplay && !arguments.has("output")) return "The option -o OUT is missing.";
+  if (isContainerName(request.recording))
+    for (const char* const each : {"nose", "method", "resolution"})
+      if (arguments.has(each)) return std::string("--") + each + " is not for a document, whose passes have their own.";
   if (request.isReplay && arguments.has("output")) return "--replay writes nothing: leave out -o.";
   for (const auto read : {readNose, readMethod, readDialect, readMaterial})
     if (std::string problem = read(arguments, request); !problem.empty()) return problem;

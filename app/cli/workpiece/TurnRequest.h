@@ -22,9 +22,9 @@ struct TurnRequest {
   std::filesystem::path recording, program, tools, target, output;
   std::optional<double> noseRadius;  // mm
   double spacing = turnSpacingSetting().standard;
-  double spindle = 500.0;                                // r/min, of a recording
-  TurningMethod method = TurningMethod::Trim;            // of a recording
-  double resolution = turnResolutionSetting().standard;  // mm, of TurningMethod::Poles
+  double spindle = 500.0;               // r/min, of a recording
+  std::optional<TurningMethod> method;  // of a recording; none: what it says, else Trim
+  std::optional<double> resolution;     // mm, of TurningMethod::Poles
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
   WorkMaterial material;
   bool isReplay = false;

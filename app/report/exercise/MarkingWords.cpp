@@ -27,6 +27,8 @@ std::string unitOf(const ClassReport& report, const MarkingCriterion& c) {
 }
 
 std::string pointsText(const Marking& marking) {
+  if (marking.of == 1.0)
+    return translatedText({QT_TRANSLATE_NOOP("Note", "%1 of 1 point"), {roundedText(marking.points)}});
   return translatedText(
       {QT_TRANSLATE_NOOP("Note", "%1 of %2 points"), {roundedText(marking.points), roundedText(marking.of)}});
 }

@@ -18,7 +18,7 @@
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseLesson.h"
 #include "window/exercise/RunningAttempt.h"
-#include "window/exercise/SuggestedName.h"
+#include "window/kinds/SuggestedName.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -280,6 +280,8 @@ void ExerciseUi::openSolution() {
   const ExerciseSnapshot& exercise = current()->exercise();
   const DocumentKind* kind = parts().kinds.withId(exercise.subject->kind().id());
   OpenedFile opened = DocumentKinds::blank(*kind);
+  const QString title = QString::fromStdString(inLanguage(exercise).title);
+  opened.file.title = (title.isEmpty() ? tr("Model solution") : tr("Model solution of %1").arg(title)).toStdString();
   opened.content = exercise.solution;
   parts().openDocument(std::move(opened));
 }

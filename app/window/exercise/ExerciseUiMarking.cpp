@@ -15,7 +15,7 @@
 #include "window/exercise/ClassView.h"
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseUi.h"
-#include "window/exercise/SuggestedName.h"
+#include "window/kinds/SuggestedName.h"
 
 #include <QFile>
 #include <QFileDialog>

@@ -3,6 +3,7 @@
 
 // The target of an exercise: from a file, from the work that was begun, in round sizes. Each is one undo step.
 #include "controls/property/PropertyDialog.h"
+#include "document/exercise/ExerciseDocument.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
@@ -17,6 +18,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QPointer>
 
 namespace handwheel {
 
@@ -58,24 +60,32 @@ void ExerciseUi::importTarget(DocumentTab* owner, const QString& path) {
 void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const TaskPointer& before,
                              const ExerciseSubject::ImportedTask& imported) {
   if (!parts().tabs.contains(owner)) return;
-  QStringList notes;
-  for (const Note& note : imported.notes) notes << noteText(note);
   const auto task = std::make_shared<TaskPointer>(imported.task);
   const ExerciseSubject& subject = *static_cast<ExerciseDocument&>(owner->document).exercise().subject;
+  // What is said of the place is of the place that is in the fields by then.
+  const auto intro = [task, &subject, ofFile = imported.notes] {
+    QStringList notes;
+    for (const std::vector<Note>& of : {subject.placeNotes(**task), ofFile})
+      for (const Note& note : of) notes << noteText(note);
+    return notes.join(QLatin1Char('\n'));
+  };
+  const auto shownDialog = std::make_shared<QPointer<PropertyDialog>>();
   auto* dialog = new PropertyDialog(
-      {tr("Where the target lies"), notes.join(QLatin1Char('\n')), tr("&Import")},
+      {tr("Where the target lies"), intro(), tr("&Import")},
       [task, &subject, place = imported.place] {
         std::vector<Property> shown = subject.properties(**task);
         std::erase_if(shown, [&](const Property& each) { return each.group != place; });
         return shown;
       },
-      [task, &subject](const std::string& id, const PropertyValue& value) -> Status {
+      [task, &subject, intro, shownDialog](const std::string& id, const PropertyValue& value) -> Status {
         Result<TaskPointer> changed = subject.withProperty(**task, id, value);
         if (!changed) return changed.error();
         *task = std::move(*changed);
+        if (*shownDialog) (*shownDialog)->setIntro(intro());
         return Done{};
       },
       parts().window);
+  *shownDialog = dialog;
   dialog->setObjectName(QStringLiteral("targetPlaceDialog"));
   dialog->setModal(true);
   connect(dialog, &QDialog::accepted, this, [this, owner, name, before, task] {

@@ -14,7 +14,7 @@
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
 #include "window/exercise/ExerciseLesson.h"
-#include "window/exercise/SuggestedName.h"
+#include "window/kinds/SuggestedName.h"
 
 #include <QDockWidget>
 #include <QFile>
@@ -32,6 +32,16 @@ constexpr double kSecondsWorthAsking = 60.0;
 
 const ExerciseKind& exerciseKind(const DocumentKinds& kinds) {
   return static_cast<const ExerciseKind&>(*kinds.withId("exercise"));
+}
+
+// What the document is called in which an exercise is worked on; empty: as one without a title is.
+QString titleOfWork(const ExerciseSnapshot& exercise) {
+  const QString title = QString::fromStdString(inLanguage(exercise).title);
+  if (title.isEmpty()) return {};
+  const QString student =
+      exercise.work && exercise.attempt ? QString::fromStdString(exercise.attempt->student) : QString();
+  return student.isEmpty() ? RunningAttempt::tr("Work on %1").arg(title)
+                           : RunningAttempt::tr("Work of %1 on %2").arg(student, title);
 }
 
 }  // namespace
@@ -117,6 +127,7 @@ void RunningAttempt::begin(const DocumentTab& from) {
   const DocumentKind* kind = m_parts.kinds.withId(exercise->subject->kind().id());
   OpenedFile opened{kind, {}, {}};
   opened.file.id = newDocumentId();
+  opened.file.title = titleOfWork(*exercise).toStdString();
   opened.file.assigned = assigned;
   if (exercise->work) opened.file.recordings = from.document.file().recordings;
   opened.content = exercise->work;

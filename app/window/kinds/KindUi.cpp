@@ -6,6 +6,7 @@
 #include "window/CommandLines.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileFilters.h"
+#include "window/kinds/SuggestedName.h"
 
 #include <QDir>
 #include <QFile>
@@ -60,7 +61,8 @@ std::vector<Property> KindUi::listedProperties(const Document& document) const {
 QString KindUi::suggestedName(const DocumentTab& document) const {
   const QString ending = containerEnding();
   const DocumentFile& of = document.document.file();
-  if (of.path.empty() && of.copyOf.empty()) return document.document.name() + ending;
+  // A title may have signs that are none of a file's.
+  if (of.path.empty() && of.copyOf.empty()) return fileNameOf({document.document.name()}, ending.mid(1));
   if (of.path.empty())
     return QFileInfo(QFile::decodeName(of.copyOf.c_str())).dir().filePath(document.document.name() + ending);
   const QFileInfo file(document.document.path());

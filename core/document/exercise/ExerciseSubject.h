@@ -129,11 +129,16 @@ class ExerciseSubject {
   // A task whose target is what this work made, for teachers who turn the model solution first. Errors:
   // ExerciseError::NothingTurned, ElementMalformed.
   virtual Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const = 0;
+  // What is wrong with the place of a task's target in the stock, for who changes either; empty: nothing.
+  virtual std::vector<Note> placeNotes(const ExerciseTask& task) const {
+    (void)task;
+    return {};
+  }
   // The extensions of the files that a target is imported from: ".step", …
   virtual std::vector<std::string> targetEndings() const = 0;
   struct ImportedTask {
     TaskPointer task;
-    std::vector<Note> notes;        // what the teacher should know of it
+    std::vector<Note> notes;        // what the teacher should know of the file
     std::string place = {};         // group of the properties that say where it lies, to be confirmed; empty: none
     std::optional<Note> lies = {};  // the same as a sentence, as long as none of them is changed
   };

@@ -31,7 +31,11 @@ ForceBounds TurningForce::advance(const TipState& tip, ForceOut& out) noexcept {
   TurningTool carried = m_tool;
   carried.stiffness *= m_share;
   m_isTouching = m_contact.follow(m_channel->patch.read(), carried, hand, gesture != 0, tip.period);
-  m_proxy = sideways(m_tool.side, m_contact.tool().x()) * m_outward + Vec3(0, 0, m_contact.tool().y() + m_base);
+  // In free space it is the hand itself, as recordings have it.
+  m_proxy =
+      m_isTouching
+          ? Vec3(sideways(m_tool.side, m_contact.tool().x()) * m_outward + Vec3(0, 0, m_contact.tool().y() + m_base))
+          : tip.position;
   m_channel->inputs->push({tip, m_proxy, gesture});
   if (!m_isTouching) return {};
   out.isContact = true;

@@ -5,6 +5,7 @@
 #include "machining/TurnedSurface.h"
 #include "machining/TurningPass.h"
 #include "machining/finish/FinishMeter.h"
+#include "simulation/turning/HandPass.h"
 #include "simulation/turning/TurningForce.h"
 
 namespace handwheel {
@@ -41,27 +42,21 @@ class TurningSimulation : public Simulation {
   void step(double dt, std::span<const SimulationInput> inputs) override;
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
   // What was cut since the simulation began, as one pass: cut() with it does the same to the same profile.
-  const TurningPass& pass() const { return m_pass; }
+  const TurningPass& pass() const { return m_hand.pass(); }
 
  private:
   TurnedProfile::Range take(const SimulationInput& input);
-  TurnedProfile::Range add(const Vec3& place, double time);
   bool isDeep(const TurnedProfile& before, const TurnedProfile::Range& changed) const;
-  bool isFull() const { return m_pass.path.size() >= m_mostPoints; }
 
   std::shared_ptr<const TurningState> m_state;
   TurnedProfile m_profile;
-  TurningPass m_pass;
-  double m_base;
+  HandPass m_hand;
+  double m_base;  // mm
   std::shared_ptr<TurningChannel> m_channel;
-  std::size_t m_mostPoints;
   FinishMeter m_finish;
-  std::uint32_t m_passNumber;   // in the part
-  double m_speed;               // r/min; 0: not known
-  std::uint32_t m_number;       // in the channel
-  double m_begin = 0.0;         // s, of the first point of the pass
-  Vec3 m_place = Vec3::Zero();  // mm, s: of the last input that was taken
-  double m_time = 0.0;
+  std::uint32_t m_passNumber;  // in the part
+  double m_speed;              // r/min; 0: not known
+  std::uint32_t m_number;      // in the channel
 };
 
 }  // namespace handwheel

@@ -68,16 +68,21 @@ std::span<const ToolKey> TurnTool::keys() {
   return kKeys;
 }
 
-std::unique_ptr<Simulation> TurnTool::simulation() const {
-  const TurnedPart part = m_present.of(m_document.workpiece());
+// What cuts, for a pass that has no points yet.
+TurningPass TurnTool::blankPass() const {
   TurningPass blank;
   blank.noseRadius = m_tool.noseRadius;
   blank.side = m_tool.side;
   blank.method = m_start.method;
   blank.resolution = m_start.resolution;
+  return blank;
+}
+
+std::unique_ptr<Simulation> TurnTool::simulation() const {
+  const TurnedPart part = m_present.of(m_document.workpiece());
   TurningFinish finish{part.finish, static_cast<std::uint32_t>(part.passes.size()),
                        latheOf(m_document.workpiece()).spindle.speed};
-  return std::make_unique<TurningSimulation>(part.profile, part.surface, std::move(blank), base(), m_channel,
+  return std::make_unique<TurningSimulation>(part.profile, part.surface, blankPass(), base(), m_channel,
                                              TurningPass::kMostPoints, std::move(finish));
 }
 

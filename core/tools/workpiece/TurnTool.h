@@ -5,6 +5,7 @@
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "simulation/SimulatedGesture.h"
+#include "simulation/turning/RecordedPasses.h"
 #include "simulation/turning/TurningSimulation.h"
 #include "tools/ToolKey.h"
 
@@ -42,7 +43,7 @@ class TurnTool : public Tool {
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "turn"; }
-  std::string recordedName() const override { return m_tool.side == TurningSide::Bore ? "turn bore" : id(); }
+  std::string recordedName() const override { return recordedTurning(blankPass()); }
   ToolReply pointer(const PointerEvent& event) override;
   ToolReply perform(std::string_view action) override;
   std::vector<ToolAction> actions() const override;
@@ -54,6 +55,7 @@ class TurnTool : public Tool {
   std::vector<std::string> needs() const override { return {"simulation"}; }
 
  private:
+  TurningPass blankPass() const;
   std::unique_ptr<Simulation> simulation() const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();

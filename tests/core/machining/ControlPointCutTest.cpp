@@ -116,6 +116,23 @@ class ControlPointCutTest : public QObject {
     QVERIFY2(last < 0.05, qPrintable(QString::number(last)));
   }
 
+  // A pass that begins 2 mm deep with a nose of 4 mm leaves a cylinder of 18 mm between two arcs of the nose. Wherever
+  // one looks, the ends too, the error is less than the distance of the control points, and so goes to zero with it.
+  void aPassThatBeginsInTheMaterial() {
+    const ProfilePoint from(22.0, 30.0), to(22.0, 38.0);
+    for (const double resolution : {2.0, 1.0, 0.5, 0.25, 0.125}) {
+      TurnedProfile part(kShaft, 0.02);
+      ControlPointCut(part, resolution).cut(part, TurningSide::Outside, from, to, 4.0);
+      double largest = 0.0;
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const double beyond = std::max({from.y() - part.z(i), part.z(i) - to.y(), 0.0});
+        const double nose = beyond < 4.0 ? 22.0 - std::sqrt(16.0 - beyond * beyond) : 20.0;
+        largest = std::max(largest, std::abs(part.radius(i) - std::min(20.0, nose)));
+      }
+      QVERIFY2(largest < resolution, qPrintable(QStringLiteral("%1: %2").arg(resolution).arg(largest)));
+    }
+  }
+
   // In a bore the mirror image of the outside.
   void boresAsItTurns() {
     TurnedProfile outside(kShaft, 0.1), tube(kShaft, 0.1);

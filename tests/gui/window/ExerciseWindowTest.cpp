@@ -4,10 +4,14 @@
 #include "document/exercise/ExerciseDocument.h"
 #include "document/workpiece/exercise/TurningTask.h"
 #include "haptics/TurningWindow.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
 #include "window/documents/Samples.h"
 
 #include <QDockWidget>
 #include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
@@ -361,12 +365,21 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(driver.settle());
     QTRY_VERIFY(driver.window().findChild<QDialog*>("targetPlaceDialog"));
     dialog = driver.find<QDialog>("targetPlaceDialog");
-    auto* facing = dialog->findChild<QWidget*>("property/facing_allowance")->findChild<QLineEdit*>();
-    QVERIFY(facing->text().startsWith(QLatin1Char('1')));
-    facing->setFocus();
-    facing->selectAll();
-    QTest::keyClicks(facing, "2.5");
-    QTest::keyClick(facing, Qt::Key_Tab);
+    const auto facing = [&] {
+      return dialog->findChild<QWidget*>("property/facing_allowance")->findChild<QLineEdit*>();
+    };
+    const auto enter = [&](const char* length) {
+      facing()->setFocus();
+      facing()->selectAll();
+      QTest::keyClicks(facing(), QString::fromLatin1(length));
+      QTest::keyClick(facing(), Qt::Key_Tab);
+    };
+    QVERIFY(facing()->text().startsWith(QLatin1Char('1')));
+    // 60 mm do not fit behind 50 mm in a bar of 100; what is said of that goes with it.
+    enter("50");
+    QTRY_VERIFY_WITH_TIMEOUT(labelsOf(dialog).contains("does not fit"), kPatienceMs);
+    enter("2.5");
+    QTRY_VERIFY_WITH_TIMEOUT(!labelsOf(dialog).contains("does not fit"), kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(faceIs("97.5\u00a0mm"), kPatienceMs);  // nothing in the dialog tells another place
     QVERIFY(!labelsOf(dialog).contains("behind the free end of the bar"));
     dialog->findChild<QPushButton*>("propertiesAccept")->click();
@@ -396,6 +409,33 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(driver.settle());
     QCOMPARE(driver.tabs(), 3);
     QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Stock"));
+  }
+
+  // Teachers with several documents open know which one is the solution, and which one is a student's; so do the files.
+  void worksAreCalledByTheirExercise() {
+    WindowDriver driver;
+    const auto name = [&] { return driver.window().findChild<DocumentTabs*>()->current()->document.name(); };
+    const auto offered = [&] {
+      driver.choose("saveFileAs");
+      QFileDialog* dialog = nullptr;
+      const auto appears = [&] { return (dialog = driver.window().findChild<QFileDialog*>("saveDialog")) != nullptr; };
+      if (!QTest::qWaitFor(appears, kPatienceMs) || dialog->selectedFiles().isEmpty()) return QString();
+      const QString file = QFileInfo(dialog->selectedFiles().constFirst()).fileName();
+      dialog->reject();
+      const auto goes = [&] { return !driver.window().findChild<QFileDialog*>("saveDialog"); };
+      return QTest::qWaitFor(goes, kPatienceMs) ? file : QString();
+    };
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    driver.choose("openSolution");
+    QVERIFY(driver.settle());
+    QCOMPARE(name(), QStringLiteral("Model solution of Shaft with shoulders"));
+    QCOMPARE(offered(), QStringLiteral("Model solution of Shaft with shoulders.handwheel"));
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    QCOMPARE(name(), QStringLiteral("Work on Shaft with shoulders"));
+    QCOMPARE(offered(), QStringLiteral("Work on Shaft with shoulders.handwheel"));
   }
 
   // Who turns sees what the part is to become, and cannot make another bar of it.

@@ -12,13 +12,17 @@
 namespace handwheel {
 
 PropertyDialog::PropertyDialog(const Text& text, Shown shown, Change change, QWidget* parent)
-    : QDialog(parent), m_shown(std::move(shown)), m_change(std::move(change)), m_list(new PropertyList(this)) {
+    : QDialog(parent),
+      m_shown(std::move(shown)),
+      m_change(std::move(change)),
+      m_intro(new QLabel(text.intro, this)),
+      m_list(new PropertyList(this)) {
   setWindowTitle(text.title);
   setAttribute(Qt::WA_DeleteOnClose);
   auto* column = new QVBoxLayout(this);
-  auto* intro = new QLabel(text.intro, this);
-  intro->setWordWrap(true);
-  column->addWidget(intro);
+  m_intro->setObjectName(QStringLiteral("propertiesIntro"));
+  m_intro->setWordWrap(true);
+  column->addWidget(m_intro);
   m_list->setMinimumSize(460, 170);
   column->addWidget(m_list, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);

@@ -8,6 +8,7 @@
 #include "controls/property/PropertyList.h"
 
 #include <QDialog>
+#include <QLabel>
 #include <functional>
 
 namespace handwheel {
@@ -28,6 +29,7 @@ class PropertyDialog : public QDialog {
 
   // To be called when what is shown has changed by itself.
   void refresh() { m_list->setProperties(m_shown()); }
+  void setIntro(const QString& text) { m_intro->setText(text); }
   void setLengthUnit(LengthUnit unit) { m_list->setLengthUnit(unit); }
   // Changes numbers while they are being typed, and not only when they are entered.
   void followTyping() { connect(m_list, &PropertyList::typed, this, &PropertyDialog::edit); }
@@ -37,6 +39,7 @@ class PropertyDialog : public QDialog {
 
   Shown m_shown;
   Change m_change;
+  QLabel* m_intro;
   PropertyList* m_list;
 };
 

@@ -3,6 +3,7 @@
 #include "document/volume/exercise/DrillingDetails.h"
 
 #include "base/NumberText.h"
+#include "document/volume/exercise/HolePicture.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -101,11 +102,22 @@ ReportCurve heatCurve(const std::vector<DrillMoment>& moments) {
   return curve;
 }
 
-ReportDetails drillingDetails(const DrillingTask& task, const DrillReview& review) {
+ReportDetails drillingDetails(const DrillingTask& task, const DrilledHoles& holes, const DrillReview& review,
+                              Progress progress) {
   const std::vector<DrillMoment>& moments = review.moments;
   ReportDetails details;
   details.seconds = review.figures.end;
+  if (const QImage picture = holePicture(task, holes, review, progress); !picture.isNull())
+    details.pictures.push_back(
+        {picture,
+         {QT_TRANSLATE_NOOP("Note",
+                            "The hole in section along the planned path. Grey: material that is left. Light blue: "
+                            "drilled. Red: drilled beside the planned hole or in the forbidden region, which is pink. "
+                            "Green: the planned path, with its tolerance. Black: the path of the tip.")}});
   if (moments.empty()) return details;
+  if (review.figures.contact)
+    details.figures = {
+        {"thrust", review.figures.thrust}, {"torque", review.figures.torque}, {"heat", review.figures.temperature}};
   const DrillSetup setup = task.setup();
   details.curves = {thrustCurve(setup, moments), torqueCurve(setup, moments), depthCurve(moments), heatCurve(moments)};
   addEvent(

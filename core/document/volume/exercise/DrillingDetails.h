@@ -16,7 +16,9 @@ ReportCurve torqueCurve(const DrillSetup& setup, const std::vector<DrillMoment>&
 ReportCurve depthCurve(const std::vector<DrillMoment>& moments);
 ReportCurve heatCurve(const std::vector<DrillMoment>& moments);
 
-// What a report shows of drilling besides the marks: the curves, the breakthrough, and what went wrong.
-ReportDetails drillingDetails(const DrillingTask& task, const DrillReview& review);
+// What a report shows of drilling besides the marks: the hole in section, the peaks, the curves, the breakthrough, and
+// what went wrong. holes, review: of the same work.
+ReportDetails drillingDetails(const DrillingTask& task, const DrilledHoles& holes, const DrillReview& review,
+                              Progress progress = {});
 
 }  // namespace handwheel

@@ -274,8 +274,9 @@ std::vector<Measurement> DrillingSubject::measure(const Exercise& exercise, cons
 
 ReportDetails DrillingSubject::details(const ExerciseTask& task, const Snapshot& work, Progress progress) const {
   const DrillingTask& drilling = drillingOf(task);
-  const auto review = reviewDrilling(drilling.volume(), drilling.plan, workOf(work).holes, progress);
-  return review ? drillingDetails(drilling, *review) : ReportDetails();
+  const DrilledHoles& holes = workOf(work).holes;
+  const auto review = reviewDrilling(drilling.volume(), drilling.plan, holes, progress.part(0.0, 0.8));
+  return review ? drillingDetails(drilling, holes, *review, progress.part(0.8, 1.0)) : ReportDetails();
 }
 
 DisplayModel DrillingSubject::display(const ExerciseTask& task) const {

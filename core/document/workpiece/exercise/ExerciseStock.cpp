@@ -12,6 +12,12 @@ double targetError(const ExerciseStock& exercise, const TurnedProfile& part) {
   return deviationFrom(*task.target, part, 0.0, {}, {task.lathe.chuckHeight, task.stock.length}).largest();
 }
 
+std::shared_ptr<const WorkpieceSnapshot> turnedWorkIn(const SnapshotPointer& content) {
+  if (auto workpiece = std::dynamic_pointer_cast<const WorkpieceSnapshot>(content)) return workpiece;
+  const auto exercise = std::dynamic_pointer_cast<const ExerciseSnapshot>(content);
+  return exercise ? std::dynamic_pointer_cast<const WorkpieceSnapshot>(exercise->work) : nullptr;
+}
+
 std::optional<ExerciseStock> exerciseStock(const Snapshot& content) {
   const auto* exercise = dynamic_cast<const ExerciseSnapshot*>(&content);
   auto task = exercise ? std::dynamic_pointer_cast<const TurningTask>(exercise->task) : nullptr;

@@ -19,4 +19,7 @@ double targetError(const ExerciseStock& exercise, const TurnedProfile& part);
 // The stock of an exercise document's value; none for other documents, and exercises about other work.
 std::optional<ExerciseStock> exerciseStock(const Snapshot& content);
 
+// The workpiece that a document is, or that is the work on its exercise; null: there is none.
+std::shared_ptr<const WorkpieceSnapshot> turnedWorkIn(const SnapshotPointer& content);
+
 }  // namespace handwheel

@@ -127,13 +127,15 @@ Measurement threadReading(const MarkingCriterion& c, const TurnedProfile& profil
            {std::to_string(reading->grooves), roundedText(reading->largestError, 3)}}};
 }
 
-// The peak of one of the loads.
+// The peak of one of the loads. limit: what the lathe has; tooHeavy: that it was more.
 Measurement peak(const MarkingCriterion& c, const std::vector<MeasuredPart::Load>& loads,
-                 double MeasuredPart::Load::*which) {
+                 double MeasuredPart::Load::*which, double limit, const char* tooHeavy) {
   if (loads.empty()) return {c.id, 0.0, {}};
   const auto largest =
       std::max_element(loads.begin(), loads.end(), [&](const auto& a, const auto& b) { return a.*which < b.*which; });
-  return {c.id, (*largest).*which, {QT_TRANSLATE_NOOP("Note", "after %1 s"), {roundedText(largest->time, 4)}}};
+  const std::string time = roundedText(largest->time, 4);
+  if ((*largest).*which > limit) return {c.id, (*largest).*which, {tooHeavy, {time, roundedText(limit, 4)}}};
+  return {c.id, (*largest).*which, {QT_TRANSLATE_NOOP("Note", "after %1 s"), {time}}};
 }
 
 // What a drill left is that of the passes: programs before it had a figure of its own kept the cusps of a round nose.
@@ -314,8 +316,12 @@ Measurement MeasuredPart::ofPasses(const MarkingCriterion& c) const {
   if (m_passes.empty()) return none(c, QT_TRANSLATE_NOOP("Note", "nothing was cut"));
   if (c.figure == "crashes") return collisions(c);
   if (c.figure == "cutting_time") return {c.id, m_review->seconds(), {}};
-  if (c.figure == "force") return peak(c, loads(), &Load::force);
-  if (c.figure == "power") return peak(c, loads(), &Load::power);
+  if (c.figure == "force")
+    return peak(c, loads(), &Load::force, m_task.forceLimit,
+                QT_TRANSLATE_NOOP("Note", "after %1 s; too heavy a cut: the lathe takes %2 N"));
+  if (c.figure == "power")
+    return peak(c, loads(), &Load::power, m_task.powerLimit,
+                QT_TRANSLATE_NOOP("Note", "after %1 s; too heavy a cut: the lathe has %2 kW"));
   const TurningSide side = c.figure == "roughness" ? TurningSide::Outside : TurningSide::Bore;
   const auto reading = finish(side, rangeOf(c));
   if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "the surface was not cut along the whole range"));

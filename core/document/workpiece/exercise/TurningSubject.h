@@ -41,6 +41,7 @@ class TurningSubject : public ExerciseSubject {
                                    Progress progress) const override;
   nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const override;
   Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const override;
+  std::vector<Note> placeNotes(const ExerciseTask& task) const override;
   std::vector<std::string> targetEndings() const override;
   Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,
                                           std::optional<double> facing, Progress progress) const override;

@@ -31,17 +31,6 @@ Note noteOnPlace(const TargetProfile& target, const StockCylinder& stock) {
           {text(allowanceOf(target, stock)), text(target.upperEnd()), text(target.lowerEnd() - stock.position)}};
 }
 
-std::vector<Note> notesOnSize(const TargetProfile& target, const StockCylinder& stock) {
-  constexpr double kSlack = 1e-3;  // mm
-  const double diameter = 2.0 * target.largestRadius();
-  if (diameter <= stock.diameter + kSlack && target.lowerEnd() >= stock.position - kSlack) return {};
-  return {{QT_TRANSLATE_NOOP("Note",
-                             "The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar "
-                             "to a larger size, then what is left for facing."),
-           {roundedText(diameter, 6), roundedText(target.length(), 6), roundedText(stock.diameter, 6),
-            roundedText(stock.length, 6)}}};
-}
-
 }  // namespace
 
 Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const Snapshot& work) const {
@@ -54,6 +43,21 @@ Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const S
   Result<TargetProfile> target = sectionOf(profile, kTolerance);
   if (!target) return target.error();
   return handwheel::withTarget(task, std::move(target.value()));
+}
+
+std::vector<Note> TurningSubject::placeNotes(const ExerciseTask& task) const {
+  constexpr double kSlack = 1e-3;  // mm
+  const auto& turning = static_cast<const TurningTask&>(task);
+  if (!turning.target) return {};
+  const TargetProfile& target = *turning.target;
+  const StockCylinder& stock = turning.stock;
+  const double diameter = 2.0 * target.largestRadius();
+  if (diameter <= stock.diameter + kSlack && target.lowerEnd() >= stock.position - kSlack) return {};
+  return {{QT_TRANSLATE_NOOP("Note",
+                             "The target, ⌀%1 × %2 mm, does not fit into the bar of ⌀%3 × %4 mm. Set the bar "
+                             "to a larger size, then what is left for facing."),
+           {roundedText(diameter, 6), roundedText(target.length(), 6), roundedText(stock.diameter, 6),
+            roundedText(stock.length, 6)}}};
 }
 
 std::vector<std::string> TurningSubject::targetEndings() const {
@@ -73,9 +77,7 @@ Result<ExerciseSubject::ImportedTask> TurningSubject::withImportedTarget(const E
                  {},
                  path.string()};
   const TargetProfile target = placedTarget(*imported, stock, facing)->profile;
-  std::vector<Note> notes = notesOnSize(target, stock);
-  notes.insert(notes.end(), imported->notes.begin(), imported->notes.end());
-  return ImportedTask{handwheel::withTarget(task, target), std::move(notes), "Target", noteOnPlace(target, stock)};
+  return ImportedTask{handwheel::withTarget(task, target), imported->notes, "Target", noteOnPlace(target, stock)};
 }
 
 Result<ExerciseSubject::RoundedTask> TurningSubject::withRoundedTarget(const ExerciseTask& task, double step,

@@ -47,6 +47,27 @@ class TurningLoadsTest : public QObject {
              QByteArray::number(power));
   }
 
+  // A mark for force or power says that the lathe has not what the cut takes, and only then.
+  void tooHeavyIsInTheMark() {
+    TurningTask task = static_cast<const TurningTask&>(*loadedShoulder()->task);
+    const Json work = {{"passes", {{{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}}}}};
+    const auto snapshot = workFrom(*loadedShoulder(), work);
+    const auto remark = [&](const char* figure) {
+      MarkingCriterion c;
+      c.id = c.figure = figure;
+      return MeasuredPart(task, static_cast<const WorkpieceSnapshot&>(*snapshot), {}).measure(c).remark.inEnglish();
+    };
+    // 1170 N and 1.5 kW, as above.
+    task.forceLimit = 1000.0;
+    task.powerLimit = 1.0;
+    QVERIFY2(remark("force").ends_with("; too heavy a cut: the lathe takes 1000 N"), remark("force").c_str());
+    QVERIFY2(remark("power").ends_with("; too heavy a cut: the lathe has 1 kW"), remark("power").c_str());
+    task.forceLimit = 2000.0;
+    task.powerLimit = 2.0;
+    for (const char* const figure : {"force", "power"})
+      QVERIFY2(remark(figure).starts_with("after ") && remark(figure).ends_with(" s"), remark(figure).c_str());
+  }
+
   // What is said of a pass, or of a program, is of that alone, whatever was cut before.
   void loadsOfEachPass() {
     const TurningTask& task = static_cast<const TurningTask&>(*loadedShoulder()->task);

@@ -9,12 +9,14 @@
 #include "document/exercise/StartedWork.h"
 #include "document/exercise/Submission.h"
 #include "document/volume/exercise/DrillingMeasurements.h"
+#include "document/volume/exercise/HolePicture.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeShapes.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 using namespace handwheel;
@@ -77,6 +79,17 @@ Marking marked(const SnapshotPointer& work) {
 double figureOf(const Marking& marking, const char* id) {
   const Mark* const mark = marking.find(id);
   return mark->value.value_or(std::nan(""));
+}
+
+// The pixels of each colour in the picture of a work.
+std::map<QRgb, double> pixelsOf(const SnapshotPointer& work) {
+  const ReportDetails details = plate()->subject->details(*plate()->task, *work, {});
+  if (details.pictures.size() != 1) qFatal("there is not one picture");
+  const QImage& picture = details.pictures.front().image;
+  std::map<QRgb, double> count;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) ++count[picture.pixel(x, y)];
+  return count;
 }
 
 }  // namespace
@@ -162,6 +175,44 @@ class DrillingSubjectTest : public QObject {
     }
     QVERIFY(std::any_of(details.events.begin(), details.events.end(),
                         [](const ReportEvent& e) { return e.text.inEnglish().find("Breakthrough") == 0; }));
+  }
+
+  // The picture is to scale. The plate is 14 mm by 5; the ball of 4 mm, its tip at 6.5, takes 2 · 2 · 4.5 mm² of it and
+  // what is above the bottom of the ball's lower half: 2 ∫₀^½ √(4 − s²) ds. Lines hide some of that.
+  void pictureOfAHole() {
+    constexpr double kEnd = 0.994785;  // mm², ∫₀^½ √(4 − s²) ds
+    constexpr double kHole = 18.0 + 2.0 * kEnd;
+    auto straight = pixelsOf(workOf(holeTo(6.5)));
+    const double drilled = straight[HoleColours::kDrilled], left = straight[HoleColours::kLeft];
+    QVERIFY2(std::abs(drilled / (drilled + left) - kHole / 70.0) < 0.03, QByteArray::number(drilled / left));
+    QVERIFY(straight[HoleColours::kBeside] < 1e-3 * drilled);
+    QVERIFY(straight[HoleColours::kForbidden] > 0.0 && straight[HoleColours::kLeftForbidden] == 0.0);
+    QVERIFY(straight[HoleColours::kPlanned] > 0.0 && straight[HoleColours::kPath] > 0.0);
+
+    // 1.5 mm beside a path within 0.5 mm: what is further than 2.5 mm from the line is red, 1 mm of the hole's 4.
+    auto beside = pixelsOf(workOf(holeTo(6.5, 1.5)));
+    const double red = beside[HoleColours::kBeside];
+    QVERIFY2(std::abs(red / (red + beside[HoleColours::kDrilled]) - (4.5 + kEnd - 0.5) / kHole) < 0.03,
+             QByteArray::number(red));
+
+    auto untouched = pixelsOf(plate()->subject->start(*plate()->task));
+    QVERIFY(untouched[HoleColours::kLeft] > 0.0 && untouched[HoleColours::kPlanned] > 0.0);
+    QCOMPARE(untouched[HoleColours::kDrilled] + untouched[HoleColours::kBeside] + untouched[HoleColours::kPath], 0.0);
+  }
+
+  // The peaks that a report tells are those of its curves.
+  void peaksOfAHole() {
+    const ReportDetails details = plate()->subject->details(*plate()->task, *workOf(holeTo(6.5)), {});
+    QCOMPARE(details.figures.size(), std::size_t{3});
+    const auto curve = [&](std::size_t i) { return details.curves[i == 2 ? 3 : i].series.front().points; };
+    const std::vector<MeasurementType> types = plate()->subject->figures();
+    for (std::size_t i = 0; i < details.figures.size(); ++i) {
+      QVERIFY(measurementType(types, details.figures[i].figure) != nullptr);
+      double largest = 0.0;
+      for (const auto& point : curve(i)) largest = std::max(largest, point.second);
+      QCOMPARE(details.figures[i].value, largest);
+    }
+    QVERIFY(plate()->subject->details(*plate()->task, *plate()->subject->start(*plate()->task), {}).figures.empty());
   }
 
   // The reference is parallel to ours: deep in the material, its thrust and torque are those of the balance of energy.

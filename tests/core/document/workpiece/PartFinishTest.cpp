@@ -7,6 +7,7 @@
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceKind.h"
+#include "machining/lathe/LatheJson.h"
 
 #include <QtTest>
 #include <cmath>
@@ -163,6 +164,44 @@ class PartFinishTest : public QObject {
     m_kind.save(workpiece, container);
     return container;
   }
+  // Turned, bored, ground and threaded: the passes cut once more in the bar, all at once, give the part and its finish
+  // to the last bit. That is what the command line does with work by hand.
+  void allPassesAgain() {
+    WorkpieceSnapshot workpiece = finished();
+    const auto addPass = [&](TurningPass pass) {
+      pass.times = {0.0, 20.0};
+      pass.speeds = {600.0, 600.0};
+      const std::size_t before = workpiece.part->passes.size();
+      workpiece.part = withPass(workpiece, pass, 0.1);
+      return workpiece.part->passes.size() == before + 1;
+    };
+    TurningPass bore;
+    bore.side = TurningSide::Bore;
+    bore.path = {{6.0, 105.0}, {6.0, 60.0}};
+    QVERIFY(addPass(bore));
+    TurningPass ground;
+    for (const auto& tool : shippedLatheTools())
+      if (tool->id == "disk-100") ground.tool = tool;
+    QVERIFY(ground.tool && ground.tool->isAbrasive());
+    ground.noseRadius = ground.tool->noseRadius;
+    ground.path = {{20.0, 25.0}, {19.99, 55.0}};
+    QVERIFY(addPass(ground));
+    TurningPass thread;
+    thread.noseRadius = 0.2;
+    thread.thread = ThreadCut{};
+    thread.path = {{20.6, 85.0}, {20.6, 65.0}};
+    QVERIFY(addPass(thread));
+
+    std::vector<TurningPass> passes;
+    for (const auto& pass : workpiece.part->passes) passes.push_back(*pass);
+    const auto again = withPasses(WorkpieceSnapshot(), passes, 0.1);
+    QVERIFY(again && again->passes.size() == passes.size());
+    QVERIFY(again->profile == workpiece.part->profile);
+    QVERIFY(again->finish == workpiece.part->finish);
+    QVERIFY(again->threads() != nullptr);
+    QCOMPARE(again->volume(), workpiece.part->volume());
+  }
+
   WorkpieceSnapshot loaded(const Container& container) const {
     std::vector<Error> damage;
     const auto read = m_kind.load(container, damage, {});

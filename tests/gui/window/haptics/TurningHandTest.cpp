@@ -117,10 +117,8 @@ class TurningHandTest : public QObject {
   }
 
   // A recorded session is turned once more by the command line. What can differ: the window begins a pass when it sees
-  // the button, up to a frame after the press, so that the table has some points before it, here beside the bar; and a
-  // point in free space is written as it was read from the device, while the simulation got it by way of its distance
-  // from the axis: the last digits of a cut from there may differ. Otherwise the points are the same, and so is the
-  // part.
+  // the button, up to a frame after the press, so that the table has some points before it, here beside the bar.
+  // Otherwise the points are the same, and so is the part.
   void aRecordingIsTurnedOnceMore() {
     const QTemporaryDir folder;
     const QString bar = folder.filePath("bar.handwheel"), table = folder.filePath("session.csv");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/exercise/SuggestedName.h"
+#include "window/kinds/SuggestedName.h"
 
 namespace handwheel {
 
@@ -17,7 +17,7 @@ QString fileNameOf(const QStringList& words, const QString& ending) {
     if (!part.isEmpty()) parts += part;
   }
   const QString name = parts.join(QStringLiteral(", ")).left(kLongest).trimmed();
-  return (name.isEmpty() ? QStringLiteral("exercise") : name) + QLatin1Char('.') + ending;
+  return (name.isEmpty() ? QStringLiteral("untitled") : name) + QLatin1Char('.') + ending;
 }
 
 }  // namespace handwheel

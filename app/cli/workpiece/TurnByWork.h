@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/workpiece/TurnRequest.h"
+#include "cli/workpiece/TurnStatistics.h"
+
+namespace handwheel {
+
+// The workpiece after the recorded passes of another one are cut in it again. The other was turned, ground, bored
+// or threaded by hand in the window. On the same bar it becomes the same part, bit for bit; crashes that were recorded
+// with them are taken along. Error: Cancelled.
+Result<WorkpieceSnapshot> turnByWork(WorkpieceSnapshot workpiece, const WorkpieceSnapshot& work,
+                                     const TurnRequest& request, TurnStatistics& figures, Progress progress);
+
+}  // namespace handwheel

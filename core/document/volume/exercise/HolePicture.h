@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/volume/exercise/DrillingTask.h"
+#include "volume/drilling/DrillReview.h"
+
+#include <QImage>
+
+namespace handwheel {
+
+// The colours in a picture of a hole.
+struct HoleColours {
+  static constexpr QRgb kAir = qRgb(0xff, 0xff, 0xff);
+  static constexpr QRgb kLeft = qRgb(0xba, 0xbd, 0xb6);
+  static constexpr QRgb kDrilled = qRgb(0xbf, 0xd7, 0xf0);
+  // Further from the planned line than the head with the tolerance reaches, or in the forbidden region.
+  static constexpr QRgb kBeside = qRgb(0xcc, 0x00, 0x00);
+  static constexpr QRgb kForbidden = qRgb(0xf2, 0xc4, 0xc6);
+  static constexpr QRgb kLeftForbidden = qRgb(0xb0, 0x90, 0x92);  // material that is left in the region
+  static constexpr QRgb kPlanned = qRgb(0x33, 0x9e, 0x52);        // the line, and its tolerance in dashes
+  static constexpr QRgb kPath = qRgb(0x00, 0x00, 0x00);           // of the tip
+};
+
+// What was drilled in section along the planned path, to scale, with the path of the tip.
+//
+// The drill comes from above. The section goes through the planned line and the place where the head was furthest from
+// it while it took something. holes, review: of the same work. Null: cancelled. Any thread; O(pixels · balls + poses).
+QImage holePicture(const DrillingTask& task, const DrilledHoles& holes, const DrillReview& review, Progress progress);
+
+}  // namespace handwheel

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "machining/TurningPass.h"
+
+namespace handwheel {
+
+// Builds the pass of a tool that a hand moves, place by place. Live and from a recording it is the same, bit for bit.
+class HandPass {
+ public:
+  // blank: a pass without points, which says what cuts. base: mm, z of the part's lower end where the hand is.
+  // mostPoints: of the pass.
+  HandPass(TurningPass blank, double base, std::size_t mostPoints = TurningPass::kMostPoints)
+      : m_pass(std::move(blank)), m_base(base), m_mostPoints(mostPoints) {}
+
+  // Adds the next place of the nose's centre, mm. time: s, by any clock. speed: r/min of the spindle; 0: not known.
+  // Returns how many points it became: none where the pass is full, and one more where the way passes the axis.
+  std::size_t add(const Vec3& place, double time, double speed);
+
+  const TurningPass& pass() const { return m_pass; }
+  bool isFull() const { return m_pass.path.size() >= m_mostPoints; }
+
+ private:
+  void addPoint(const Vec3& place, double time, double speed);
+
+  TurningPass m_pass;
+  double m_base;
+  std::size_t m_mostPoints;
+  double m_begin = 0.0;         // s, of the first point
+  Vec3 m_place = Vec3::Zero();  // mm, s: that was added last
+  double m_time = 0.0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/recording/Recording.h"
+#include "machining/TurningPass.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace handwheel {
+
+// Names the turning tool in recordings, with what cuts by the blank pass. “turn bore nose 0.8 poles 0.5”: a bore, a
+// nose of 0.8 mm, and control points each 0.5 mm.
+std::string recordedTurning(const TurningPass& blank);
+
+// The passes of the turning tool in a recording of the window. There is one for each press of the first button while
+// the tool was in use, cut by what it was then; a recording that does not say so is one of the outside, with a nose of
+// 1 mm. The nose was where the tip was displayed, at its proxy. A pass ends with the button, or where the tip leaps, as
+// in the window; what was dropped there with Esc is here, too. base: mm, z of the lower end of the part. None where the
+// tool of the manual lathe was in use: its levers and handwheels are not recorded.
+std::optional<std::vector<TurningPass>> passesOf(const Recording& recording, double base);
+
+}  // namespace handwheel
