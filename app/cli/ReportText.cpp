@@ -72,7 +72,9 @@ std::string readableText(const MeshReport& report) {
   text += line("Duplicate triangles", std::to_string(report.duplicateFaces));
   if (report.nearVertices > 0) text += line("Near vertices (pairs)", std::to_string(report.nearVertices));
   if (report.debris > 0) text += line("Debris (pieces)", std::to_string(report.debris));
-  text += line("Volume (mm3)", report.volumeMm3 ? roundedText(*report.volumeMm3) : "undefined, the surface is open");
+  std::string volume = report.volumeMm3 ? roundedText(*report.volumeMm3) : "undefined, the surface is open";
+  if (report.volumeMm3 && report.nestedBodies > 0) volume += ", of all bodies added up";
+  text += line("Volume (mm3)", volume);
   text += line("Bounding box (mm)", point(report.box.min()) + " to " + point(report.box.max()));
   text += loopTable(report.loops, false, "Holes");
   text += loopTable(report.loops, true, "Outer boundaries of open sheets");

@@ -163,12 +163,13 @@ Result<SurfaceVolume> volumeByDensity(const TriangleSoup& soup, double voxel, Pr
         if (!made.volume.content(at).block && rays[0].isInside(VolumeBlock::kSize * at))
           made.volume.setContent(at, {nullptr, true});
       }
-  makeDistances(made.volume, blocks, DepthWindow::Beside::Corrected, progress.part(0.8, 1.0));
+  makeDistances(made.volume, blocks, DepthWindow::Beside::Corrected, progress.part(0.8, 0.95));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (!(made.volume.material() > 0.0)) return prepared->nothingInside();
   std::vector<Vec3> places;
   for (const AxisRays& axis : rays) axis.addBounding(places);
-  made.nearShare = nearShare(made.volume, places);
+  made.nearShare = nearShare(made.volume, places, progress.part(0.95, 1.0));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (const auto lost = lossRefusal(made.volume, made.nearShare, made.expected / std::max(1, rays[0].mostTurns())))
     return *lost;
   return made;

@@ -189,8 +189,10 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   made.expected = prepared->enclosed();
   if (!(made.volume.material() > 0.0)) return prepared->nothingInside();
   made.kept = keptPlaces(found.places, soup.triangles.size(), made.volume);
-  made.nearShare = rows.isSimple() ? prepared->nearShare(made.volume, bounding)
-                                   : nearShare(made.volume, inVoxels(made.kept, made.volume));
+  const Progress comparing = progress.part(0.9, 1.0);
+  made.nearShare = rows.isSimple() ? prepared->nearShare(made.volume, bounding, comparing)
+                                   : nearShare(made.volume, inVoxels(made.kept, made.volume), comparing);
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   // What a membrane closes is not enclosed by cones.
   const double least = caps.wide.empty() ? made.expected / std::max(1, rows.mostTurns()) : 0.0;
   if (const auto lost = lossRefusal(made.volume, made.nearShare, least)) return *lost;

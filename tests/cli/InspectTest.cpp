@@ -213,7 +213,13 @@ class InspectTest : public QObject {
     QCOMPARE(statistics(hollow.off()).at("nested_bodies").get<int>(), 0);
     const Bench bench;
     bench.put("a.off", solid.off());
-    QVERIFY(bench.run({"inspect", "a.off"}).out.contains("Inside others             1 body\n"));
+    const QByteArray text = bench.run({"inspect", "a.off"}).out;
+    QVERIFY(text.contains("Inside others             1 body\n"));
+    // 27 mm³ and 1 within them; a cavity is taken off.
+    QVERIFY2(text.contains("Volume (mm3)              28, of all bodies added up\n"), text.constData());
+    bench.put("b.off", hollow.off());
+    const QByteArray other = bench.run({"inspect", "b.off"}).out;
+    QVERIFY2(other.contains("Volume (mm3)              26\n"), other.constData());
     const Ran kept = bench.run({"repair", "a.off", "-o", "b.off"});
     QVERIFY2(kept.code == 0 && kept.err.contains("1 body lies inside another; --unite removes"), kept.err);
     const Ran united = bench.run({"repair", "a.off", "--unite", "-o", "c.off"});

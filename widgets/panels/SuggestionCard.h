@@ -8,7 +8,9 @@
 
 class QAction;
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
+class QToolButton;
 
 namespace handwheel {
 
@@ -26,7 +28,8 @@ struct Suggestion {
   bool isEmpty() const { return title.isEmpty(); }
 };
 
-// A card over the lower edge of the viewport with the suggested next step.
+// A card over the lower edge of the viewport with the suggested next step. It is as wide as keeps it low, and can be
+// folded to one line with the first action; it stays folded for the steps that follow, of all documents.
 class SuggestionCard : public QFrame {
   Q_OBJECT
 
@@ -45,12 +48,19 @@ class SuggestionCard : public QFrame {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void setFolded(bool folded);
+  void showButtons();
+  int widthIn(const QSize& room) const;
   void place();
 
+  Suggestion m_step;
+  bool m_isFolded = false;
   QLabel* m_icon;
   QLabel* m_title;
   QLabel* m_detail;
-  QGridLayout* m_buttons;
+  QToolButton* m_fold;
+  QHBoxLayout* m_first;    // of a folded card: the first action, in the line of the title
+  QGridLayout* m_buttons;  // else all of them
 };
 
 }  // namespace handwheel

@@ -138,7 +138,7 @@ Result<Answer> remeshFile(const Request& request, const OperationValues& values,
   const Result<ExportReport> written =
       exportMesh(made->mesh, NumberType::Float64, request.output, progress.part(0.8, 1.0));
   if (!written) return written.error();
-  done.isSound = written->inFile.isSound();
+  done.isSound = written->isSound();
   done.report = {
       {"triangles_before", made->before}, {"triangles", made->mesh.liveFaceCount()}, {"sound", done.isSound}};
   if (made->largestDistance) done.report["distance_mm"] = *made->largestDistance;
@@ -170,7 +170,8 @@ CommandSpec remeshSpec() {
                       "VOLUME",
                       "Creates a mesh of the surface of a volume: closed, manifold, oriented and free of "
                       "self-intersections.\n"
-                      "Exit code 0: done; 1: error; 2: done, but rounded to the numbers of the file it is not that.",
+                      "Exit code 0: done; 1: error; 2: done, but rounded to the numbers of the file it is not that,\n"
+                      "or has triangles without area.",
                       {{"output", 'o', "OUT", "The mesh, in any format of meshes"}}};
   for (OptionSpec& option : optionsOf(remeshOperation())) spec.options.push_back(std::move(option));
   spec.options = withShared(std::move(spec.options));

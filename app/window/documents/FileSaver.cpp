@@ -24,11 +24,12 @@ namespace handwheel {
 
 namespace {
 
-// Whether another program wrote the document's own file since it was read or saved. A file that is gone is no loss.
+// Whether another program may have written the document's own file since it was read or saved: it differs from what the
+// document came from, or a recovered document does not know what that was. A file that is gone is no loss.
 bool wasChanged(const DocumentFile& file, const std::filesystem::path& target) {
-  if (!file.stamp || target.string() != file.path) return false;
+  if (target.string() != file.path) return false;
   const std::optional<FileTimestamp> now = timestampOf(target);
-  return now && *now != *file.stamp;
+  return now && now != file.stamp;
 }
 
 QStringList lossesOf(const WrittenFile& written) {

@@ -233,7 +233,7 @@ int DefectActions::selectedLoop() const {
 MeshChange DefectActions::thickening() const {
   std::vector<Vertex> keys;
   for (const int id : sheets()) keys.push_back(m_document->inspection.keyOf(id));
-  return thickenFix(std::move(keys), options(), m_thickness);
+  return thickenFix(std::move(keys), options(), thickness());
 }
 
 MeshChange DefectActions::uniting() const {
@@ -245,7 +245,11 @@ MeshChange DefectActions::cutting() const {
 }
 
 double DefectActions::thickness() const {
-  return m_thickness > 0.0 ? m_thickness : defaultSheetThickness(m_document->document.defects().box);
+  if (m_thickness > 0.0) return m_thickness;
+  std::vector<Box> outlines;
+  for (const int id : sheets()) outlines.push_back(m_document->inspection.loop(id).box);
+  const MeshDocument& document = m_document->document;
+  return proposedSheetThickness(outlines, document.defects().box, millimetresPer(document.displayUnit()));
 }
 
 std::vector<int> DefectActions::sheets() const {

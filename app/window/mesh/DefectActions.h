@@ -82,7 +82,7 @@ class DefectActions : public QObject {
   int m_row = -1;
   bool m_mayFix = false, m_mayCut = false;  // unless the preview shows that it would change nothing
   const QAction* m_pointed = nullptr;       // whose button has the pointer
-  double m_thickness = 0.0;                 // mm; 0: the default
+  double m_thickness = 0.0;                 // mm; 0: what is proposed
   QAction m_fix;
   QAction m_thickenSheet;
   QAction m_cutAndClose;

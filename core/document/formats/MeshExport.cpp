@@ -8,6 +8,7 @@
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/Weld.h"
 #include "proximity/SelfIntersection.h"
+#include "proximity/TriangleIntersection.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -31,6 +32,12 @@ bool sameCorners(const TriangleSoup& meant, NumberType numbers, const TriangleSo
     }
   }
   return true;
+}
+
+std::size_t countDegenerate(const TriangleSoup& soup) {
+  return static_cast<std::size_t>(std::count_if(soup.triangles.begin(), soup.triangles.end(), [&](const Triangle& t) {
+    return isDegenerate({soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]});
+  }));
 }
 
 // What another program will find in the file.
@@ -59,6 +66,13 @@ std::vector<Note> notesOn(const ExportReport& report) {
                                        "Rounded to the numbers of this format, %1 more pairs of triangles intersect. "
                                        "3MF, PLY, OBJ and OFF keep all digits."),
                      {std::to_string(report.roundingPairs)},
+                     true});
+  }
+  if (report.roundingDegenerate > 0) {
+    notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                       "Rounded to the numbers of this format, %1 more triangles have no area. "
+                                       "3MF, PLY, OBJ and OFF keep all digits; or move the part to the origin."),
+                     {std::to_string(report.roundingDegenerate)},
                      true});
   }
   if (!report.parted.empty()) {
@@ -123,6 +137,10 @@ Result<EncodedMesh> encodeMesh(const HalfEdgeMesh& mesh, NumberType documentNumb
   if (pairs > 0 && encoded.report.roundingMove > 0.0) {  // thin places may lose their thickness
     const auto before = selfIntersections(compact.soup.points, compact.soup.triangles, progress.part(0.95, 1.0));
     if (before && before->size() < pairs) encoded.report.roundingPairs = pairs - before->size();
+  }
+  if (encoded.report.inFile.degenerateFaces > 0 && encoded.report.roundingMove > 0.0) {
+    const std::size_t before = countDegenerate(compact.soup), now = encoded.report.inFile.degenerateFaces;
+    encoded.report.roundingDegenerate = now - std::min(before, now);
   }
   if (progress.cancelled()) return cancelledExport();
   encoded.report.bytes = bytes->size();

@@ -24,7 +24,11 @@ struct ExportReport {
   // The file's triangles after welding equal positions, as another program will see them. Self-intersections are
   // counted where a vertex was rounded.
   MeshReport inFile;
-  std::size_t roundingPairs = 0;  // of triangles that intersect in the file only
+  std::size_t roundingPairs = 0;       // of triangles that intersect in the file only
+  std::size_t roundingDegenerate = 0;  // triangles that are degenerate in the file only
+
+  // Whether the file holds the boundary of a solid, with none of its triangles lost to rounding.
+  bool isSound() const { return inFile.isSound() && roundingDegenerate == 0; }
 };
 
 // The messages about a file that was written.

@@ -84,8 +84,12 @@ std::vector<Property> MeshDocument::properties() const {
   add("size_y", QT_TRANSLATE_NOOP("Property", "Size in Y"), size.y(), Quantity::Length);
   add("size_z", QT_TRANSLATE_NOOP("Property", "Size in Z"), size.z(), Quantity::Length);
   add("area", QT_TRANSLATE_NOOP("Property", "Surface area (mm²)"), area, Quantity::Number);
+  // A cavity is taken off, as its faces look inward. A body inside another is added, as in slicers, which is said.
+  const char* const label = m_defects->nestedBodies == 0
+                                ? QT_TRANSLATE_NOOP("Property", "Volume (mm³)")
+                                : QT_TRANSLATE_NOOP("Property", "Volume of all bodies added up (mm³)");
   if (const MeshState state = m_defects->state({}); state.closed && state.oriented)
-    add("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), volume, Quantity::Number);
+    add("volume", label, volume, Quantity::Number);
   for (Property& common : Document::properties()) all.push_back(std::move(common));
   return all;
 }

@@ -9,6 +9,7 @@
 #include "mesh/structure/PositionKey.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -179,6 +180,18 @@ double defaultSheetThickness(const Box& box) {
 
 double defaultSheetThickness(const HalfEdgeMesh& mesh) {
   return defaultSheetThickness(boundsOf(mesh));
+}
+
+double proposedSheetThickness(std::span<const Box> outlines, const Box& part, double unit) {
+  constexpr double kShare = 0.01, kOfNoise = 10.0;
+  double largest = 0.0;
+  for (const Box& outline : outlines)
+    if (!outline.isEmpty()) largest = std::max(largest, outline.diagonal().norm());
+  if (!(largest > 0.0) || part.isEmpty()) return defaultSheetThickness(part);
+  const double wanted = std::max(kShare * largest, kOfNoise * tolerance::kNearWeld * part.diagonal().norm()) / unit;
+  const double digit = std::floor(std::log10(wanted)), scale = std::pow(10.0, std::abs(digit));
+  const double rounded = digit < 0.0 ? std::round(wanted * scale) / scale : std::round(wanted / scale) * scale;
+  return std::isfinite(rounded) ? rounded * unit : defaultSheetThickness(part);
 }
 
 std::vector<Face> sheetOf(const HalfEdgeMesh& mesh, Face f) {

@@ -60,6 +60,11 @@ ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, std::span<const OpenSheet> she
 double defaultSheetThickness(const Box& box);
 double defaultSheetThickness(const HalfEdgeMesh& mesh);  // O(n)
 
+// The thickness that a person is offered for sheets with outlines in these boxes, mm: a hundredth of the diagonal of
+// the largest, to one digit in a unit of so many mm. No less than some tenfold of what separates near vertices of the
+// part; the default without outlines of a finite size.
+double proposedSheetThickness(std::span<const Box> outlines, const Box& part, double unit);
+
 // Finds all faces connected with this one through paired edges, this one first.
 std::vector<Face> sheetOf(const HalfEdgeMesh& mesh, Face f);
 

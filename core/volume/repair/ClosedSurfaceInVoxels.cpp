@@ -3,6 +3,7 @@
 #include "volume/repair/ClosedSurfaceInVoxels.h"
 
 #include "base/NumberText.h"
+#include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/MeshErrors.h"
 #include "mesh/structure/Weld.h"
 #include "volume/SurfaceToVolume.h"
@@ -46,12 +47,15 @@ double ClosedSurfaceInVoxels::enclosed() const {
   return six / 6.0 * std::pow(grid.voxel(), 3.0);
 }
 
-double ClosedSurfaceInVoxels::nearShare(const SparseVolume& volume, const std::vector<bool>& isUsed) const {
-  constexpr double kApart = 4.0;  // voxels between places, about
-  constexpr int kMost = 64;       // parts of an edge
+double ClosedSurfaceInVoxels::nearShare(const SparseVolume& volume, const std::vector<bool>& isUsed,
+                                        const Progress& progress) const {
+  constexpr double kApart = 4.0;                 // voxels between places, about
+  constexpr int kMost = 64;                      // parts of an edge
+  constexpr std::size_t kTrianglesPerPoll = 64;  // each with up to kMost² places
   const VolumeReader reader(volume);
   double near = 0.0, all = 0.0;
   for (std::size_t i = 0; i < closed.triangles.size(); ++i) {
+    if (!pollProgress(i, closed.triangles.size(), progress, kTrianglesPerPoll)) return 0.0;
     if (!isUsed[i]) continue;
     const Triangle& t = closed.triangles[i];
     const Vec3 &a = closed.points[t[0]], ab = closed.points[t[1]] - a, ac = closed.points[t[2]] - a;
@@ -70,10 +74,13 @@ double ClosedSurfaceInVoxels::nearShare(const SparseVolume& volume, const std::v
   return all > 0.0 ? near / all : 0.0;
 }
 
-double nearShare(const SparseVolume& volume, const std::vector<Vec3>& places) {
+double nearShare(const SparseVolume& volume, const std::vector<Vec3>& places, const Progress& progress) {
   const VolumeReader reader(volume);
   std::size_t near = 0;
-  for (const Vec3& place : places) near += isNearSurface(reader, place);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!pollProgress(i, places.size(), progress, kSearchesPerPoll)) return 0.0;
+    near += isNearSurface(reader, places[i]);
+  }
   return places.empty() ? 1.0 : static_cast<double>(near) / static_cast<double>(places.size());
 }
 

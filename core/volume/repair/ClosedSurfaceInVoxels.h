@@ -24,15 +24,15 @@ struct ClosedSurfaceInVoxels {
   VoxelIndex blocks() const;
   // Signed volume inside, in mm³; of overlaps each counts.
   double enclosed() const;
-  // The share of the area of some triangles that is near the volume's surface, by places all over them.
-  double nearShare(const SparseVolume& volume, const std::vector<bool>& isUsed) const;
+  // The share of the area of some triangles that is near the volume's surface, by places all over them. 0 if cancelled.
+  double nearShare(const SparseVolume& volume, const std::vector<bool>& isUsed, const Progress& progress) const;
   // Why a volume without material is none. Errors: VolumeErrors::NoVoxelInside, NothingInside.
   Error nothingInside() const;
 };
 
 // The share of places, in voxels of the volume's grid, that have samples of both sides among the 4 x 4 x 4 around them.
-// All others are farther than a voxel from its surface. 1 of no places.
-double nearShare(const SparseVolume& volume, const std::vector<Vec3>& places);
+// All others are farther than a voxel from its surface. 1 of no places; 0 if cancelled.
+double nearShare(const SparseVolume& volume, const std::vector<Vec3>& places, const Progress& progress);
 
 // The error where a volume is none of the surface that it was made of: it kept less than kLeastKept of what bounds it,
 // or of what it encloses. Errors: VolumeErrors::SurfaceIsLost, MaterialIsLost. expected: mm³, that it has to hold.

@@ -3,9 +3,12 @@
 #include "Accessibility.h"
 #include "ControlScenes.h"
 #include "ControlsTestMain.h"
+#include "panels/SuggestionCard.h"
 #include "panels/Tile.h"
 
+#include <QAbstractButton>
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QProgressBar>
 #include <QSignalSpy>
 #include <QTest>
@@ -31,6 +34,7 @@ class PanelsTest : public QObject {
   void jobsThatWaitAndGo();
   void servicesKeepTheirRows();
   void hiddenStatusAsksNobody();
+  void cardIsLowAndFolds();
 };
 
 void PanelsTest::startPageByKeyboard() {
@@ -272,6 +276,53 @@ void PanelsTest::hiddenStatusAsksNobody() {
   asked = 0;
   QTest::qWait(700);
   QCOMPARE(asked, 0);
+}
+
+// A long text makes it wider before it makes it higher. Folded, one line is left, with the first action; it stays
+// folded for what comes next, and nothing of it is lost when it is unfolded.
+void PanelsTest::cardIsLowAndFolds() {
+  QWidget view;
+  view.resize(800, 500);
+  QAction first("Repair all"), second("Go one by one");
+  first.setObjectName("first");
+  second.setObjectName("second");
+  SuggestionCard card(&view);
+  view.show();
+  const auto isShown = [&](const char* name) {
+    const auto* widget = card.findChild<QWidget*>(name);
+    return widget && widget->isVisible();
+  };
+  Suggestion step{"warning", Qt::red, "3 holes found.", "A word.", {&first, &second}};
+  card.showStep(step);
+  const int usual = card.width();
+  step.detail = QString("A sentence about what was found and about what is to be done. ").repeated(10);
+  card.showStep(step);
+  QVERIFY(card.width() > usual);
+  QVERIFY(view.rect().contains(card.geometry()));
+  QVERIFY(isShown("nextStep/first") && isShown("nextStep/second") && isShown("nextStepDetail"));
+
+  const int unfolded = card.height();
+  auto* const fold = card.findChild<QToolButton*>("nextStepFold");
+  QSignalSpy covers(&card, &SuggestionCard::covers);
+  fold->click();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  QVERIFY(card.height() < unfolded / 2);
+  QVERIFY(!covers.isEmpty() && covers.last()[0].toInt() < unfolded);
+  QVERIFY(isShown("nextStepTitle") && isShown("nextStep/first"));
+  QVERIFY(!isShown("nextStep/second") && !isShown("nextStepDetail"));
+  QSignalSpy triggered(&first, &QAction::triggered);
+  card.findChild<QAbstractButton*>("nextStep/first")->click();
+  QCOMPARE(triggered.size(), 1);
+
+  step.title = "1 hole left.";
+  step.actions = {&second, &first};
+  card.showStep(step);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  QVERIFY(isShown("nextStep/second") && !isShown("nextStep/first") && !isShown("nextStepDetail"));
+  fold->click();
+  QVERIFY(isShown("nextStep/second") && isShown("nextStep/first") && isShown("nextStepDetail"));
+  card.showStep({});
+  QVERIFY(!card.isVisible());
 }
 
 HANDWHEEL_CONTROLS_TEST(PanelsTest)

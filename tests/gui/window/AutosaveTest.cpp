@@ -9,6 +9,9 @@
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileActions.h"
 
+#include <QDirIterator>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QPushButton>
 #include <QStandardPaths>
 
@@ -174,6 +177,36 @@ class AutosaveTest : public QObject {
     QVERIFY(driver.settle());
     QVERIFY2(driver.text("messageText").contains("another program"), qPrintable(driver.text("messageText")));
     QCOMPARE(readStl(path).size(), quadTorus(24, 12, {}).size());
+  }
+
+  // An autosave that does not say what its file was like. Once somebody has agreed, the document knows.
+  void anUnknownFileIsNotOverwritten() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("part.stl");
+    writeStl(path, quadTorus(48, 24, {{3, 5}}));
+    openFillAndCrash(path);
+    const QString root = QString::fromStdString(recoveryFolder().string());
+    int changed = 0;
+    for (QDirIterator files(root, {"*.json"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
+      QFile info(files.next());
+      QVERIFY(info.open(QIODevice::ReadWrite));
+      QJsonObject text = QJsonDocument::fromJson(info.readAll()).object();
+      if (!text.contains("stamp")) continue;
+      text.remove("stamp");
+      QVERIFY(info.resize(0) && info.seek(0) && info.write(QJsonDocument(text).toJson()) > 0);
+      ++changed;
+    }
+    QCOMPARE(changed, 1);
+    WindowDriver driver;
+    recoverIn(driver);
+    driver.choose("saveFile");
+    QVERIFY(driver.settle());
+    QVERIFY2(driver.text("messageText").contains("another program"), qPrintable(driver.text("messageText")));
+    QVERIFY(openEdges(readStl(path)) > 0);
+    driver.click("messageOther");  // replace
+    QVERIFY(driver.settle());
+    QCOMPARE(openEdges(readStl(path)), 0);
+    QVERIFY(!driver.window().isWindowModified());
   }
 
   // What the rest of a damaged file holds stays in it: "Save" asks for another name, as it did before the crash.

@@ -5,6 +5,7 @@
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 
 using namespace handwheel;
@@ -271,7 +272,7 @@ class DefectFixesWindowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
   }
 
-  // The panel shows the thickness of the body, a thousandth of the diagonal, and takes another; the log says which.
+  // The panel shows the thickness of the body, a hundredth of the diagonal, and takes another; the log says which.
   void thicknessOfASheet() {
     WindowDriver driver;
     const auto flat = [](std::uint32_t i, std::uint32_t j) { return Vec3(30.0 * i, 40.0 * j, 0.0); };
@@ -279,9 +280,9 @@ class DefectFixesWindowTest : public QObject {
     driver.clickDefect(DefectKind::KeptOpen, 0);
     auto* line = driver.find<QWidget>("sheetThickness")->findChild<QLineEdit*>();
     QVERIFY(line->isVisible());
-    QVERIFY2(line->text().startsWith("0.5"), qPrintable(line->text()));
+    QVERIFY2(line->text().startsWith("5"), qPrintable(line->text()));
     const auto* action = driver.find<QAction>("thickenSheet");
-    QCOMPARE(action->text().remove('&'), QString("Thicken sheets by 0.500 mm"));
+    QCOMPARE(action->text().remove('&'), QString("Thicken sheets by 5.00 mm"));
     line->setFocus();
     line->selectAll();
     QTest::keyClicks(line, "2");

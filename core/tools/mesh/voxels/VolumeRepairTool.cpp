@@ -34,19 +34,37 @@ VolumeRepairTool::VolumeRepairTool(MeshDocument& document, MeshServices services
   measure();
 }
 
-// O(n); once for each change of the mesh.
+// Once for each change of the mesh: what is known of it at once, and a job that looks at each triangle.
 void VolumeRepairTool::measure() {
-  const TriangleSoup surface = m_document.mesh().compact().soup;
-  Box box;
-  for (const Vec3& p : surface.points) box.extend(p);
+  const Defects& known = m_document.defects();
+  const Box& box = known.box;
   m_extent = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
-  m_measure = measureForWalls(surface);
-  m_usual = surface.triangles.empty() ? 0.0 : usualVoxel(surface);
+  m_usual = box.isEmpty() ? 0.0 : usualVoxel(TriangleSoup{{box.min(), box.max()}, {}});
+  m_area = 0.0;
+  for (const Component& part : known.components) m_area += part.area;
+  m_walls.reset();
+  m_job = std::make_shared<const int>();
+  m_services.run({QT_TRANSLATE_NOOP("Tool", "Measuring the mesh"),
+                  [this, mesh = m_document.mesh(), job = std::weak_ptr(m_job)](const Progress& progress) {
+                    const WallMeasure found =
+                        progress.cancelled() ? WallMeasure() : measureForWalls(mesh.compact().soup);
+                    return std::function<void()>([this, found, job] {
+                      if (job.expired()) return;
+                      m_job.reset();
+                      m_walls = found;
+                      reportUpdated();
+                    });
+                  }});
 }
 
-double VolumeRepairTool::predictedBytes() const {
-  return predictedRepairBytes(m_measure.areaWith(m_wish.wall), m_extent,
-                              {.voxel = voxelFor(m_wish, m_usual), .gaps = m_wish.gaps});
+// Of what is sampled, mm². Absent while that is measured.
+std::optional<double> VolumeRepairTool::area() const {
+  if (!(m_wish.wall > 0.0)) return m_area;
+  return m_walls ? std::optional(m_walls->areaWith(m_wish.wall)) : std::nullopt;
+}
+
+double VolumeRepairTool::predictedBytes(double sampled) const {
+  return predictedRepairBytes(sampled, m_extent, {.voxel = voxelFor(m_wish, m_usual), .gaps = m_wish.gaps});
 }
 
 void VolumeRepairTool::documentChanged() {
@@ -55,8 +73,9 @@ void VolumeRepairTool::documentChanged() {
 
 ToolReply VolumeRepairTool::perform(std::string_view action) {
   if (action == "revert") return ToolReply::Finished;
-  if (action != "commit") return ToolReply::Ignored;
-  const double bytes = predictedBytes();
+  const std::optional<double> sampled = area();
+  if (action != "commit" || !sampled) return ToolReply::Ignored;
+  const double bytes = predictedBytes(*sampled);
   VolumeRepairWish wish = m_wish;
   wish.isAgreed = needsConsent(bytes);
   const auto start = [commit = m_services.commit, wish, numbers = m_document.fileNumbers()] {
@@ -75,7 +94,9 @@ std::span<const ToolKey> VolumeRepairTool::keys() {
 
 std::vector<ToolAction> VolumeRepairTool::actions() const {
   const bool isBusy = m_services.isBusy();
-  ToolAction commit = actionOf(kVolumeRepairKeys, "commit", m_usual > 0.0 && !isBusy);
+  const bool isMeasured = area().has_value();
+  ToolAction commit = actionOf(kVolumeRepairKeys, "commit", m_usual > 0.0 && isMeasured && !isBusy);
+  if (!isMeasured) commit.reason = QT_TRANSLATE_NOOP("Tool", "the mesh is being measured");
   if (isBusy) commit.reason = QT_TRANSLATE_NOOP("Tool", "a job that changes this mesh is running");
   return {commit, actionOf(kVolumeRepairKeys, "revert")};
 }
@@ -84,22 +105,27 @@ std::vector<Property> VolumeRepairTool::settings() const {
   if (!(m_usual > 0.0)) return {};
   Property voxel = volumeRepairOperation().find("voxel")->property;
   voxel.value = voxelFor(m_wish, m_usual);
-  Property memory;
-  memory.id = "memory";
-  memory.label = QT_TRANSLATE_NOOP("Property", "Memory for the voxels (MB)");
-  memory.value = std::ceil(predictedBytes() / 1e6);
-  memory.editable = false;
-  Property seconds;
-  seconds.id = "seconds";
-  seconds.label = QT_TRANSLATE_NOOP("Property", "Time for the voxels, about (s)");
-  seconds.value = roundedTo(predictedMakingSeconds(m_measure.areaWith(m_wish.wall), voxelFor(m_wish, m_usual)));
-  seconds.editable = false;
   Property wall = volumeRepairOperation().find("wall")->property;
   wall.value = m_wish.wall;
   Property gaps = volumeRepairOperation().find("close-gaps")->property;
   gaps.id = "close_gaps";
   gaps.value = m_wish.gaps;
-  return {std::move(voxel), std::move(gaps), std::move(wall), std::move(memory), std::move(seconds)};
+  std::vector<Property> all{std::move(voxel), std::move(gaps), std::move(wall)};
+  const std::optional<double> sampled = area();
+  if (!sampled) return all;
+  Property memory;
+  memory.id = "memory";
+  memory.label = QT_TRANSLATE_NOOP("Property", "Memory for the voxels (MB)");
+  memory.value = std::ceil(predictedBytes(*sampled) / 1e6);
+  memory.editable = false;
+  Property seconds;
+  seconds.id = "seconds";
+  seconds.label = QT_TRANSLATE_NOOP("Property", "Time for the voxels, about (s)");
+  seconds.value = roundedTo(predictedMakingSeconds(*sampled, voxelFor(m_wish, m_usual)));
+  seconds.editable = false;
+  all.push_back(std::move(memory));
+  all.push_back(std::move(seconds));
+  return all;
 }
 
 void VolumeRepairTool::setSetting(std::string_view id, const PropertyValue& value) {

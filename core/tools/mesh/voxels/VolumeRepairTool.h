@@ -8,6 +8,9 @@
 #include "tools/mesh/voxels/VolumeRepairChange.h"
 #include "volume/repair/TriangleWalls.h"
 
+#include <memory>
+#include <optional>
+
 namespace handwheel {
 
 class MeshDocument;
@@ -35,14 +38,17 @@ class VolumeRepairTool : public Tool {
 
  private:
   void measure();
-  double predictedBytes() const;
+  std::optional<double> area() const;
+  double predictedBytes(double sampled) const;  // mm²
 
   MeshDocument& m_document;
   MeshServices m_services;
   AskForMemory m_ask;
-  WallMeasure m_measure;         // of the mesh
-  Vec3 m_extent = Vec3::Zero();  // of the mesh, mm
-  double m_usual = 0.0;          // voxel, mm; 0: there are no triangles
+  double m_area = 0.0;                 // of the mesh, mm²
+  std::optional<WallMeasure> m_walls;  // of the mesh; absent while a job measures it
+  std::shared_ptr<const int> m_job;    // null when none is running; its result holds on to this
+  Vec3 m_extent = Vec3::Zero();        // of the mesh, mm
+  double m_usual = 0.0;                // voxel, mm; 0: there are no triangles
   VolumeRepairWish m_wish;
 };
 

@@ -136,6 +136,24 @@ class MeshExportTest : public QObject {
     QCOMPARE(exported(pairAtAnEdge(0.5), NumberType::Float64, "a.stl").report.roundingPairs, std::size_t{0});
   }
 
+  // A triangle less high than a step of single precision has no area in an STL file. One that had none before does not
+  // count.
+  void saysWhatLosesItsAreaInTheFile() {
+    const TriangleSoup thin{{{0, 0, 1}, {1, 0, 1}, {0.5, 0, 1 + 1e-9}}, {{0, 1, 2}}};
+    const ExportReport report = exported(thin, NumberType::Float64, "a.stl").report;
+    QCOMPARE(report.inFile.degenerateFaces, std::size_t{1});
+    QCOMPARE(report.roundingDegenerate, std::size_t{1});
+    const std::vector<Note> notes = notesOn(report);
+    QVERIFY(std::any_of(notes.begin(), notes.end(), [](const Note& note) { return note.isLoss; }));
+    QCOMPARE(exported(thin, NumberType::Float64, "a.ply").report.roundingDegenerate, std::size_t{0});
+    const TriangleSoup flat{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0.1, 1, 0}, {1, 1, 0}, {0, 2, 0}},
+                            {{0, 1, 2}, {3, 4, 5}}};
+    const ExportReport moved = exported(flat, NumberType::Float64, "a.stl").report;
+    QVERIFY(moved.roundingMove > 0.0);
+    QCOMPARE(moved.inFile.degenerateFaces, std::size_t{1});
+    QCOMPARE(moved.roundingDegenerate, std::size_t{0});
+  }
+
   // 1e-12 is far below a step of single precision at 1: both edges would become one with four faces.
   void partsWhatRoundingWouldWeld() {
     const TriangleSoup soup = pairAtAnEdge(1e-12);

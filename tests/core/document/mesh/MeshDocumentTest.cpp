@@ -361,6 +361,18 @@ class MeshDocumentTest : public QObject {
     document->history()->undo();
     QCOMPARE(value(*document, "area"), std::optional(30.0));
     QVERIFY(std::abs(value(*document, "volume").value_or(0.0) - 7.0) < 1e-12);
+    // A body inside another is no cavity: both volumes are added, under a name that says so.
+    const auto labelOf = [](const MeshDocument& of) {
+      for (const Property& each : of.properties())
+        if (each.id == "volume") return std::string(each.label);
+      return std::string();
+    };
+    QCOMPARE(labelOf(*document), std::string("Volume (mm³)"));
+    TriangleSoup solid = test::cube(2.0);
+    test::append(solid, test::cube(1.0, {0.5, 0.5, 0.5}));
+    const auto nested = documentOf(solid);
+    QVERIFY(std::abs(value(*nested, "volume").value_or(0.0) - 9.0) < 1e-12);
+    QCOMPARE(labelOf(*nested), std::string("Volume of all bodies added up (mm³)"));
     QVERIFY(!value(*documentOf(sheet(2)), "volume"));
     QVERIFY(!value(*documentOf({}), "volume"));
   }

@@ -30,6 +30,7 @@ class InsideOutShellsTest : public QObject {
  private slots:
   void shells_data();
   void shells();
+  void platesAsThinAsRounding();
   void cancelled();
 };
 
@@ -81,6 +82,17 @@ void InsideOutShellsTest::shells() {
   if (!std::isnan(volume)) QCOMPARE(test::volume(mesh.compact().soup), volume);
   for (Vertex v = 0; v < before.vertexSlots(); ++v) QVERIFY(test::sameBits(mesh.position(v), before.position(v)));
   if (turned > 0) QCOMPARE(orientOutward(mesh), std::size_t{0});  // once is enough
+}
+
+// An inside-out plate of 1 × 1 has no inside as long as its volume is less than 1e-14 of area times diagonal, 2 √2.
+void InsideOutShellsTest::platesAsThinAsRounding() {
+  const auto found = [](double share) {
+    const double thickness = share * 1e-14 * 2.0 * M_SQRT2;
+    const TriangleSoup plate = test::box({0, 0, -0.5 * thickness}, {1, 1, thickness});
+    return findInsideOutShells(buildMesh(test::turnedOver(plate)).mesh).size();
+  };
+  QCOMPARE(found(0.9), std::size_t{0});
+  QCOMPARE(found(1.1), std::size_t{1});
 }
 
 void InsideOutShellsTest::cancelled() {

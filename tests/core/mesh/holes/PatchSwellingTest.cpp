@@ -7,22 +7,47 @@
 #include "mesh/holes/HoleFiller.h"
 #include "mesh/structure/MeshBuilder.h"
 
+#include <algorithm>
+#include <cmath>
+
 using namespace handwheel;
 
 namespace {
 
-// A tapering tube up to z = 0, closed below, open above with radius 1. The normals of its sides have this cosine to z.
-TriangleSoup taperingTube(double cosine) {
-  constexpr std::uint32_t n = 48, cells = 8;
-  const double taper = cosine / std::sqrt(1.0 - cosine * cosine) / std::cos(M_PI / n);
-  TriangleSoup s = test::grid(n, cells + 1, true, false, [&](std::uint32_t i, std::uint32_t j) {
-    const double u = 2.0 * M_PI * i / n, z = double(j) / cells - 1.0, r = 1.0 - taper * z;
-    return Vec3(r * std::cos(u), r * std::sin(u), z);
+// A round surface up to z = 0, closed below, open above with radius 1. side: radius, 0 and height, from below.
+TriangleSoup turned(const std::vector<Vec3>& side) {
+  constexpr std::uint32_t n = 48;
+  const auto rings = static_cast<std::uint32_t>(side.size());
+  TriangleSoup s = test::grid(n, rings, true, false, [&](std::uint32_t i, std::uint32_t j) {
+    const double u = 2.0 * M_PI * i / n;
+    return Vec3(side[j].x() * std::cos(u), side[j].x() * std::sin(u), side[j].z());
   });
   const auto low = static_cast<std::uint32_t>(s.points.size());
-  s.points.push_back(Vec3(0, 0, -1));
-  for (std::uint32_t i = 0; i < n; ++i) s.triangles.push_back({low, (i + 1) % n * (cells + 1), i * (cells + 1)});
+  s.points.push_back(Vec3(0, 0, side.front().z()));
+  for (std::uint32_t i = 0; i < n; ++i) s.triangles.push_back({low, (i + 1) % n * rings, i * rings});
   return s;
+}
+
+// Its side leans by 45° at the opening, by this angle (radian) in the ring below, and by 60° below that. The less the
+// second ring leans, the higher a patch rises that continues the curvature.
+TriangleSoup hat(double second) {
+  std::vector<Vec3> side{Vec3(1, 0, 0)};
+  for (const double lean : {M_PI / 4.0, second, M_PI / 3.0, M_PI / 3.0, M_PI / 3.0})
+    side.push_back(side.back() + 0.13 * Vec3(std::cos(lean), 0, -std::sin(lean)));
+  std::reverse(side.begin(), side.end());
+  return turned(side);
+}
+
+// A tapering tube up to z = 0, closed below, open above with radius 1. The normals of its sides have this cosine to z.
+TriangleSoup taperingTube(double cosine) {
+  constexpr int n = 48, cells = 8;
+  const double taper = cosine / std::sqrt(1.0 - cosine * cosine) / std::cos(M_PI / n);
+  std::vector<Vec3> side;
+  for (int j = 0; j <= cells; ++j) {
+    const double z = double(j) / cells - 1.0;
+    side.emplace_back(1.0 - taper * z, 0, z);
+  }
+  return turned(side);
 }
 
 // A tetrahedron within the height of the tube, so far away that the box of both has this diagonal.
@@ -34,10 +59,11 @@ TriangleSoup withFarPart(TriangleSoup s, double diagonal) {
   return s;
 }
 
-FillAttempt faired(const TriangleSoup& soup) {
+FillAttempt faired(const TriangleSoup& soup, Continuity continuity = Continuity::Tangent) {
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
   FillOptions options;
   options.method = FillMethod::Fair;
+  options.continuity = continuity;
   options.tryOthers = false;
   return HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), options);
 }
@@ -46,6 +72,22 @@ double heightOf(const Patch& patch) {
   double height = 0.0;
   for (const Vec3& p : patch.points) height = std::max(height, p.z());
   return height;
+}
+
+// Of the patch over a hat that continues the curvature, or, where that swells too far, the tangents: that is far lower.
+double heightOver(const TriangleSoup& soup) {
+  const FillAttempt attempt = faired(soup, Continuity::Curvature);
+  return attempt.failure == FillFailure::None ? heightOf(attempt.patch) : -1.0;
+}
+
+// The lean of the second ring with which a patch rises so high in a model that is much larger, from a high one to a
+// low.
+double leanFor(double height, double high, double low) {
+  for (int i = 0; i < 16; ++i) {
+    const double middle = 0.5 * (high + low);
+    (heightOver(withFarPart(hat(middle), 1e4)) > height ? high : low) = middle;
+  }
+  return 0.5 * (high + low);
 }
 
 }  // namespace
@@ -57,6 +99,8 @@ class PatchSwellingTest : public QObject {
  private slots:
   void capCosine();
   void modelSwelling();
+  void capSlack();
+  void patchSwelling();
 };
 
 // A patch that continues the sides rises out of the top by far more than a hundredth of the model.
@@ -74,6 +118,28 @@ void PatchSwellingTest::modelSwelling() {
   QVERIFY(diagonal > 10.0);
   QCOMPARE(faired(withFarPart(tube, diagonal / 0.98)).failure, FillFailure::None);
   QCOMPARE(faired(withFarPart(tube, diagonal / 1.02)).failure, FillFailure::Bulging);
+}
+
+// Out of a small model a patch may rise by the slack over a cap. Over a circle of radius 1 that is tan(a / 2) high for
+// a border that leans by a: by 45°, but for the chords of the circle.
+void PatchSwellingTest::capSlack() {
+  const double limit = tolerance::kCapSlack * std::tan(0.5 * std::atan(1.0 / std::cos(M_PI / 48.0)));
+  const auto leanOf = [&](double share) { return leanFor(share * limit, 0.0, M_PI / 4.0); };
+  QVERIFY(std::abs(heightOver(hat(leanOf(0.98))) - 0.98 * limit) < 1e-3);
+  const double above = heightOver(hat(leanOf(1.02)));
+  QVERIFY(above > 0.0 && above < 0.7 * limit);
+}
+
+// Of the diagonal of the loop's box, 2 √2, however large the model is. What is higher cannot be measured: the lean for
+// it goes on evenly from those below.
+void PatchSwellingTest::patchSwelling() {
+  const double limit = tolerance::kPatchSwelling * 2.0 * M_SQRT2;
+  const auto leanOf = [&](double share) { return leanFor(share * limit, -M_PI / 8.0, M_PI / 8.0); };
+  const double at = leanOf(0.90), step = at - leanOf(0.86);
+  const auto heightWith = [](double lean) { return heightOver(withFarPart(hat(lean), 1e4)); };
+  QVERIFY(std::abs(heightWith(at + 2.0 * step) - 0.98 * limit) < 0.01 * limit);
+  const double above = heightWith(at + 3.0 * step);
+  QVERIFY(above > 0.0 && above < 0.5 * limit);
 }
 
 HANDWHEEL_TEST(PatchSwellingTest)

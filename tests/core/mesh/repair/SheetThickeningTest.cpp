@@ -82,6 +82,7 @@ class SheetThickeningTest : public QObject {
   void saysWhatWasReached();
   void noRoomForTheThickness();
   void flakesNobodyAskedFor();
+  void proposals();
 };
 
 // A prism under the triangle.
@@ -394,6 +395,28 @@ void SheetThickeningTest::flakesNobodyAskedFor() {
       QVERIFY(std::abs(trial.thickness.largest - expected) < 1e-12);
     }
   }
+}
+
+// A hundredth of 500 mm; of 13 mm to one digit, in millimetres and in inches; and never what near vertices are merged
+// by.
+void SheetThickeningTest::proposals() {
+  const auto boxOf = [](double x, double y) { return Box(Vec3::Zero(), Vec3(x, y, 0)); };
+  const auto proposed = [](const Box& outline, const Box& part, double unit = 1.0) {
+    return proposedSheetThickness({&outline, 1}, part, unit);
+  };
+  QCOMPARE(proposed(boxOf(300, 400), boxOf(300, 400)), 5.0);
+  QCOMPARE(proposed(boxOf(5, 12), boxOf(300, 400)), 0.1);
+  QCOMPARE(proposed(boxOf(0.03, 0.04), boxOf(0.03, 0.04)), 0.0005);
+  QCOMPARE(proposed(boxOf(3e5, 4e5), boxOf(3e5, 4e5)), 5000.0);
+  QVERIFY(isNear(proposed(boxOf(9.6, 0), boxOf(9.6, 0)), 0.1));
+  QVERIFY(isNear(proposed(boxOf(300, 400), boxOf(300, 400), 25.4), 0.2 * 25.4));  // 0.197"
+  QVERIFY(isNear(proposed(boxOf(1e-3, 0), boxOf(300, 400)), 0.05));               // 10 times 1e-5 of 500 mm
+  const std::vector<Box> two{boxOf(5, 12), boxOf(300, 400)};
+  QCOMPARE(proposedSheetThickness(two, boxOf(300, 400), 1.0), 5.0);
+  QCOMPARE(proposedSheetThickness({}, boxOf(300, 400), 1.0), defaultSheetThickness(boxOf(300, 400)));
+  QCOMPARE(proposed(boxOf(0, 0), boxOf(300, 400)), defaultSheetThickness(boxOf(300, 400)));
+  QCOMPARE(proposed(Box(), Box()), 0.0);
+  QVERIFY(proposed(boxOf(5e-310, 0), boxOf(5e-310, 0)) >= 0.0);
 }
 
 HANDWHEEL_TEST(SheetThickeningTest)

@@ -158,6 +158,14 @@ void VertexOffsetsTest::noneWithoutRoom() {
                .margin,
            0.0);
   QCOMPARE(widestBehind({Vec3(0, 0, 1)}).direction, Vec3(0, 0, -1));
+  // A sharp edge: the margin behind its two planes is the sine of half of its angle, and at least a thousandth.
+  const auto behindEdge = [](double sine) {
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    return widestBehind({Vec3(cosine, 0, sine), Vec3(-cosine, 0, sine)});
+  };
+  QCOMPARE(behindEdge(0.98e-3).margin, 0.0);
+  QVERIFY(std::abs(behindEdge(1.02e-3).margin - 1.02e-3) < 1e-12);
+  QVERIFY((behindEdge(1.02e-3).direction - Vec3(0, 0, -1)).norm() < 1e-9);
 }
 
 void VertexOffsetsTest::oneOffsetWhereThereIsOne() {

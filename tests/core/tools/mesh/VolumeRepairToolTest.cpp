@@ -47,6 +47,7 @@ class VolumeRepairToolTest : public QObject {
   void theVoxelOfTheUserStays();
   void gapsAreFilledOnRequest();
   void noTriangles();
+  void wallsAreMeasuredByAJob();
   void aSheetStaysWithTheReason();
   void aSheetBecomesAWall();
   void aCancelledRepairChangesNothing();
@@ -129,6 +130,34 @@ void VolumeRepairToolTest::noTriangles() {
   const VolumeRepairTool tool(*document, immediateServices(*document));
   QVERIFY(!tool.actions().front().enabled);
   QVERIFY(tool.settings().empty());
+}
+
+// Nothing waits for it but a repair with walls; a result that comes after a change of the mesh counts no more.
+void VolumeRepairToolTest::wallsAreMeasuredByAJob() {
+  test::Work work(test::cube(10.0));
+  std::vector<ToolJob> jobs;
+  MeshServices services = work.services();
+  services.run = [&](const ToolJob& job) { jobs.push_back(job); };
+  const MeshServices atOnce = work.services();
+  VolumeRepairTool tool(*work.document, services), measured(*work.document, atOnce);
+  const auto canStart = [](const VolumeRepairTool& one) { return one.actions().front().enabled; };
+  QVERIFY(canStart(tool));
+  QCOMPARE(settingOf(tool, "memory"), settingOf(measured, "memory"));
+  for (VolumeRepairTool* each : {&tool, &measured}) each->setSetting("wall", 2.0);
+  QVERIFY(!canStart(tool));
+  QVERIFY(!tool.actions().front().reason.empty());
+  QCOMPARE(settingOf(tool, "memory"), -1.0);
+  QCOMPARE(tool.perform("commit"), ToolReply::Ignored);
+  QVERIFY(canStart(measured));
+  QCOMPARE(jobs.size(), std::size_t{1});
+  const std::function<void()> late = jobs[0].work(Progress());
+  tool.documentChanged();
+  late();
+  QVERIFY(!canStart(tool));
+  QCOMPARE(jobs.size(), std::size_t{2});
+  jobs[1].work(Progress())();
+  QVERIFY(canStart(tool));
+  QCOMPARE(settingOf(tool, "memory"), settingOf(measured, "memory"));
 }
 
 void VolumeRepairToolTest::aSheetStaysWithTheReason() {

@@ -16,6 +16,7 @@
 
 #include <QTest>
 #include <cmath>
+#include <tuple>
 
 using namespace handwheel;
 
@@ -74,6 +75,7 @@ class FoldedRegionRemovalTest : public QObject {
   void whatIsToStayOpenStays();
   void farFromTheSurfaceNothingGoes();
   void movesUpToTheTolerance();
+  void bodiesGoUpToTheirTolerance();
   void noWorkAllowed();
   void cancelled();
 };
@@ -166,6 +168,34 @@ void FoldedRegionRemovalTest::movesUpToTheTolerance() {
   const auto move = moveIn(folded, 1e4);
   QVERIFY(move && *move > 0.1);
   const double diagonal = *move / tolerance::kFoldedRegionMove;
+  QVERIFY(moveIn(folded, diagonal / 0.98).has_value());
+  QVERIFY(!moveIn(folded, diagonal / 1.02).has_value());
+}
+
+// A wedge through a folded face, all of whose faces cross it, belongs to the folded region as a whole. Its edge outside
+// is much farther from any patch than patches are from each other.
+void FoldedRegionRemovalTest::bodiesGoUpToTheirTolerance() {
+  const HalfEdgeMesh ball = tangledBall();
+  TrianglePoints widest{};
+  double inner = 0.0;  // radius of its inscribed circle
+  for (const HalfEdge h : upperLoops(ball).at(0).halfEdges) {
+    const TrianglePoints p = ball.points(HalfEdgeMesh::face(h));
+    const double around = (p[1] - p[0]).norm() + (p[2] - p[1]).norm() + (p[0] - p[2]).norm();
+    const double radius = (p[1] - p[0]).cross(p[2] - p[0]).norm() / around;
+    if (radius > inner) std::tie(inner, widest) = std::tie(radius, p);
+  }
+  const Vec3 middle = (widest[0] + widest[1] + widest[2]) / 3.0;
+  Vec3 out = (widest[1] - widest[0]).cross(widest[2] - widest[0]).normalized();
+  if (out.dot(middle) < 0.0) out = -out;
+  const double size = 0.2 * inner, length = 5.0;
+  const Vec3 u = size * (widest[1] - widest[0]).normalized(), v = u.cross(out), outer = middle + length * out;
+  TriangleSoup soup = ball.compact().soup;
+  test::append(soup, {{middle - size * out - u, middle - size * out + u, outer - v, outer + v},
+                      {{0, 2, 1}, {1, 3, 0}, {2, 0, 3}, {3, 1, 2}}});
+  const HalfEdgeMesh folded = buildMesh(soup).mesh;
+  const auto move = moveIn(folded, 1e4);
+  QVERIFY(move && *move > 0.6 * length);
+  const double diagonal = *move / tolerance::kFoldedRegionBodyMove;
   QVERIFY(moveIn(folded, diagonal / 0.98).has_value());
   QVERIFY(!moveIn(folded, diagonal / 1.02).has_value());
 }

@@ -5,10 +5,12 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "base/Tolerance.h"
 #include "mesh/repair/Repair.h"
 #include "mesh/repair/intersections/SelfIntersectionRemoval.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
+#include "mesh/structure/SolidAngle.h"
 
 #include <QTest>
 #include <algorithm>
@@ -58,6 +60,17 @@ TriangleSoup shearedWalls(TriangleSoup s) {
   return s;
 }
 
+// A prism over a regular triangle of side 1, of this height and without its lid. The base is its largest face.
+TriangleSoup openPrism(double height) {
+  TriangleSoup s;
+  for (const double z : {0.0, height})
+    for (int i = 0; i < 3; ++i)
+      s.points.emplace_back(std::cos(2.0 * M_PI * i / 3.0) / std::sqrt(3.0),
+                            std::sin(2.0 * M_PI * i / 3.0) / std::sqrt(3.0), z);
+  s.triangles = {{0, 2, 1}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+  return s;
+}
+
 const Box kCube = block({0, 0, 0}, {10, 10, 10});
 
 }  // namespace
@@ -75,6 +88,7 @@ class SharedWallsTest : public QObject {
   void withoutACommonWallBothStay();
   void anInnerBodyStays();
   void aHoleElsewhere();
+  void windingDoubt();
   void cancelled();
 
  private:
@@ -216,6 +230,29 @@ void SharedWallsTest::aHoleElsewhere() {
   const TriangleSoup left = mesh.compact().soup;
   QCOMPARE(test::countEdges(left).border, std::size_t{3});
   QVERIFY(std::abs(test::area(left) - (2.0 * 100.0 + 4.0 * 150.0 - 0.5)) < 1e-9);
+}
+
+// Two equal prisms without a lid. Seen from the middle of the base, the lid has a solid angle Ω, and the winding number
+// in front of the base, 0 for closed ones, is -Ω / 2π.
+void SharedWallsTest::windingDoubt() {
+  const auto lidFrom = [](double height) {
+    const TriangleSoup s = openPrism(height);
+    return solidAngle({s.points[3], s.points[4], s.points[5]}, Vec3::Zero());
+  };
+  const auto removed = [&](double share) {
+    double low = 0.1, high = 0.8;  // where the base is larger than a triangle of a side
+    const double wanted = 2.0 * M_PI * share * tolerance::kWindingDoubt;
+    if (lidFrom(low) < wanted || lidFrom(high) > wanted) qFatal("no such height");
+    for (int i = 0; i < 100; ++i) (lidFrom(0.5 * (low + high)) > wanted ? low : high) = 0.5 * (low + high);
+    const TriangleSoup prism = openPrism(low);
+    HalfEdgeMesh mesh = buildMesh(prism).mesh;
+    std::vector<Vertex> again;  // built together, one would be turned over: their borders meet
+    for (const Vec3& p : prism.points) again.push_back(mesh.addVertex(p));
+    for (const Triangle& t : prism.triangles) mesh.addFace({again[t[0]], again[t[1]], again[t[2]]});
+    return uniteAtWalls(mesh, 0, Uniting::SharedWalls);
+  };
+  QCOMPARE(removed(0.98), std::size_t{7});
+  QCOMPARE(removed(1.02), std::size_t{0});
 }
 
 void SharedWallsTest::cancelled() {
