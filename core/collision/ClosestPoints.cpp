@@ -70,10 +70,9 @@ class PiecePair {
     }
     if (!found) return std::nullopt;
     hint = {found->leaves.first, found->leaves.second, hint.normal};
-    const Vec3 normal = (found->first - found->second).stableNormalized();
-    if (found->distance > 0.0) hint.normal = m_world.linear() * normal;
-    return inWorld(found->distance, found->first - m_a.margin() * normal, found->second + m_b.margin() * normal,
-                   normal);
+    const ClosestPoints points = pointsOf(*found);
+    if (found->distance > 0.0) hint.normal = points.normal;
+    return points;
   }
 
   double bound(double than, double upTo, PairHint& hint) {
@@ -91,6 +90,13 @@ class PiecePair {
     return !found.empty() || isAnyWithin();
   }
 
+  void addContacts(double margin, std::size_t most, std::vector<PieceContact>& contacts) {
+    for (const PairTraversal::Nearest& found : m_walk.within(margin, most)) {
+      contacts.push_back({m_a.triangleOf(found.leaves.first), m_b.triangleOf(found.leaves.second),
+                          found.isMeeting ? lastTouch(found.leaves) : pointsOf(found)});
+    }
+  }
+
  private:
   // A mesh has a surface only, so that what is in it may meet none of its triangles.
   static bool isWithin(const PieceTree& inner, const Pose& poseInner, const CollisionPiece& outer,
@@ -104,12 +110,39 @@ class PiecePair {
     return isWithin(m_a, Pose::Identity(), m_second, m_pose) || isWithin(m_b, m_pose, m_first, Pose::Identity());
   }
 
+  // Of shapes that do not meet within the margins.
+  ClosestPoints pointsOf(const PairTraversal::Nearest& found) const {
+    const Vec3 normal = (found.first - found.second).stableNormalized();
+    return inWorld(found.distance, found.first - m_a.margin() * normal, found.second + m_b.margin() * normal, normal);
+  }
+
+  MeetingShapes shapesOf(const PairTraversal::Leaves& leaves) const {
+    return {m_a.shape(leaves.first, Pose::Identity()), m_b.shape(leaves.second, m_pose)};
+  }
+
+  // Of two leaves that meet. A little further out than they come apart they are closest where they touch last; there,
+  // unlike at the deepest corner, both of them are.
+  ClosestPoints lastTouch(const PairTraversal::Leaves& leaves) const {
+    const MeetingShapes shapes = shapesOf(leaves);
+    const WayOut way = leastWayOut({shapes}, Vec3::Zero(), isClosedMesh(m_first), isClosedMesh(m_second));
+    const double depth = std::max(0.0, way.depth), whole = depth + m_a.margin() + m_b.margin();
+    constexpr double kShare = 0.01, kLeast = 1e-3;  // mm
+    const Vec3 moved = (depth + std::max(kShare * depth, kLeast)) * way.normal;
+    ConvexShape first = shapes.first;
+    for (Vec3& corner : first.corners) corner += moved;
+    first.pose.pretranslate(moved);
+    const ConvexNearest touch = nearestOf(first, shapes.second, std::numeric_limits<double>::infinity());
+    const bool isKnown = touch.distance > 0.0;  // else lost in rounding
+    const Vec3 deepest = isKnown ? Vec3(touch.first - moved) : way.deepest;
+    const Vec3 other = isKnown ? touch.second : Vec3(way.deepest + depth * way.normal);
+    return inWorld(-whole, deepest - m_a.margin() * way.normal, other + m_b.margin() * way.normal, way.normal);
+  }
+
   // Of leaves that meet.
   ClosestPoints apart(const std::vector<PairTraversal::Leaves>& meeting, const PairHint& hint) {
     std::vector<MeetingShapes> shapes;
     shapes.reserve(meeting.size());
-    for (const PairTraversal::Leaves& leaves : meeting)
-      shapes.push_back({m_a.shape(leaves.first, Pose::Identity()), m_b.shape(leaves.second, m_pose)});
+    for (const PairTraversal::Leaves& leaves : meeting) shapes.push_back(shapesOf(leaves));
     const Vec3 last = m_world.linear().transpose() * hint.normal;
     const WayOut way = leastWayOut(shapes, last, isClosedMesh(m_first), isClosedMesh(m_second));
     const double depth = std::max(0.0, way.depth) + m_a.margin() + m_b.margin();
@@ -188,6 +221,19 @@ bool areMeeting(const CollisionPiece& a, const Pose& poseA, const CollisionPiece
   }
   PiecePair pair(a, poseA, b, poseB, counts);
   return !pair.isEmpty() && pair.isMeeting(hint);
+}
+
+void addContacts(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB, double margin,
+                 std::size_t most, std::vector<PieceContact>& contacts, QueryCounts& counts) {
+  ++counts.exact;
+  if (const auto found = byFormula(a, poseA, b, poseB)) {
+    ++counts.pairs;
+    const bool isContact = found->distance < margin || found->distance <= 0.0;
+    if (isContact && most > 0) contacts.push_back({kNone, kNone, *found});
+    return;
+  }
+  PiecePair pair(a, poseA, b, poseB, counts);
+  if (!pair.isEmpty()) pair.addContacts(margin, most, contacts);
 }
 
 }  // namespace handwheel

@@ -5,6 +5,7 @@
 #include "collision/CollisionBody.h"
 
 #include <optional>
+#include <vector>
 
 namespace handwheel {
 
@@ -41,5 +42,20 @@ double distanceBound(const CollisionPiece& a, const Pose& poseA, const Collision
 // Whether two pieces meet, or one is inside of the other. Quicker than a bound.
 bool areMeeting(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB, PairHint& hint,
                 QueryCounts& counts);
+
+// A place where two pieces touch, or nearly.
+struct PieceContact {
+  std::uint32_t first = kNone, second = kNone;  // triangles, by their numbers in the soups; kNone: a solid
+  // Of these two alone: apart, they have a distance; where they meet, the distance is the depth of their least way out,
+  // of some that are tried, and the points are where they touch last on it.
+  ClosestPoints points;
+};
+
+// Adds all pairs of a triangle or solid of the one piece and one of the other that are nearer to each other than the
+// margin, or meet. Just touching is meeting, and with a margin of 0 only what meets is found. Triangles are surfaces:
+// what lies within a closed mesh without meeting its surface has no contact. At most so many are added. margin: mm, at
+// least 0.
+void addContacts(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB, double margin,
+                 std::size_t most, std::vector<PieceContact>& contacts, QueryCounts& counts);
 
 }  // namespace handwheel

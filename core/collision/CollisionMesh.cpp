@@ -27,8 +27,8 @@ bool hasNoBorder(const TriangleSoup& soup) {
   return !forth.empty() && forth == back;
 }
 
-// Points at the same place are one.
-TriangleSoup welded(const TriangleSoup& soup) {
+// Points at the same place are one. numbers: those that its triangles had before.
+TriangleSoup welded(const TriangleSoup& soup, std::vector<std::uint32_t>& numbers) {
   TriangleSoup made;
   std::vector<std::uint32_t> order(soup.points.size()), number(soup.points.size(), kNone);
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -43,10 +43,13 @@ TriangleSoup welded(const TriangleSoup& soup) {
     if (k == 0 || key(order[k]) != key(order[k - 1])) made.points.push_back(soup.points[order[k]]);
     number[order[k]] = static_cast<std::uint32_t>(made.points.size() - 1);
   }
-  for (const Triangle& t : soup.triangles) {
+  for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
+    const Triangle& t = soup.triangles[i];
     if (!isFinite(t[0]) || !isFinite(t[1]) || !isFinite(t[2])) continue;
     const Triangle mapped{number[t[0]], number[t[1]], number[t[2]]};
-    if (mapped[0] != mapped[1] && mapped[1] != mapped[2] && mapped[2] != mapped[0]) made.triangles.push_back(mapped);
+    if (mapped[0] == mapped[1] || mapped[1] == mapped[2] || mapped[2] == mapped[0]) continue;
+    made.triangles.push_back(mapped);
+    numbers.push_back(i);
   }
   return made;
 }
@@ -91,8 +94,8 @@ int passes(const Vec3& p, const std::array<const Vec3*, 3>& corners) {
 }  // namespace
 
 CollisionMesh::CollisionMesh(const TriangleSoup& original) {
-  const TriangleSoup soup = welded(original);
   auto hierarchy = std::make_unique<Hierarchy>();
+  const TriangleSoup soup = welded(original, hierarchy->numbers);
   hierarchy->model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
   std::vector<fcl::Triangle> triangles;
   for (const Triangle& t : soup.triangles) triangles.emplace_back(t[0], t[1], t[2]);

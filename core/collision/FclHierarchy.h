@@ -12,7 +12,8 @@ namespace handwheel {
 // need thousands of times as long for collisions.
 struct CollisionMesh::Hierarchy {
   std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> model;
-  std::vector<double> radii;  // mm: of spheres around the boxes, node by node
+  std::vector<double> radii;           // mm: of spheres around the boxes, node by node
+  std::vector<std::uint32_t> numbers;  // of its triangles, in the soup that it was made of
 };
 
 }  // namespace handwheel

@@ -4,6 +4,7 @@
 
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -103,14 +104,24 @@ std::optional<PairTraversal::Nearest> PairTraversal::nearest(double enough, cons
   return m_found;
 }
 
-void PairTraversal::collect(int a, int b) {
-  if (m_meeting.size() >= m_most) return;
+// For what meets the boxes tell as much as distances, and are quicker.
+bool PairTraversal::mayBeWithin(int a, int b) {
+  if (m_reach > 0.0) {
+    m_least = m_reach;
+    return boundOf(a, b) < m_reach;
+  }
   ++m_counts.volumes;
-  if (!fcl::overlap(m_turn, m_shift, m_a.bound(a).obb, m_b.bound(b).obb)) return;
+  return fcl::overlap(m_turn, m_shift, m_a.bound(a).obb, m_b.bound(b).obb);
+}
+
+void PairTraversal::collect(int a, int b) {
+  if (m_within.size() >= m_most || !mayBeWithin(a, b)) return;
   if (m_a.isLeaf(a) && m_b.isLeaf(b)) {
+    // Each pair by itself: how near those before it are is no bound for it.
+    m_least = m_reach > 0.0 ? m_reach : std::numeric_limits<double>::infinity();
     m_found.reset();
     look(m_a.leafOf(a), m_b.leafOf(b));
-    if (m_found && m_found->isMeeting) m_meeting.push_back(m_found->leaves);
+    if (m_found && (m_reach > 0.0 || m_found->isMeeting)) m_within.push_back(*m_found);
     return;
   }
   const bool isFirst = isSplitFirst(a, b);
@@ -118,17 +129,32 @@ void PairTraversal::collect(int a, int b) {
   collect(isFirst ? m_a.right(a) : a, isFirst ? b : m_b.right(b));
 }
 
-std::vector<PairTraversal::Leaves> PairTraversal::meeting(std::size_t most, const Leaves& hint) {
-  m_meeting.clear();
+void PairTraversal::collectAll(double reach, std::size_t most) {
+  m_within.clear();
+  m_reach = reach;
   m_most = most;
+  collect(0, 0);
+}
+
+std::vector<PairTraversal::Leaves> PairTraversal::meeting(std::size_t most, const Leaves& hint) {
   m_least = std::numeric_limits<double>::infinity();
   m_found.reset();
   if (most == 1 && isValid(hint) && fcl::overlap(m_turn, m_shift, m_a.bound(0).obb, m_b.bound(0).obb)) {
     look(hint.first, hint.second);
     if (m_found && m_found->isMeeting) return {hint};
   }
-  collect(0, 0);
-  return m_meeting;
+  collectAll(0.0, most);
+  std::vector<Leaves> leaves;
+  leaves.reserve(m_within.size());
+  for (const Nearest& each : m_within) leaves.push_back(each.leaves);
+  return leaves;
+}
+
+const std::vector<PairTraversal::Nearest>& PairTraversal::within(double enough, std::size_t most) {
+  // What touches is listed, too: with a margin around the shapes that is what is no further apart than that.
+  const double least = std::nextafter(m_margin, std::numeric_limits<double>::infinity());
+  collectAll(enough > 0.0 ? std::max(enough + m_margin, least) : m_margin > 0.0 ? least : 0.0, most);
+  return m_within;
 }
 
 bool PairTraversal::mayMeet() {

@@ -34,11 +34,15 @@ class PairTraversal {
   // The leaves that meet, at most so many; one of them: that which met last time, if it still does. The margins do not
   // count.
   std::vector<Leaves> meeting(std::size_t most, const Leaves& hint);
+  // The pairs of leaves nearer than `enough`, or that meet, with the margins; each once, at most so many.
+  const std::vector<Nearest>& within(double enough, std::size_t most);
 
  private:
   void descend(int a, int b, double bound);
   void look(std::uint32_t a, std::uint32_t b);
+  bool mayBeWithin(int a, int b);
   void collect(int a, int b);
+  void collectAll(double reach, std::size_t most);
   bool isSplitFirst(int a, int b) const;
   double boundOf(int a, int b);
   bool isValid(const Leaves& leaves) const;
@@ -53,7 +57,8 @@ class PairTraversal {
   double m_stop = 0.0;
   double m_tolerance = 0.0;
   std::optional<Nearest> m_found;
-  std::vector<Leaves> m_meeting;
+  std::vector<Nearest> m_within;
+  double m_reach = 0.0;  // of the shapes, that are listed below it; 0: those that meet
   std::size_t m_most = 0;
 };
 

@@ -31,6 +31,10 @@ class PieceTree {
   // Its shape, in a frame in which the piece has this pose.
   ConvexShape shape(std::uint32_t leaf, const Pose& pose) const;
   std::array<const Vec3*, 3> corners(std::uint32_t leaf) const;  // of a mesh
+  // The triangle of a leaf by its number in the soup that the mesh was made of; kNone for a solid.
+  std::uint32_t triangleOf(std::uint32_t leaf) const {
+    return m_model ? m_piece.mesh->hierarchy().numbers[leaf] : kNone;
+  }
   const fcl::BVHModel<fcl::OBBRSSd>* model() const { return m_model; }
 
  private:

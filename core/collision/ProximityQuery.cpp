@@ -14,6 +14,8 @@ namespace {
 constexpr double kWayRounding = 1e-9;
 // A look that reaches further than it has to saves those of so many steps.
 constexpr double kStepsAhead = 8.0;
+// mm: whose spheres are no further apart is looked at for contacts.
+constexpr double kTouchingSpheres = 1e-9;
 
 }  // namespace
 
@@ -173,6 +175,26 @@ void ProximityQuery::findNear(double threshold, std::vector<NearPair>& near) {
     }
     if (best) near.push_back({pair.bodies, *best});
   }
+}
+
+bool ProximityQuery::findContacts(double margin, std::size_t most, std::vector<BodyContact>& contacts) {
+  contacts.clear();
+  if (!(margin >= 0.0)) return true;
+  for (const Pair& pair : m_pairs) {
+    if (isApart(pair, std::max(margin, kTouchingSpheres))) continue;
+    const Placed &a = m_bodies[pair.bodies.first], &b = m_bodies[pair.bodies.second];
+    for (std::uint32_t i = pair.begin; i < pair.end; ++i) {
+      Pieces& pieces = m_pieces[i];
+      if (margin > 0.0 ? !isNearer(pieces, margin) : boundOf(pieces) > 0.0) continue;
+      const CollisionPiece &first = a.body.pieces()[pieces.first], &second = b.body.pieces()[pieces.second];
+      m_contacts.clear();
+      addContacts(first, a.pose * first.pose, second, b.pose * second.pose, margin, most - contacts.size(), m_contacts,
+                  m_counts);
+      for (const PieceContact& each : m_contacts) contacts.push_back({pair.bodies, pieces.first, pieces.second, each});
+      if (contacts.size() >= most) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace handwheel

@@ -18,6 +18,13 @@ struct NearPair {
   ClosestPoints points;
 };
 
+// A place where two bodies touch, or nearly.
+struct BodyContact {
+  BodyPair bodies;
+  std::uint32_t firstPiece, secondPiece;  // of the bodies
+  PieceContact contact;
+};
+
 // Repeated distance queries between moving bodies. Between two bodies, or the links of a robot and what stands around
 // it. It keeps what it found for the next time: the distance that a pair of pieces had, less the way that both may have
 // moved since, is a lower bound that mostly needs no look at all; and where a look is needed, the last closest
@@ -43,6 +50,9 @@ class ProximityQuery {
   std::optional<NearPair> closest(double enough = std::numeric_limits<double>::infinity());
   // Those of every pair of bodies that is nearer than the threshold (mm); in the order of the pairs.
   void findNear(double threshold, std::vector<NearPair>& near);
+  // All contacts of the pairs (see addContacts()): every two triangles or solids nearer than the margin (mm), or that
+  // meet; in the order of the pairs. Returns whether these are all: the search ends with the first `most`.
+  bool findContacts(double margin, std::size_t most, std::vector<BodyContact>& contacts);
 
   const QueryCounts& counts() const { return m_counts; }  // since the last
   void resetCounts() { m_counts = {}; }
@@ -79,6 +89,7 @@ class ProximityQuery {
   std::vector<Pair> m_pairs;
   std::vector<Pieces> m_pieces;  // pairs of pieces, by pairs of bodies
   std::vector<std::pair<double, std::uint32_t>> m_order;
+  std::vector<PieceContact> m_contacts;  // of a pair of pieces
   double m_tolerance = 0.0;
   std::uint32_t m_last = 0;  // pair of pieces that was nearest
   QueryCounts m_counts;

@@ -11,14 +11,15 @@ namespace {
 constexpr double kLength = 1000.0;  // mm: lengths are divided by it before they meet angles
 constexpr double kDamping = 1e-6;   // beside the squared singular values of the Jacobian, so divided
 
-// The force at a point that a hand must hold against these torques of the joints (N·mm, N) while it keeps the tool's
-// turn: the virtual work of both is the same.
-Vec3 handForce(ArmJacobian jacobian, const ArmValues& torques) {
+// The force and the torque at a point that a hand must hold against these torques of the joints (N·mm, N): the virtual
+// work of both is the same.
+Eigen::Matrix<double, 6, 1> handWrench(ArmJacobian jacobian, const ArmValues& torques) {
   jacobian.topRows<3>() /= kLength;
   Eigen::Matrix<double, 6, 6> square = jacobian * jacobian.transpose();
   square.diagonal().array() += kDamping;
-  const Eigen::Matrix<double, 6, 1> wrench = square.ldlt().solve(jacobian * torques);
-  return wrench.head<3>() / kLength;
+  Eigen::Matrix<double, 6, 1> wrench = square.ldlt().solve(jacobian * torques);
+  wrench.head<3>() /= kLength;
+  return wrench;
 }
 
 }  // namespace
@@ -55,9 +56,11 @@ ApproachForce::Felt ApproachForce::at(const ArmValues& values) {
   const Vec3 lever = tip.linear() * m_tool.translation();
   for (Eigen::Index j = 0; j < jacobian.cols(); ++j)
     jacobian.col(j).head<3>() += Vec3(jacobian.col(j).tail<3>()).cross(lever);
-  felt.force = handForce(jacobian, torques);
-  const double size = felt.force.norm();
-  if (size > m_settings.largestForce) felt.force *= m_settings.largestForce / size;
+  Eigen::Matrix<double, 6, 1> wrench = handWrench(jacobian, torques);
+  const double size = wrench.head<3>().norm();
+  if (size > m_settings.largestForce) wrench *= m_settings.largestForce / size;
+  felt.force = wrench.head<3>();
+  felt.torque = wrench.tail<3>();
   return felt;
 }
 

@@ -8,8 +8,9 @@
 namespace handwheel {
 
 // The haptic force that keeps a hand-guided robot away from obstacles. Each link is pushed away from the obstacles near
-// to it (distanceForce()), and the arm, which weighs nothing, hands this on to its tool and the hand that leads it.
-// Near singular places the arm's levers are bounded. It keeps what it found for the next place of the robot.
+// to it (distanceForce()), and the arm, which weighs nothing, hands this on to its tool and the hand that leads it, as
+// a force and a torque. Near singular places the arm's levers are bounded. It keeps what it found for the next place of
+// the robot.
 class ApproachForce {
  public:
   // scene and arm must outlive it; the arm has the joints of the scene. tool: of the centre point in the arm's tip.
@@ -17,7 +18,8 @@ class ApproachForce {
 
   // What is felt at the tool's centre point while the joints are at these values.
   struct Felt {
-    Vec3 force = Vec3::Zero();  // N, in the base; never larger than that of the settings
+    Vec3 force = Vec3::Zero();   // N, in the base; never larger than that of the settings
+    Vec3 torque = Vec3::Zero();  // N·mm, about that point
     double distance = std::numeric_limits<double>::infinity();  // mm to what is nearest; infinity: beyond the reach
     double energy = 0.0;                                        // N·mm
   };

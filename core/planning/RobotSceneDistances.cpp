@@ -250,6 +250,47 @@ std::vector<RobotScene::Nearest> RobotScene::overlappingLinks(const ArmValues& v
   return all;
 }
 
+std::vector<ClosestPoints> RobotScene::touches(const ArmValues& values, const Nearest& nearest,
+                                               std::size_t most) const {
+  Places places;
+  placesAt(values, places);
+  std::vector<CollisionBody> bodies;
+  std::vector<Pose> poses;
+  const auto addLink = [&](std::uint32_t link) {
+    for (const Part& part : m_parts) {
+      if (part.link != link) continue;
+      bodies.push_back(part.body);
+      poses.push_back(places.of(part.joint));
+    }
+  };
+  addLink(nearest.link);
+  const std::size_t own = bodies.size();
+  if (nearest.otherLink != kNone) {
+    addLink(nearest.otherLink);
+  } else {
+    auto obstacles = m_obstacles.bodies();
+    if (auto found = obstacles.extract(nearest.owner)) {
+      bodies.push_back(std::move(found.mapped()));
+      poses.push_back(Pose::Identity());
+    }
+  }
+  std::vector<BodyPair> pairs;
+  for (std::uint32_t i = 0; i < own; ++i) {
+    for (auto j = static_cast<std::uint32_t>(own); j < bodies.size(); ++j) pairs.push_back({i, j});
+  }
+  ProximityQuery query(std::move(bodies), pairs);
+  for (std::uint32_t i = 0; i < poses.size(); ++i) query.place(i, poses[i]);
+  std::vector<BodyContact> contacts;
+  query.findContacts(0.0, most, contacts);
+  std::vector<ClosestPoints> touches;
+  for (const BodyContact& each : contacts) touches.push_back(each.contact.points);
+  std::stable_sort(touches.begin(), touches.end(),
+                   [](const ClosestPoints& a, const ClosestPoints& b) { return a.distance < b.distance; });
+  if (!touches.empty()) return touches;
+  if (const auto closest = query.closest()) touches.push_back(closest->points);
+  return touches;
+}
+
 std::vector<RobotScene::Nearest> RobotScene::metWhenMoved(const ArmValues& values, const Pose& way,
                                                           const std::function<bool()>& isOver) const {
   Places places;

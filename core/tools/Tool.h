@@ -100,6 +100,9 @@ struct DeviceSpring {
   Vec3 target = Vec3::Zero();  // the tip is pulled there
   double stiffness = 0.0;      // N/mm, at the device
   double damping = 0.0;        // N·s/mm, at the device
+  // Of devices with motors for torque: the orientation that the tip is turned to.
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  double turning = 0.0;  // N·mm/rad, at the device
 };
 
 // The features that attract the device tip while nothing is grabbed. So what a click selects is easily hit.

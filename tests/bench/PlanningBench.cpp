@@ -13,7 +13,7 @@ namespace {
 
 bench::Bars bars;
 
-constexpr std::size_t kEvery = 5;  // of the problems of each set: about a minute
+constexpr std::size_t kEvery = 5;  // of the problems of each set, for planners to compare with: about a minute
 constexpr double kSeconds = 2.0;   // for a path, by the clock
 constexpr double kDense = 0.002;   // rad of a joint between the places that a path is looked at again
 constexpr int kShortcuts = 50;
@@ -51,14 +51,29 @@ ArmValues valuesOf(const std::vector<double>& numbers) {
 }
 
 struct Figures {
-  std::size_t problems = 0, blockedEnds = 0, unsolved = 0, colliding = 0;
+  std::size_t problems = 0, withBlockedEnd = 0, unsolved = 0, colliding = 0;
+  std::vector<std::string> blockedEnds;  // by their names
   std::vector<double> seconds, checks, distances, lengths;
+  // Without an end that collides. Who counts these alone says nothing of the rest.
+  std::size_t withFreeEnds() const { return problems - withBlockedEnd; }
 };
 
-Figures figuresOf(const char* planner) {
+// The ends that are themselves in collision: not by what the planners say.
+std::vector<std::string> blockedEndsOf(const PlanningProblem& problem) {
+  std::vector<std::string> blocked;
+  const auto look = [&](const std::string& what, const std::vector<double>& numbers) {
+    const ArmValues values = valuesOf(numbers);
+    if (robot()->isColliding(problem, {values, values}, kDense)) blocked.push_back(what + " of " + problem.name);
+  };
+  look("start", problem.start);
+  look("goal", problem.goal);
+  return blocked;
+}
+
+Figures figuresOf(const char* planner, std::size_t every) {
   Figures figures;
   for (const PlanningSet& set : robot()->sets()) {
-    for (std::size_t i = 0; i < set.problems.size(); i += kEvery) {
+    for (std::size_t i = 0; i < set.problems.size(); i += every) {
       const PlanningProblem& problem = set.problems[i];
       const RobotScene scene = robot()->sceneOf(problem);
       PlanSettings settings;
@@ -70,13 +85,11 @@ Figures figuresOf(const char* planner) {
         path = shortened(scene, result.path, settings.check, kShortcuts, kSeconds, settings.seed);
       });
       ++figures.problems;
-      using enum PlanResult::Outcome;
-      if (result.outcome == StartBlocked || result.outcome == GoalBlocked) {
-        ++figures.blockedEnds;
-        continue;
-      }
-      if (result.outcome != Solved) {
-        ++figures.unsolved;
+      const std::vector<std::string> blocked = blockedEndsOf(problem);
+      figures.blockedEnds.insert(figures.blockedEnds.end(), blocked.begin(), blocked.end());
+      figures.withBlockedEnd += blocked.empty() ? 0 : 1;
+      if (result.outcome != PlanResult::Outcome::Solved) {
+        figures.unsolved += blocked.empty() ? 1 : 0;
         continue;
       }
       const bool isSound = path.front() == valuesOf(problem.start) && path.back() == valuesOf(problem.goal);
@@ -91,10 +104,11 @@ Figures figuresOf(const char* planner) {
 }
 
 // Once for each planner, for the table and for the comparison.
-const Figures& figures(const std::string& planner) {
-  static std::map<std::string, Figures> known;
-  const auto found = known.find(planner);
-  return found != known.end() ? found->second : known.emplace(planner, figuresOf(planner.c_str())).first->second;
+const Figures& figures(const std::string& planner, std::size_t every) {
+  static std::map<std::pair<std::string, std::size_t>, Figures> known;
+  const auto found = known.find({planner, every});
+  if (found != known.end()) return found->second;
+  return known.emplace(std::pair(planner, every), figuresOf(planner.c_str(), every)).first->second;
 }
 
 void paths(benchmark::State& state) {
@@ -103,14 +117,18 @@ void paths(benchmark::State& state) {
   const std::string id = planner.id, what = "MotionBenchMaker, UR5, " + id;
   const bool isOurs = id == "sbl";
   for (auto _ : state) {
-    const Figures& found = figures(id);
-    const auto free = static_cast<double>(found.problems - found.blockedEnds);
-    const double unsolved = 100.0 * static_cast<double>(found.unsolved) / free, ms = 1e3 * medianOf(found.seconds);
+    const Figures& found = figures(id, isOurs ? 1 : kEvery);
+    const auto all = static_cast<double>(found.problems), free = static_cast<double>(found.withFreeEnds());
+    const double unsolved = 100.0 * bench::ratioTo(static_cast<double>(found.unsolved), free);
+    const double unsolvedOfAll = 100.0 * bench::ratioTo(all - static_cast<double>(found.lengths.size()), all);
+    const double ms = 1e3 * medianOf(found.seconds);
     bars.atMostOver(found.lengths.size(), what + ": colliding when checked every 0.002 rad", 0.0,
                     static_cast<double>(found.colliding));
+    bars.tell(what + ": problems", all);
+    bars.tell(what + ": with an end in collision", static_cast<double>(found.withBlockedEnd));
+    bars.tell(what + ": not solved, of all, %", unsolvedOfAll);
     if (isOurs) {
-      bars.tell(what + ": problems", static_cast<double>(found.problems));
-      bars.tell(what + ": with an end in collision", static_cast<double>(found.blockedEnds));
+      for (const std::string& end : found.blockedEnds) bars.tell("in collision itself: " + end, 1.0);
       bars.atMost(what + ": not solved, of those with free ends, %", 1.0, unsolved);
       bars.atMost(what + ": median, ms of CPU time", 10.0, ms);
     } else {
@@ -127,7 +145,7 @@ void paths(benchmark::State& state) {
 void checksBesideOmpl(benchmark::State& state) {
   if (isSkipped(state, "SBL beside OMPL's")) return;
   for (auto _ : state) {
-    const Figures &own = figures("sbl"), &other = figures("ompl-sbl");
+    const Figures &own = figures("sbl", kEvery), &other = figures("ompl-sbl", kEvery);
     bars.atMost("SBL beside OMPL's: points that were looked at", 1.0,
                 bench::ratioTo(meanOf(own.checks), meanOf(other.checks)));
     bars.atMost("SBL beside OMPL's: distances that were computed", 1.0,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/Bars.h"
 #include "collision/ProximityQuery.h"
+#include "core/collision/TriangleOracle.h"
 #include "robot/Kinematics.h"
 #include "robot/dh/DhTable.h"
 
@@ -18,9 +19,11 @@ namespace {
 bench::Bars bars;
 
 constexpr double kNear = 20.0;  // mm: the tolerance
+constexpr std::size_t kAll = 1'000'000;
 constexpr std::size_t kLinks = 6;
 
-// A tube with bumps and round ends around a line.
+// A tube with bumps and round ends around a line. Its ends have no triangles without area: FCL counts contacts of
+// those, too.
 TriangleSoup tube(const Vec3& from, const Vec3& to, double radius, int around, int along) {
   TriangleSoup soup;
   const Vec3 way = to - from, axis = way.norm() > 1.0 ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ());
@@ -36,8 +39,8 @@ TriangleSoup tube(const Vec3& from, const Vec3& to, double radius, int around, i
   for (int j = 0; j < along; ++j) {
     for (int i = 0; i < around; ++i) {
       const auto at = [&](int a, int b) { return static_cast<std::uint32_t>(around * b + a % around); };
-      soup.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+      if (j > 0) soup.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      if (j + 1 < along) soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
     }
   }
   return soup;
@@ -89,6 +92,7 @@ class Cell {
   Cell() : m_robot(robotOf(*libraryTable("irb140"))) {
     std::vector<CollisionBody> bodies;
     const auto add = [&](const TriangleSoup& soup) {
+      m_soups.push_back(soup);
       m_triangles.push_back(static_cast<double>(soup.triangles.size()));
       m_models.push_back(modelOf(soup));
       bodies.push_back(
@@ -114,6 +118,7 @@ class Cell {
   ProximityQuery& query() { return *m_query; }
   const fcl::BVHModel<fcl::OBBRSSd>& link(std::size_t i) const { return *m_models[i]; }
   const fcl::BVHModel<fcl::OBBRSSd>& body() const { return *m_models[kLinks]; }
+  const TriangleSoup& soup(std::size_t i) const { return m_soups[i]; }
   double robotTriangles() const { return std::accumulate(m_triangles.begin(), m_triangles.end() - 1, 0.0); }
   double bodyTriangles() const { return m_triangles.back(); }
 
@@ -137,6 +142,7 @@ class Cell {
   RobotModel m_robot;
   std::vector<std::uint32_t> m_links;
   std::vector<double> m_triangles;
+  std::vector<TriangleSoup> m_soups;
   std::vector<Model> m_models;
   std::optional<ProximityQuery> m_query;
 };
@@ -198,9 +204,11 @@ void place(const Places& places) {
   for (std::uint32_t i = 0; i < kLinks; ++i) cell().query().place(i, places[i]);
 }
 
-// C1 to C4 of He 2008, table 3-1: the closest points, nearer than a tolerance, colliding, and everything near.
-enum Query { kClosest, kTolerance, kColliding, kNearPairs };
-constexpr std::array<const char*, 4> kQueries = {"C1 closest points", "C2 tolerance", "C3 colliding", "C4 near pairs"};
+// C1 to C4 of He 2008, table 3-1: the closest points, nearer than a tolerance, colliding, and all contacts, which are
+// the pairs of triangles that meet; and the closest points of every link that is near.
+enum Query { kClosest, kTolerance, kColliding, kContacts, kNearPairs };
+constexpr std::array<const char*, 5> kQueries = {"C1 closest points", "C2 tolerance", "C3 colliding", "C4 all contacts",
+                                                 "near pairs"};
 
 struct Answer {
   double value;  // what both have to agree on
@@ -210,6 +218,7 @@ struct Answer {
 Answer ours(Query which, const Places& places) {
   double value = 0.0;
   static std::vector<NearPair> near;
+  static std::vector<BodyContact> contacts;
   const double seconds = bench::secondsOf([&] {
     place(places);
     ProximityQuery& query = cell().query();
@@ -224,6 +233,10 @@ Answer ours(Query which, const Places& places) {
         break;
       case kColliding:
         value = query.isOverlapping();
+        break;
+      case kContacts:
+        query.findContacts(0.0, kAll, contacts);
+        value = static_cast<double>(contacts.size());
         break;
       case kNearPairs:
         query.findNear(kNear, near);
@@ -246,6 +259,9 @@ Answer theirs(Query which, const Places& places) {
         break;
       case kColliding:
         value = fclContacts(places, 1) > 0;
+        break;
+      case kContacts:
+        value = static_cast<double>(fclContacts(places, kAll));
         break;
       case kNearPairs:
         for (std::size_t i = 0; i < kLinks; ++i) {
@@ -324,11 +340,13 @@ void queries(benchmark::State& state) {
     bars.tell(row + ", bounding volumes", static_cast<double>(counts[scene].volumes) / places);
     bars.tell(row + ", triangles", static_cast<double>(counts[scene].pairs) / places);
   }
-  // From frame to frame is what the query is for. FCL tells no depth, so that what collides does not count for C4.
+  // From frame to frame is what the query is for. FCL tells no depth, so that what collides does not count for near
+  // pairs; of contacts it is asked for no more than which triangles meet, while ours has their places and ways out.
   double ratio = bench::ratioTo(own.mean(), fcls.mean());
   if (which == kNearPairs)
     ratio = bench::ratioTo(scenes[0].total + scenes[1].total, fclScenes[0].total + fclScenes[1].total);
-  isMotion ? bars.atMost(name + ", to FCL", 1.0, ratio) : bars.tell(name + ", to FCL", ratio);
+  const bool isBar = isMotion && which != kContacts;
+  isBar ? bars.atMost(name + ", to FCL", 1.0, ratio) : bars.tell(name + ", to FCL", ratio);
   if (which == kTolerance) {
     bars.atMost(name + ", mean us (20 kHz)", 50.0, own.mean());
     bars.atMost(name + ", p99 us (a servo period)", 1000.0, own.p99());
@@ -338,9 +356,62 @@ void queries(benchmark::State& state) {
   state.counters["body"] = cell().bodyTriangles();
 }
 
+// Pairs of triangles nearer than a distance, by looking at each.
+std::size_t nearByBruteForce(const Places& places, double than) {
+  std::size_t count = 0;
+  const TriangleSoup& shell = cell().soup(kLinks);
+  for (std::size_t link = 0; link < kLinks; ++link) {
+    const TriangleSoup& soup = cell().soup(link);
+    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+      const test::Corners s = test::cornersOf(soup, i, places[link]);
+      Box box;
+      for (const Vec3& corner : s) box.extend(corner);
+      const Vec3 low = box.min().array() - than, high = box.max().array() + than;
+      for (std::size_t j = 0; j < shell.triangles.size(); ++j) {
+        const Triangle& t = shell.triangles[j];
+        const Vec3 &a = shell.points[t[0]], &b = shell.points[t[1]], &c = shell.points[t[2]];
+        if ((a.cwiseMax(b).cwiseMax(c).array() < low.array()).any()) continue;
+        if ((a.cwiseMin(b).cwiseMin(c).array() > high.array()).any()) continue;
+        count += test::triangleDistance(s, {a, b, c}) < than ? 1 : 0;
+      }
+    }
+  }
+  return count;
+}
+
+// All contacts with a margin, for which FCL has no query: beside every pair of triangles, at a few places where the
+// robot is near.
+void contactsWithMargin(benchmark::State& state) {
+  constexpr std::size_t kPlaces = 10;
+  constexpr double kRounding = 1e-6;  // mm: what is at the margin by this may count or not
+  const std::string name = "C4 all contacts nearer than 20 mm";
+  Times own, brute;
+  double found = 0.0, wrong = 0.0;
+  std::vector<BodyContact> contacts;
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < randomPlaces().size() && own.each.size() < kPlaces; ++i) {
+      const Places& places = randomPlaces()[i];
+      if (sceneOf(places) == 0) continue;
+      own.add(bench::secondsOf([&] {
+        place(places);
+        cell().query().findContacts(kNear, kAll, contacts);
+      }));
+      found += static_cast<double>(contacts.size());
+      std::size_t least = 0;
+      brute.add(bench::secondsOf([&] { least = nearByBruteForce(places, kNear - kRounding); }));
+      wrong += contacts.size() < least || contacts.size() > nearByBruteForce(places, kNear + kRounding) ? 1.0 : 0.0;
+    }
+  }
+  bars.atMostOver(own.each.size(), name + ": places with others than every pair tells", 0.0, wrong);
+  bars.tell(name + ": mean number", found / static_cast<double>(own.each.size()));
+  bars.tell(name + ": mean us", own.mean());
+  bars.tell(name + ": mean us of every pair", brute.mean());
+}
+
 }  // namespace
 
-BENCHMARK(queries)->ArgsProduct({{kClosest, kTolerance, kColliding, kNearPairs}, {0, 1}})->Iterations(1);
+BENCHMARK(queries)->ArgsProduct({{kClosest, kTolerance, kColliding, kContacts, kNearPairs}, {0, 1}})->Iterations(1);
+BENCHMARK(contactsWithMargin)->Iterations(1);
 
 int main(int argc, char** argv) {
   return bench::run(argc, argv, bars);

@@ -45,6 +45,16 @@ class PlanTest : public QObject {
     QCOMPARE(report["collisions"].front()["with"].get<std::string>(), std::string("box"));
     QCOMPARE(report["collisions"].front()["place"].get<int>(), 1);
     QCOMPARE(report["collisions"].back()["place"].get<int>(), 2);
+    for (const nlohmann::json& collision : report["collisions"]) {
+      const nlohmann::json& contacts = collision["contacts"];
+      QVERIFY(!contacts.empty() && contacts.size() <= collision["contacts_found"].get<std::size_t>());
+      for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const double distance = contacts[i]["distance_mm"].get<double>();
+        QVERIFY(distance < 1e-6 && (i == 0 || distance >= contacts[i - 1]["distance_mm"].get<double>()));
+        QCOMPARE(contacts[i]["at_mm"].size(), std::size_t{3});
+        QCOMPARE(contacts[i]["normal"].size(), std::size_t{3});
+      }
+    }
     QCOMPARE(report["min_clearance_mm"].get<double>(), 0.0);
   }
 

@@ -11,11 +11,27 @@
 #include "robot/program/PathFile.h"
 #include "tools/cell/path/PathExport.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <span>
 
 namespace handwheel {
 
 namespace {
+
+// Looked at for one collision, and listed of these.
+constexpr std::size_t kMostTouches = 256, kMostListed = 16;
+
+nlohmann::ordered_json touchesJson(const std::vector<ClosestPoints>& touches) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ClosestPoints& each : std::span(touches).first(std::min(touches.size(), kMostListed))) {
+    const Vec3 middle = 0.5 * (each.first + each.second);
+    list.push_back({{"at_mm", std::vector<double>(middle.begin(), middle.end())},
+                    {"normal", std::vector<double>(each.normal.begin(), each.normal.end())},
+                    {"distance_mm", each.distance}});
+  }
+  return list;
+}
 
 nlohmann::ordered_json toJson(const CellScene& scene, const CheckedPath& checked, const PathCollision& collision) {
   const auto [link, other] = scene.namesOf(collision.deepest);
@@ -23,13 +39,19 @@ nlohmann::ordered_json toJson(const CellScene& scene, const CheckedPath& checked
   const ArmValues& from = path[collision.motion];
   const ArmValues& to = path[std::min(collision.motion + 1, path.size() - 1)];
   const ArmValues at = from + collision.deepestAt * (to - from);
+  const auto touches = collision.deepest.link == kNone || !at.allFinite()
+                           ? std::vector<ClosestPoints>()
+                           : scene.scene.touches(at, collision.deepest, kMostTouches);
   return {{"place", checked.placeOf(collision.motion)},
           {"from", collision.from},
           {"to", collision.to},
           {"link", link},
           {"with", other},
           {"distance_mm", collision.deepest.distance},
-          {"q", std::vector<double>(at.begin(), at.end())}};
+          {"q", std::vector<double>(at.begin(), at.end())},
+          {"contacts", touchesJson(touches)},
+          {"contacts_found", touches.size()},
+          {"contacts_complete", touches.size() < kMostTouches}};
 }
 
 std::string share(double value) {

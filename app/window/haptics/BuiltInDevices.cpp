@@ -16,18 +16,22 @@ struct BuiltInDevicesWords {
 };
 
 constexpr const char* kMouse = "mouse";
+constexpr const char* kTurnedAddress = "turned-hand";  // of the simulated device with motors for torque
 
 }  // namespace
 
 std::vector<DeviceInfo> builtInDevices() {
   return {{kSimulatedDriver, kSimulatedAddress, BuiltInDevicesWords::tr("Simulated hand").toStdString()},
+          {kSimulatedDriver, kTurnedAddress, BuiltInDevicesWords::tr("Simulated hand with torque").toStdString()},
           {kMouse, "pointer", BuiltInDevicesWords::tr("Mouse as device").toStdString()}};
 }
 
-std::unique_ptr<Device> makeBuiltIn(const std::string& driver, ServoClock& clock) {
-  if (driver == kMouse) return std::make_unique<MouseDevice>();
-  if (driver == kSimulatedDriver) return std::make_unique<SimulatedDevice>(simulatedDevice(), PoseTrajectory(), clock);
-  return nullptr;
+std::unique_ptr<Device> makeBuiltIn(const DeviceInfo& listing, ServoClock& clock) {
+  if (listing.driver == kMouse) return std::make_unique<MouseDevice>();
+  if (listing.driver != kSimulatedDriver) return nullptr;
+  const bool hasTorque = listing.address == kTurnedAddress;
+  return std::make_unique<SimulatedDevice>(hasTorque ? simulatedTorqueDevice() : simulatedDevice(), PoseTrajectory(),
+                                           clock);
 }
 
 }  // namespace handwheel

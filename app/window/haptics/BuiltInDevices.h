@@ -15,7 +15,7 @@ inline constexpr const char* kSimulatedAddress = "hand";
 // translated.
 std::vector<DeviceInfo> builtInDevices();
 
-// Creates a built-in device; null for any other driver. The clock must outlive the device. Any thread.
-std::unique_ptr<Device> makeBuiltIn(const std::string& driver, ServoClock& clock);
+// Creates a built-in device; null for one of any other driver. The clock must outlive the device. Any thread.
+std::unique_ptr<Device> makeBuiltIn(const DeviceInfo& listing, ServoClock& clock);
 
 }  // namespace handwheel

@@ -10,6 +10,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <algorithm>
+#include <limits>
 
 namespace handwheel {
 
@@ -19,7 +20,8 @@ namespace {
 constexpr double kFarthestSnap = 5.0;
 
 bool isSameSpring(const DeviceSpring& a, const DeviceSpring& b) {
-  return a.target == b.target && a.stiffness == b.stiffness && a.damping == b.damping;
+  return a.target == b.target && a.stiffness == b.stiffness && a.damping == b.damping &&
+         a.turn.coeffs() == b.turn.coeffs() && a.turning == b.turning;
 }
 
 }  // namespace
@@ -76,11 +78,15 @@ void HapticSceneBuilder::setSprings(const std::vector<DeviceSpring>& terms) {
   if (std::equal(terms.begin(), terms.end(), m_terms.begin(), m_terms.end(), isSameSpring)) return;
   m_terms = terms;
   if (terms.empty()) return setSource(kSpringSource, {}, true);
-  const auto make = [terms](const TouchContext& context) {
+  const auto make = [this, terms](const TouchContext& context) {
+    const WorkspaceMapping& mapping = context.mapping;
+    // Of a device whose maker states none, that which the tool asks for.
+    const double stated = m_session.capabilities().maxAngularStiffness;
+    const double stiffest = stated > 0.0 ? stated : std::numeric_limits<double>::infinity();
     std::vector<Spring> springs;
     for (const DeviceSpring& term : terms) {
-      springs.push_back(
-          {term.target, context.mapping.sceneStiffness(term.stiffness), context.mapping.sceneStiffness(term.damping)});
+      springs.push_back({term.target, mapping.sceneStiffness(term.stiffness), mapping.sceneStiffness(term.damping),
+                         term.turn, std::min(term.turning, stiffest) / mapping.forceGain});
     }
     return std::make_unique<SpringForce>(kSpringSource, std::move(springs));
   };

@@ -138,7 +138,7 @@ void HapticSession::startOpening(bool isQuiet) {
   job.work = [this, chosen = m_chosen, &clock = m_parts.clock, make = m_finder.maker(m_chosen.driver, m_chosen.address),
               isQuiet](Progress progress) -> Job::Finish {
     const auto made = std::make_shared<OpenedDevice>();
-    std::unique_ptr<Device> device = makeBuiltIn(chosen.driver, clock);
+    std::unique_ptr<Device> device = makeBuiltIn(chosen, clock);
     if (!device) device = make();
     const Status status =
         device ? device->open(progress) : Error{DeviceError::Unreachable, {"it is not there"}, {}, {}};

@@ -25,6 +25,14 @@ SimulatedDeviceSettings simulatedDevice() {
   return settings;
 }
 
+SimulatedDeviceSettings simulatedTorqueDevice() {
+  SimulatedDeviceSettings settings = simulatedDevice();
+  settings.capabilities.outputs = 6;
+  settings.capabilities.maxTorque = 200.0;
+  settings.capabilities.maxAngularStiffness = 1000.0;
+  return settings;
+}
+
 SimulatedDevice::SimulatedDevice(const SimulatedDeviceSettings& settings, PoseTrajectory path, ServoClock& clock)
     : m_settings(settings), m_path(std::move(path)), m_clock(clock) {}
 
@@ -70,7 +78,7 @@ void SimulatedDevice::write(const DeviceForce& force) noexcept {
     m_first = (m_first + 1) % m_sent.size();
     --m_count;
   }
-  m_sent[(m_first + m_count++) % m_sent.size()] = {now + m_settings.capabilities.latency, force.force};
+  m_sent[(m_first + m_count++) % m_sent.size()] = {now + m_settings.capabilities.latency, force};
 }
 
 HandPose SimulatedDevice::wanted(double time) noexcept {
@@ -84,12 +92,12 @@ void SimulatedDevice::begin(double time) noexcept {
 
 void SimulatedDevice::moveTo(double time) noexcept {
   while (m_count > 0 && m_sent[m_first].time <= time) {
-    moveUnder(m_acting, m_sent[m_first].time);
+    moveUnder(m_acting.force, m_sent[m_first].time);
     m_acting = m_sent[m_first].force;
     m_first = (m_first + 1) % m_sent.size();
     --m_count;
   }
-  moveUnder(m_acting, time);
+  moveUnder(m_acting.force, time);
 }
 
 void SimulatedDevice::moveUnder(const Vec3& force, double until) noexcept {

@@ -30,6 +30,8 @@ struct SimulatedDeviceSettings {
 
 // Settings of a Novint Falcon, with a friction that allows 1 N/mm at 1 kHz.
 SimulatedDeviceSettings simulatedDevice();
+// The same with motors for torque, about as strong as those of devices that have them.
+SimulatedDeviceSettings simulatedTorqueDevice();
 
 // Simulated haptic device: a mass with friction, moved by a simulated hand. The mass with friction b is between the
 // hand and the force that was sent, and moves with the clock. A force is held from one write to the next, and acts
@@ -52,13 +54,16 @@ class SimulatedDevice : public Device {
     m_target.write(target);
   }
   const HandPose& target() const { return m_lastTarget; }
+  // The torque that acts on the hand, N·mm, `latency` seconds after it was sent; as the last reading has it. It turns
+  // nothing: the hand holds the orientation. For tests; on the thread that reads.
+  const Vec3& torque() const { return m_acting.torque; }
   // Sets the tip's initial position (mm) and velocity (mm/s), instead of at rest at the hand. Before the first reading.
   void setStart(const Vec3& position, const Vec3& velocity);
 
  private:
   struct SentForce {
     double time = 0.0;  // s: when it begins to act
-    Vec3 force = Vec3::Zero();
+    DeviceForce force;
   };
   HandPose wanted(double time) noexcept;
   void begin(double time) noexcept;
@@ -84,7 +89,7 @@ class SimulatedDevice : public Device {
   std::array<SentForce, 4096> m_sent;
   std::size_t m_first = 0;
   std::size_t m_count = 0;
-  Vec3 m_acting = Vec3::Zero();
+  DeviceForce m_acting;
 };
 
 }  // namespace handwheel

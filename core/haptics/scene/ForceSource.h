@@ -43,6 +43,14 @@ class ForceSource {
   // The force of this tick, N, with its stiffness and its damping reduced to these shares (0 to 1).
   virtual Vec3 force(const TipState& tip, double stiffness, double damping) noexcept = 0;
 
+  // The torque of this tick about the tip, N·mm; called after force(). Devices without motors for it get none. What
+  // turns a device more stiffly than its maker allows is the affair of who makes the source: the loop limits its size
+  // and rate alone.
+  virtual Vec3 torque(const TipState& tip) noexcept {
+    (void)tip;
+    return Vec3::Zero();
+  }
+
   // Whether it pulls the tip somewhere. Such a force may change abruptly when the scene does, and is then blended;
   // that of a surface must not be, as the tip would sink in.
   virtual bool isAttraction() const { return false; }

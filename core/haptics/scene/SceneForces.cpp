@@ -10,7 +10,8 @@ namespace handwheel {
 void SceneForces::follow(const ForceRenderer& previous) noexcept {
   const auto* other = dynamic_cast<const SceneForces*>(&previous);
   if (!other || !other->m_hasTicked) return;
-  m_attraction = other->m_attraction;
+  m_force.last = other->m_force.last;
+  m_torque.last = other->m_torque.last;
   m_hasFollowed = true;
   for (const auto& source : m_sources) {
     if (const ForceSource* before = other->find(source->id())) source->follow(*before);
@@ -42,25 +43,29 @@ void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
   out.isSoftened = share < 1.0 || damping < all.damping;
   const double kept = all.damping > 0.0 ? damping / all.damping : 1.0;
 
-  Vec3 attraction = Vec3::Zero(), resistance = Vec3::Zero();
+  Vec3 attraction = Vec3::Zero(), resistance = Vec3::Zero(), turning = Vec3::Zero();
   for (const auto& source : m_sources) {
     (source->isAttraction() ? attraction : resistance) += source->force(tip, share, kept);
+    (source->isAttraction() ? turning : out.torque) += source->torque(tip);
   }
-  out.force = blended(attraction, share * attractionStiffness, tip) + resistance;
+  const bool isFirst = std::exchange(m_hasFollowed, false);
+  if (isFirst) m_gapTime = kChangeOver;
+  // What the hand itself has done to the force since the previous tick is no gap: it is no more than the stiffness
+  // times its way, taken twice for a velocity that comes late. Else scenes that are exchanged often would let the force
+  // lag.
+  const double byHand = 2.0 * share * attractionStiffness * tip.velocity.norm() * tip.period;
+  out.force = blended(m_force, attraction, isFirst, byHand) + resistance;
+  out.torque += blended(m_torque, turning, isFirst, 0.0);
+  m_gapTime = std::max(0.0, m_gapTime - tip.period);
 }
 
-// What the hand itself has done to the force since the previous tick is no gap: it is no more than the stiffness times
-// its way, taken twice for a velocity that comes late. Else scenes that are exchanged often would let the force lag.
-Vec3 SceneForces::blended(const Vec3& attraction, double stiffness, const TipState& tip) {
-  if (std::exchange(m_hasFollowed, false)) {
-    const Vec3 gap = m_attraction - attraction;
-    const double byHand = 2.0 * stiffness * tip.velocity.norm() * tip.period;
-    m_gap = gap.norm() > byHand ? Vec3(gap * (1.0 - byHand / gap.norm())) : Vec3(Vec3::Zero());
-    m_gapTime = kChangeOver;
+Vec3 SceneForces::blended(Blend& blend, const Vec3& attraction, bool isFirst, double byHand) const {
+  if (isFirst) {
+    const Vec3 gap = blend.last - attraction;
+    blend.gap = gap.norm() > byHand ? Vec3(gap * (1.0 - byHand / gap.norm())) : Vec3(Vec3::Zero());
   }
-  m_attraction = attraction + m_gapTime / kChangeOver * m_gap;
-  m_gapTime = std::max(0.0, m_gapTime - tip.period);
-  return m_attraction;
+  blend.last = attraction + m_gapTime / kChangeOver * blend.gap;
+  return blend.last;
 }
 
 const ForceSource* SceneForces::find(std::string_view id) const {

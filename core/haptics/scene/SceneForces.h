@@ -6,10 +6,10 @@
 
 namespace handwheel {
 
-// Sums the forces of a scene, which is a list of force sources. If the sum would be stiffer than the loop allows, all
-// are softened by the same factor, so that the direction stays. Each source of a successor continues from the one of
-// the same id. The change of the attractions is then blended in linearly within kChangeOver: for example a target that
-// is caught, or a feature that is released.
+// Sums the forces and torques of a scene, which is a list of force sources. If the sum would be stiffer than the loop
+// allows, all are softened by the same factor, so that the direction stays. Each source of a successor continues from
+// the one of the same id. The change of the attractions is then blended in linearly within kChangeOver: for example a
+// target that is caught, or a feature that is released.
 class SceneForces : public ForceRenderer {
  public:
   // Surfaces come before what depends on contact with them.
@@ -27,15 +27,19 @@ class SceneForces : public ForceRenderer {
   }
 
  private:
+  // Of the attractions: in the previous tick, and the excess when this scene followed another.
+  struct Blend {
+    Vec3 last = Vec3::Zero();
+    Vec3 gap = Vec3::Zero();
+  };
   const ForceSource* find(std::string_view id) const;
-  Vec3 blended(const Vec3& attraction, double stiffness, const TipState& tip);
+  Vec3 blended(Blend& blend, const Vec3& attraction, bool isFirst, double byHand) const;
 
   ForceSources m_sources;
   bool m_hasTicked = false;
-  // The force of the attractions, N: in the previous tick, and the excess when this scene followed another.
-  Vec3 m_attraction = Vec3::Zero();
-  Vec3 m_gap = Vec3::Zero();
-  double m_gapTime = 0.0;  // s until it is none
+  Blend m_force;           // N
+  Blend m_torque;          // N·mm
+  double m_gapTime = 0.0;  // s until their gaps are none
   bool m_hasFollowed = false;
 };
 

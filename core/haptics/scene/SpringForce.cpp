@@ -2,7 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/scene/SpringForce.h"
 
+#include <cmath>
+
 namespace handwheel {
+
+Vec3 turningTorque(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, double turning) {
+  if (turning == 0.0) return Vec3::Zero();
+  const Eigen::Quaterniond way = to * from.conjugate();
+  const double sine = way.vec().norm();
+  if (sine == 0.0) return Vec3::Zero();
+  // A quaternion and its opposite are the same orientation; of the two, the shorter way.
+  const double angle = 2.0 * std::atan2(sine, std::abs(way.w()));
+  return (turning * std::copysign(angle, way.w()) / sine) * way.vec();
+}
 
 SpringForce::SpringForce(std::string id, std::vector<Spring> springs)
     : ForceSource(std::move(id)), m_springs(std::move(springs)) {
@@ -19,6 +31,12 @@ ForceBounds SpringForce::advance(const TipState&, ForceOut&) noexcept {
 Vec3 SpringForce::force(const TipState& tip, double stiffness, double damping) noexcept {
   Vec3 sum = -damping * m_bounds.damping * tip.velocity;
   for (const Spring& spring : m_springs) sum += stiffness * spring.stiffness * (spring.target - tip.position);
+  return sum;
+}
+
+Vec3 SpringForce::torque(const TipState& tip) noexcept {
+  Vec3 sum = Vec3::Zero();
+  for (const Spring& spring : m_springs) sum += turningTorque(tip.orientation, spring.turn, spring.turning);
   return sum;
 }
 

@@ -6,20 +6,27 @@
 
 namespace handwheel {
 
-// A spring and damper between the tip and a point. A tool requests it (He 2008, section 4.1.4).
+// Springs and a damper that pull and turn the tip. A tool requests them (He 2008, sections 4.1.4 and 3.2, the full
+// angle of eq. 3-16).
 struct Spring {
-  Vec3 target = Vec3::Zero();  // mm
-  double stiffness = 0.0;      // N/mm
-  double damping = 0.0;        // N·s/mm
+  Vec3 target = Vec3::Zero();                                // mm
+  double stiffness = 0.0;                                    // N/mm
+  double damping = 0.0;                                      // N·s/mm
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  // the orientation that the tip is turned to
+  double turning = 0.0;                                      // N·mm/rad
 };
 
-// The force of springs.
+// The torque of a spring that turns one orientation to another. By the shortest way; N·mm, for N·mm/rad.
+Vec3 turningTorque(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, double turning);
+
+// The force and the torque of springs.
 class SpringForce : public ForceSource {
  public:
   SpringForce(std::string id, std::vector<Spring> springs);
 
   ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;
   Vec3 force(const TipState& tip, double stiffness, double damping) noexcept override;
+  Vec3 torque(const TipState& tip) noexcept override;
   bool isAttraction() const override { return true; }
 
  private:

@@ -24,6 +24,8 @@ constexpr double kHandRange = 100.0;    // mm of the hand that turn a joint thro
 constexpr double kTurnOfPixel = 0.005;  // rad
 constexpr double kStiffness = 0.2;      // N/mm at the device
 constexpr double kDamping = 0.0005;     // N·s/mm at the device
+constexpr double kTurning = 150.0;      // N·mm/rad at the device
+constexpr double kLargestPush = 0.5;    // rad: no torque of what is near draws the hand further aside
 constexpr double kUnlimitedRange = M_PI;
 constexpr double kShownAxis = 60.0;  // mm
 
@@ -258,8 +260,8 @@ ToolPreview HandGuidingTool::preview() const {
   return preview;
 }
 
-// The hand is drawn to where it would be if the robot could follow, and pushed off what is near. Before that a place
-// that it could take draws it: not at all at the edge of where it does, so that nothing leaps.
+// The hand is drawn to where it would be if the robot could follow, turned as it would be, and pushed off what is near.
+// Before that a place that it could take draws it: not at all at the edge of where it does, so that nothing leaps.
 std::vector<DeviceSpring> HandGuidingTool::forces() const {
   if (!m_guidance && m_near && m_tip && m_isFelt) {
     const Vec3 way = m_near->point - *m_tip;
@@ -270,7 +272,16 @@ std::vector<DeviceSpring> HandGuidingTool::forces() const {
   const Vec3 there = m_guidance->hand->translation() +
                      (m_guidance->robot.tool().translation() - m_guidance->tool.translation()) / m_scale;
   const Vec3 push = m_guidance->felt.force / kStiffness;
-  return {{there + push, kStiffness, kDamping}};
+  DeviceSpring spring{there + push, kStiffness, kDamping};
+  if (m_turns) {
+    const Vec3 aside = m_guidance->felt.torque / kTurning;
+    const double angle = std::min(aside.norm(), kLargestPush);
+    const Eigen::Matrix3d turned = m_guidance->robot.tool().linear() * m_guidance->tool.linear().transpose();
+    spring.turn = Eigen::AngleAxisd(angle, aside.stableNormalized()) *
+                  Eigen::Quaterniond(turned * m_guidance->hand->linear()).normalized();
+    spring.turning = kTurning;
+  }
+  return {spring};
 }
 
 void HandGuidingTool::documentChanged() {

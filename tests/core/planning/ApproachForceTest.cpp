@@ -67,6 +67,59 @@ class ApproachForceTest : public QObject {
     }
   }
 
+  // The same felt at the end of a tool: the force at the ball turns the hand by its lever.
+  void turnsTheHandByItsLever() {
+    const TwoBalls robot;
+    const SerialArm arm = robot.arm();
+    const Pose flange = arm.tipPose(TwoBalls::start()), tool(Eigen::Translation3d(40.0, -30.0, 150.0));
+    RobotScene scene = robot.scene();
+    constexpr double kDistance = 4.0;
+    const Vec3 nearest = flange.translation() + Vec3(TwoBalls::kRadius, 0.0, 0.0);
+    scene.addObstacle(CollisionBody({CollisionPiece::box(Pose::Identity(), {100.0, 4000.0, 4000.0})}),
+                      Pose(Eigen::Translation3d(nearest.x() + kDistance + 50.0, 0.0, 0.0)), 1);
+    ApproachForce force(scene, arm, tool, {.reach = 10.0, .stiffness = 0.5, .largestForce = 50.0});
+    const ApproachForce::Felt felt = force.at(TwoBalls::start());
+    const Vec3 expected(-0.5 * (10.0 - kDistance), 0.0, 0.0);
+    const Vec3 torque = (nearest - (flange * tool).translation()).cross(expected);
+    QVERIFY((felt.force - expected).norm() < 0.02 * expected.norm());
+    QVERIFY((felt.torque - torque).norm() < 0.02 * std::max(torque.norm(), 100.0 * expected.norm()));
+    // Less of all: less of its torque.
+    ApproachForce weak(scene, arm, tool, {.reach = 10.0, .stiffness = 0.5, .largestForce = 1.0});
+    const ApproachForce::Felt less = weak.at(TwoBalls::start());
+    const double share = less.force.norm() / felt.force.norm();
+    QVERIFY(share < 0.4 && less.force.norm() <= 1.0 + 1e-9);
+    QVERIFY((less.torque - share * felt.torque).norm() < 1e-6 * felt.torque.norm());
+  }
+
+  // Two balls on the flange, each pushed to the other side: no force, and the torque of the couple.
+  void aCoupleOnlyTurns() {
+    constexpr double kSide = 100.0, kBall = 10.0, kDistance = 5.0;
+    TwoBalls robot;
+    robot.model.shapes = {SphereShape{kBall}};
+    for (Link& link : robot.model.links) link.collisions.clear();
+    for (const double side : {kSide, -kSide})
+      robot.model.links.back().collisions.push_back({0, Pose(Eigen::Translation3d(side, 0.0, 0.0)), {}});
+    const SerialArm arm = robot.arm();
+    const Pose last = linkPoses(robot.model, JointValues(TwoBalls::start())).back();
+    const Vec3 u = last.linear().col(1);
+    RobotScene scene = robot.scene();
+    for (const double side : {1.0, -1.0}) {
+      const Vec3 ball = last * Vec3(side * kSide, 0.0, 0.0);
+      addBall(scene, ball + side * (2.0 * kBall + kDistance) * u, kBall, side > 0.0 ? 1 : 2);
+    }
+    const Pose tip = arm.tipPose(TwoBalls::start());
+    for (const Vec3& at : {Vec3(0, 0, 0), Vec3(30, 50, 100)}) {  // wherever it is felt
+      ApproachForce force(scene, arm, Pose(Eigen::Translation3d(at)),
+                          {.reach = 10.0, .stiffness = 0.5, .largestForce = 50.0});
+      const ApproachForce::Felt felt = force.at(TwoBalls::start());
+      const double push = 0.5 * (10.0 - kDistance);
+      const Vec3 torque = -2.0 * kSide * push * Vec3(last.linear().col(2));
+      QVERIFY(felt.force.norm() < 0.02 * push);
+      QVERIFY((felt.torque - torque).norm() < 0.02 * torque.norm());
+    }
+    QVERIFY((tip.translation() - last.translation()).norm() < 1e-6);
+  }
+
   // What only the elbow comes near to is felt at the tool, too: the work that the hand does on a small way, the turn of
   // the tool kept, is what the energy changes by.
   void ofAnElbow() {

@@ -97,6 +97,34 @@ class RobotSceneTest : public QObject {
     }
     QVERIFY(depth > 1.0);
     QVERIFY(std::abs(-overlapping[0].distance - depth) < 1e-9);
+    const auto touches = scene.touches(folded, overlapping[0], 1000);
+    QVERIFY(!touches.empty() && std::abs(-touches.front().distance - depth) < 1e-9);
+  }
+
+  // A row of balls of 5 mm every 5 mm along x against one of 8 mm beside it: each ball that it meets, by hand.
+  void placesThatTouch() {
+    const Vec3 beside(52.0, 10.0, 0.0), away(52.0, 20.0, 0.0);
+    const ArmValues straight = ArmValues::Zero(1);
+    RobotScene scene = sceneOf(planarArm({100.0}, 5.0));
+    addBall(scene, beside, 8.0, 3);
+    const auto touches = scene.touches(straight, scene.nearest(straight, 1e9), 100);
+    const std::vector<double> deepestFirst{50.0, 55.0, 45.0, 60.0};
+    QCOMPARE(touches.size(), deepestFirst.size());
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+      const Vec3 ball(deepestFirst[i], 0.0, 0.0), way = (ball - beside).normalized();
+      QVERIFY(std::abs(touches[i].distance - ((ball - beside).norm() - 13.0)) < 1e-9);
+      QVERIFY((touches[i].normal - way).norm() < 1e-9);
+      QVERIFY((touches[i].first - (ball - 5.0 * way)).norm() < 1e-9);
+      QVERIFY((touches[i].second - (beside + 8.0 * way)).norm() < 1e-9);
+    }
+    QCOMPARE(scene.touches(straight, scene.nearest(straight, 1e9), 2).size(), std::size_t{2});
+    // Where nothing touches, the closest points.
+    RobotScene apart = sceneOf(planarArm({100.0}, 5.0));
+    addBall(apart, away, 8.0, 3);
+    const auto closest = apart.touches(straight, apart.nearest(straight, 1e9), 100);
+    QCOMPARE(closest.size(), std::size_t{1});
+    QVERIFY(std::abs(closest[0].distance - (std::hypot(2.0, 20.0) - 13.0)) < 1e-9);
+    QVERIFY(apart.touches(straight, {0.0}, 100).empty());
   }
 
   // Around a ball in the corner: along one side and along the other, without the places in between.

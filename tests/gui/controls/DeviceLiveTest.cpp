@@ -19,6 +19,7 @@ class DeviceLiveTest : public QObject {
  private slots:
   void forceIsAskedFor();
   void withoutMotors();
+  void torque();
   void samples();
   void plotHoldsStillWhileItIsRead();
   void aHandAtRestPaintsNothing();
@@ -67,6 +68,24 @@ void DeviceLiveTest::withoutMotors() {
   QVERIFY(!bench.part<QPushButton>("forceTest")->isVisible());
   QVERIFY(bench.part<QLabel>("noForce")->isVisible());
   QCOMPARE(bench.part<AxisBars>("axisBars")->axes(), std::size_t(6));
+}
+
+// What was sent, for devices that have motors for it; the others have no such line.
+void DeviceLiveTest::torque() {
+  DevicePanelBench bench;
+  bench.panel.showDevice(falconView());
+  QVERIFY(!bench.part<QLabel>("deviceTorque")->isVisible());
+  DeviceInUse view = falconView();
+  view.capabilities.outputs = 6;
+  view.capabilities.maxTorque = 200.0;
+  bench.panel.showDevice(view);
+  QVERIFY(bench.part<QLabel>("deviceTorque")->isVisible());
+  QCOMPARE(bench.text("deviceTorque"), QString("Torque: 0 of 200 N·mm"));
+  ServoSample sample = sampleAt(1.0, {0, 0, 0}, {0, 0, 0});
+  sample.felt.torque = {0, 0, 1000};
+  sample.sent.torque = {0, 30, 40};
+  bench.panel.showSample(sample);
+  QCOMPARE(bench.text("deviceTorque"), QString("Torque: 50 of 200 N·mm"));
 }
 
 // Force as a length, the scene's with the gain of the mapping, against the time before now.

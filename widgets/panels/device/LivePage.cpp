@@ -27,6 +27,7 @@ LivePage::LivePage(QWidget* parent)
       m_forceOn(new QCheckBox(tr("Force on"), this)),
       m_forceTest(new QPushButton(tr("Test the force"), this)),
       m_noForce(new QLabel(tr("This device has no motors: the force is only shown."), this)),
+      m_torque(new QLabel(this)),
       m_plot(new ForcePlot(this)) {
   m_axes->setObjectName(QStringLiteral("axisBars"));
   m_buttons->setObjectName(QStringLiteral("buttonLamps"));
@@ -38,6 +39,9 @@ LivePage::LivePage(QWidget* parent)
   m_noForce->setProperty("muted", true);
   m_noForce->setWordWrap(true);
   m_noForce->hide();
+  m_torque->setObjectName(QStringLiteral("deviceTorque"));
+  m_torque->setToolTip(tr("Torque that is sent to the device, of the largest that it has"));
+  m_torque->hide();
   m_plot->setObjectName(QStringLiteral("forcePlot"));
   m_plot->setMinimumHeight(kPlotHeight);
   auto* force = new QHBoxLayout;
@@ -52,6 +56,7 @@ LivePage::LivePage(QWidget* parent)
   column->addWidget(m_buttons);
   column->addLayout(force);
   column->addWidget(m_noForce);
+  column->addWidget(m_torque);
   column->addWidget(m_plot, 1);
   connect(m_forceOn, &QCheckBox::clicked, this, &LivePage::forceOnChanged);
   connect(m_axes, &AxisBars::handLed, this, [this](const HandPose& hand) {
@@ -76,6 +81,8 @@ void LivePage::showDevice(const DeviceInUse& view) {
   m_buttons->setLed(view.isLed);
   m_forceOn->setChecked(view.isForceOn);
   m_noForce->setVisible(view.chosen && !hasMotors);
+  m_torque->setVisible(view.chosen && view.capabilities.maxTorque > 0.0);
+  showTorque(0.0);
   for (QWidget* part : {static_cast<QWidget*>(m_forceOn), static_cast<QWidget*>(m_forceTest)}) {
     part->setVisible(!view.chosen || hasMotors);
   }
@@ -91,10 +98,17 @@ void LivePage::showSample(const ServoSample& sample, double forceGain) {
   if (std::abs(sample.tip.time - m_shown) >= kBetweenAxes) {
     m_shown = sample.tip.time;
     m_axes->showState(sample.device);
+    showTorque(sample.sent.torque.norm());
   }
   m_buttons->showButtons(sample.device.buttons);
   m_plot->showSample(sample, forceGain);
   enableForce(sample.device.status);
+}
+
+void LivePage::showTorque(double torque) {
+  m_torque->setText(
+      tr("Torque: %1 of %2 N·mm")
+          .arg(locale().toString(torque, 'f', 0), locale().toString(m_view.capabilities.maxTorque, 'f', 0)));
 }
 
 void LivePage::showHand(const HandPose& hand) {
@@ -110,6 +124,7 @@ void LivePage::clear() {
   m_axes->showState({});
   m_buttons->showButtons(0);
   m_plot->clear();
+  showTorque(0.0);
 }
 
 }  // namespace handwheel

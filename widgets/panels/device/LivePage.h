@@ -38,6 +38,7 @@ class LivePage : public QWidget {
 
  private:
   void enableForce(DeviceStatus status);
+  void showTorque(double torque);  // N·mm
 
   DeviceInUse m_view;
   HandPose m_hand;
@@ -46,6 +47,7 @@ class LivePage : public QWidget {
   QCheckBox* m_forceOn;
   QPushButton* m_forceTest;
   QLabel* m_noForce;
+  QLabel* m_torque;
   ForcePlot* m_plot;
   double m_shown = 0.0;  // s: time of the sample whose axes are shown
 };

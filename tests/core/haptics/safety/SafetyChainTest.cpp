@@ -210,6 +210,66 @@ class SafetyChainTest : public QObject {
     QCOMPARE(output.sent.gripper, 0.0);
   }
 
+  // Of a device that has motors for it: 25 N·mm a tick, up to 100; to zero at once where it is no number; slowly back;
+  // and it fades when the scene is silent.
+  void torqueIsLimitedAsForceIs() {
+    SafetySettings s = safetyChainSettings();
+    s.maxTorque = 100.0;
+    s.torqueSlewRate = 25000.0;
+    SafetyChain chain(s);
+    for (int i = 0; i < 200; ++i) chain.process(asking(Vec3::Zero()));
+    const auto turning = [](double z) {
+      SafetyInput input;
+      input.asked.torque = {0, 0, z};
+      return input;
+    };
+    for (const double expected : {25.0, 50.0, 60.0, 60.0}) {
+      const SafetyOutput output = chain.process(turning(60.0));
+      QVERIFY((output.sent.torque - Vec3(0, 0, expected)).norm() < 1e-9);
+      QVERIFY(output.sent.force.isZero(0.0));
+      QCOMPARE(output.actions.isEmpty(), expected == 60.0 && !output.actions.has(SafetyAction::Slew));
+    }
+    for (const double expected : {85.0, 100.0, 100.0})
+      QVERIFY((chain.process(turning(1e300)).sent.torque - Vec3(0, 0, expected)).norm() < 1e-9);
+    SafetyInput silent = turning(100.0);
+    silent.isFresh = false;
+    for (int i = 0; i < 30; ++i) chain.process(silent);
+    QVERIFY(chain.process(silent).sent.isZero());
+    for (int i = 0; i < 300; ++i) chain.process(turning(60.0));
+    QVERIFY((chain.process(turning(60.0)).sent.torque - Vec3(0, 0, 60)).norm() < 1e-9);
+    const SafetyOutput broken = chain.process(turning(kNan));
+    QVERIFY(broken.sent.isZero() && broken.actions.has(SafetyAction::NotFinite));
+    Vec3 last = Vec3::Zero();
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 sent = chain.process(turning(60.0)).sent.torque;
+      QVERIFY((sent - last).norm() <= 60.0 * 0.01 + 1e-9);  // in 100 ticks
+      last = sent;
+    }
+    QVERIFY((last - Vec3(0, 0, 60)).norm() < 1e-9);
+  }
+
+  void anyTorqueIsFiniteAndLimited() {
+    QVERIFY(rc::check("any torque", [] {
+      SafetySettings s = safetyChainSettings();
+      s.maxTorque = 100.0;
+      s.torqueSlewRate = 25000.0;
+      SafetyChain chain(s);
+      Vec3 last = Vec3::Zero();
+      for (int i = 0; i < 100; ++i) {
+        SafetyInput input;
+        input.asked.torque = safetyChainAnyVector();
+        if (*rc::gen::inRange(0, 2)) input.asked.torque = Vec3(*rc::gen::inRange(-300, 300), 1, 2);
+        input.period = *rc::gen::element(0.001, 0.001, 0.0011, 0.05, 1e-9, 3600.0, kNan, 0.0);
+        input.isFresh = *rc::gen::inRange(0, 8) != 0;
+        input.isDiscontinuous = *rc::gen::inRange(0, 32) == 0;
+        const SafetyOutput output = chain.process(input);
+        RC_ASSERT(output.sent.torque.allFinite() && output.sent.torque.norm() <= 100.0 + 1e-9);
+        RC_ASSERT(output.sent.isZero() || (output.sent.torque - last).norm() <= 50.0 + 1e-9);
+        last = output.sent.torque;
+      }
+    }));
+  }
+
   // Whatever comes in: finite, within the device's limits, and never further from the last but for a fall to zero.
   void alwaysFiniteAndLimited() {
     QVERIFY(rc::check("any input", [] {

@@ -109,6 +109,57 @@ class SceneForcesTest : public QObject {
     QVERIFY(isNear(soft.force, {-0.5 - 0.03, -0.04, 0}));
   }
 
+  // k times the angle about the axis of the shortest way; two that are opposite are none, and the place has no part in
+  // it.
+  void turnsTheTip() {
+    const auto torqueAt = [](const Eigen::Quaterniond& from, std::vector<Spring> springs) {
+      MeshHaptics feel;
+      feel.springs = std::move(springs);
+      SceneForces scene(forceSources(std::move(feel)));
+      TipState tip;
+      tip.position = Vec3(4, 5, 6);
+      tip.orientation = from;
+      ForceOut out;
+      scene.tick(tip, out);
+      return out.torque;
+    };
+    const auto turnedBy = [](double angle, const Vec3& axis) {
+      return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
+    };
+    const Eigen::Quaterniond from = turnedBy(0.7, Vec3(1, -2, 2) / 3.0);
+    const Vec3 axis = Vec3(2, 1, -2) / 3.0;
+    for (const double angle : {0.0, 1e-9, 0.3, 1.5, 3.1}) {
+      for (const double sign : {1.0, -1.0}) {
+        Spring spring;
+        spring.turn = turnedBy(sign * angle, axis) * from;
+        spring.turning = 40.0;
+        QVERIFY((torqueAt(from, {spring}) - 40.0 * sign * angle * axis).norm() < 1e-6);
+        Spring same = spring;
+        same.turn.coeffs() *= -1.0;  // the same orientation
+        QVERIFY((torqueAt(from, {same}) - 40.0 * sign * angle * axis).norm() < 1e-6);
+        Spring back = spring;
+        back.turn = turnedBy(-sign * angle, axis) * from;
+        QVERIFY(torqueAt(from, {spring, back}).norm() < 1e-6);
+      }
+    }
+    QVERIFY((torqueAt(from, {{Vec3::Zero(), 0.0, 0.0, turnedBy(4.0, axis) * from, 40.0}}) -
+             40.0 * (4.0 - 2.0 * M_PI) * axis)
+                .norm() < 1e-6);
+    QVERIFY(torqueAt(from, {{Vec3(9, 9, 9), 1.0}}).isZero(0.0));
+  }
+
+  // As a force, the torque of a target that is caught comes within a tenth of a second, in equal steps.
+  void aTurningSpringGrowsIn() {
+    SceneForces nothing({});
+    feltAt(nothing, Vec3::Zero());
+    MeshHaptics feel;
+    feel.springs = {{Vec3::Zero(), 0.0, 0.0, Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Vec3::UnitY())), 60.0}};
+    SceneForces scene(forceSources(std::move(feel)));
+    scene.follow(nothing);
+    for (int i = 0; i <= 120; ++i)
+      QVERIFY(isNear(feltAt(scene, Vec3::Zero()).torque, {0, 30.0 * std::min(1.0, i / 100.0), 0}));
+  }
+
   void snapsToAFeature() {
     SnapFeatures features;
     features.addPoint(7, {0, 0, 0});

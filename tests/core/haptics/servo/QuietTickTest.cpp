@@ -76,6 +76,7 @@ class QuietTickTest : public QObject {
       SnapFeatures features;
       for (std::uint32_t i = 0; i < soup.points.size(); i += 7) features.addPoint(i, soup.points[i]);
       const SnapField field(features);
+      const Eigen::Quaterniond turned(Eigen::AngleAxisd(0.3, Vec3::UnitX()));
       std::uint32_t round = 0;
       const auto publish = [&] {
         const std::uint32_t id = round++ % static_cast<std::uint32_t>(soup.triangles.size());
@@ -86,7 +87,7 @@ class QuietTickTest : public QObject {
         MeshHaptics feel;
         feel.surface = TouchedSurface{surface, 0.5, 0.0005, {}};
         feel.snap = SnapAttraction{field, SnapProfile(SnapShape::Quadratic, 0.3, 2.0), method};
-        if (round % 2 == 0) feel.springs = {{Vec3(0, 0, kBall), 0.1, 0.0005}};
+        if (round % 2 == 0) feel.springs = {{Vec3(0, 0, kBall), 0.1, 0.0005, turned, 50.0}};
         auto scene = std::make_unique<HapticScene>();
         scene->renderer = std::make_unique<SceneForces>(forceSources(std::move(feel)));
         scene->isDiscontinuous = false;

@@ -121,6 +121,8 @@ class HandGuidingToolTest : public QObject {
     tool.pointer(byHand(Kind::Drag, hand));
     QCOMPARE(tool.forces().size(), std::size_t{1});
     QVERIFY((tool.forces()[0].target - hand.translation()).norm() < 0.05);
+    QVERIFY(tool.forces()[0].turning > 0.0);
+    QVERIFY(tool.forces()[0].turn.angularDistance(Eigen::Quaterniond(hand.linear())) < 1e-3);
     tool.pointer(byHand(Kind::Release, hand));
     QVERIFY((bench.toolPose().translation() - before.translation() - Vec3(-20, 30, 10)).norm() < 0.05);
     const Eigen::AngleAxisd turned(bench.toolPose().linear() * before.linear().transpose());

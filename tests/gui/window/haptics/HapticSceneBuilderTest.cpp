@@ -91,6 +91,29 @@ class HapticSceneBuilderTest : public QObject {
   void initTestCase() { m_settings.use(); }
   void init() { QSettings().clear(); }
 
+  // A tool turns the hand on a device that has motors for it: by what it asks for, at most as stiffly as the device is.
+  void turnsTheHand() {
+    TouchSceneBench b;
+    b.session->choose("simulated", "turned-hand");
+    QVERIFY(QTest::qWaitFor([&] { return b.session->latest() != nullptr; }, kLongestMs));
+    const double stiffest = b.session->capabilities().maxAngularStiffness;
+    QVERIFY(stiffest > 0.0);
+    constexpr double kAngle = 0.1;
+    for (const double asked : {0.1 * stiffest, 5.0 * stiffest}) {
+      DeviceSpring spring;
+      spring.turn = Eigen::AngleAxisd(kAngle, Vec3::UnitX()) * b.session->latest()->tip.orientation;
+      spring.turning = asked;
+      b.scene->setSprings({spring});
+      const double expected = kAngle * std::min(asked, stiffest);
+      const auto isSent = [&] {
+        const ServoSample& sample = *b.session->latest();
+        const Vec3 torque = b.session->mappingInScene().deviceTorque(sample.felt.torque);
+        return std::abs(torque.norm() - expected) < 1e-6 * stiffest && (sample.sent.torque - torque).norm() < 1e-6;
+      };
+      QVERIFY(QTest::qWaitFor(isSent, kLongestMs));
+    }
+  }
+
   void snapsByTheProfileThatWasChosen_data() {
     QTest::addColumn<int>("shape");
     QTest::addColumn<double>("stiffness");
