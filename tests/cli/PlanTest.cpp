@@ -4,6 +4,7 @@
 #include "TestClass.h"
 
 #include <QTest>
+#include <array>
 #include <cmath>
 
 using namespace handwheel;
@@ -56,6 +57,57 @@ class PlanTest : public QObject {
       }
     }
     QCOMPARE(report["min_clearance_mm"].get<double>(), 0.0);
+  }
+
+  // A fixture whose origin is 400, 50, 10 mm from the base, turned by 90° about z: by numbers, with a target, chosen
+  // for programs.
+  void frames() {
+    const PlannedCell cell;
+    const auto change = [&](const QStringList& words) {
+      const Ran ran =
+          cell.run(QStringList{"configuration", "cell.handwheel"} + words + QStringList{"-o", "cell.handwheel"});
+      return ran.code == 0 ? ran.out : ran.err;
+    };
+    const QByteArray added = change({"--add-frame", "fixture", "--at", "400,50,10", "--turn", "0,0,90"});
+    QVERIFY2(added.contains("frame fixture"), added);
+    change({"--add-target", "drop", "--in", "fixture", "--at", "-250,200,500", "--turn", "160,20,0"});
+    const auto described = [&] { return jsonOf(cell.run({"inspect", "cell.handwheel", "--json"}).out)["document"]; };
+    QCOMPARE(described()["frames"][0]["name"].get<std::string>(), std::string("fixture"));
+    QVERIFY(described()["frames"][0]["link"].is_null() && !described()["frames"][0]["chosen"].get<bool>());
+    QCOMPARE(described()["targets"][0]["frame"].get<std::string>(), std::string("fixture"));
+    // Of -650, 150, 490 mm between them the frame sees 150 mm along its x and 650 mm along its y.
+    QVERIFY(std::abs(described()["targets"][0]["position"][0].get<double>() - 150.0) < 1e-6);
+    QVERIFY(std::abs(described()["targets"][0]["position"][1].get<double>() - 650.0) < 1e-6);
+
+    cell.put("short.json", R"({"waypoints": [[1.2, 0.5, 0, 0, 0, 0], [1.4, 0.5, 0, 0, 0, 0]]})");
+    const auto posted = [&](const QStringList& words) {
+      const Ran ran =
+          cell.run(QStringList{"post", "cell.handwheel", "short.json", "--controller", "csv", "-o", "p.csv"} + words);
+      return ran.code == 0 ? cell.read("p.csv") : ran.err;
+    };
+    const auto place = [](const QByteArray& csv) {  // of the last motion
+      const QList<QByteArray> fields = csv.trimmed().split('\n').back().split(',');
+      const qsizetype at = fields.size() - 7;
+      return std::array{fields[at].toDouble(), fields[at + 1].toDouble(), fields[at + 2].toDouble()};
+    };
+    const QByteArray plain = posted({}), framed = posted({"--frame", "fixture"});
+    QVERIFY2(!plain.contains("frame") && framed.contains("# frame,fixture,400.0"), framed);
+    const auto inBase = place(plain), inFrame = place(framed);
+    QVERIFY(std::abs(inBase[0] - (400.0 - inFrame[1])) < 1e-5 && std::abs(inBase[1] - (50.0 + inFrame[0])) < 1e-5 &&
+            std::abs(inBase[2] - (10.0 + inFrame[2])) < 1e-5);
+    QCOMPARE(cell.run({"set", "cell.handwheel", "frame=fixture", "-o", "cell.handwheel"}).code, 0);
+    QVERIFY(described()["frames"][0]["chosen"].get<bool>());
+    QCOMPARE(posted({}), framed);
+    QCOMPARE(posted({"--frame", "base"}), plain);
+    QVERIFY(posted({"--frame", "other"}).contains("other"));
+    const std::string link = described()["tool"]["link"];
+    change({"--add-frame", "gripped", "--link", QString::fromStdString(link)});
+    const QByteArray moving = posted({"--frame", "gripped"});
+    QVERIFY2(moving.contains("moves the frame 'gripped'"), moving);
+    change({"--remove-frame", "fixture"});
+    QCOMPARE(posted({}), plain);
+    QVERIFY(described()["targets"][0]["frame"].is_null());
+    QVERIFY(std::abs(described()["targets"][0]["position"][0].get<double>() + 250.0) < 1e-6);
   }
 
   // All ways in which the arm reaches a pose, one of them taken, and a target that a path goes to.

@@ -300,6 +300,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "its name is not unique"),
     QT_TRANSLATE_NOOP("ErrorWord", "a robot is not in the description"),
     QT_TRANSLATE_NOOP("ErrorWord", "the robot"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the frame"),
     QT_TRANSLATE_NOOP("ErrorWord", "a cell with several robots as one robot"),
     QT_TRANSLATE_NOOP("ErrorWord", "a saved document as a robot"),
     // of lathes, programs, drills and exercises
@@ -376,6 +377,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "paths"),
     QT_TRANSLATE_NOOP("ErrorWord", "configurations"),
     QT_TRANSLATE_NOOP("ErrorWord", "targets"),
+    QT_TRANSLATE_NOOP("ErrorWord", "frames"),
     QT_TRANSLATE_NOOP("ErrorWord", "allowed"),
     QT_TRANSLATE_NOOP("ErrorWord", "allowed pairs"),
     QT_TRANSLATE_NOOP("ErrorWord", "a place in another frame than UF : 0"),

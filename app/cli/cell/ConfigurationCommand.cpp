@@ -43,11 +43,13 @@ std::string reportOf(const nlohmann::json& described, bool asJson) {
   if (asJson)
     return textOf({{"configurations", described["configurations"]},
                    {"targets", described["targets"]},
+                   {"frames", described["frames"]},
                    {"paths", described["paths"]}});
   std::string text;
   for (const nlohmann::json& each : described["configurations"])
     text += "configuration " + each["name"].get<std::string>() + "\n";
   for (const nlohmann::json& each : described["targets"]) text += "target " + each["name"].get<std::string>() + "\n";
+  for (const nlohmann::json& each : described["frames"]) text += "frame " + each["name"].get<std::string>() + "\n";
   for (const nlohmann::json& each : described["paths"]) {
     text += "path " + each["name"].get<std::string>() + ", " + std::to_string(each["places"].get<std::size_t>()) +
             " places\n";
@@ -125,12 +127,12 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
 }  // namespace
 
 Command configurationCommand() {
-  CommandSpec spec = {
-      configurationOperation().id,
-      "CELL",
-      "Stores named joint values and targets in a robot cell, between which paths are planned, and moves the robot.\n"
-      "CELL is a document, a URDF, a table after Denavit and Hartenberg, or a built-in robot (irb120).",
-      {}};
+  CommandSpec spec = {configurationOperation().id,
+                      "CELL",
+                      "Stores named joint values, targets and frames in a robot cell, between which paths are planned, "
+                      "and moves the robot.\n"
+                      "CELL is a document, a URDF, a table after Denavit and Hartenberg, or a built-in robot (irb120).",
+                      {}};
   spec.options = optionsOf(configurationOperation());
   spec.options.push_back(armOption());
   spec.options.push_back({"srdf", 0, "FILE", "Adds the pairs that may touch and the states of a semantic description"});

@@ -14,6 +14,8 @@ namespace handwheel {
 
 namespace {
 
+constexpr const char* kBaseFrame = "base";  // of the robot; a frame of the cell may have this name
+
 std::string controllers() {
   std::string all;
   for (const auto& post : posts()) all += (all.empty() ? "" : ", ") + std::string(post->id());
@@ -42,8 +44,13 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!checked) return fail(checked.error());
   warnOfShapes(*scene);
   const std::string output = arguments.valueOf("output");
+  CellPlans plans = *file->cell->plans;
+  if (arguments.has("frame")) {
+    const std::string name = arguments.valueOf("frame");
+    plans.workFrame = name == kBaseFrame && !plans.frame(name) ? std::string() : name;
+  }
   const Result<WrittenProgram> written =
-      writeProgram(*scene, *file->cell->plans, *path, *checked, *post, output,
+      writeProgram(*scene, plans, *path, *checked, *post, output,
                    arguments.has("outdated") ? OutdatedPath::Write : OutdatedPath::Refuse);
   if (!written) return fail(written.error());
   const PostCheck& readBack = written->check;
@@ -61,11 +68,13 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
                          {"exact_stops", written->exactStops},
                          {"other_robot", !written->otherRobot.empty()},
                          {"outdated", !checked->partMoved.empty()},
+                         {"frame", plans.workFrame.empty() ? nlohmann::json() : nlohmann::json(plans.workFrame)},
                          {"certified", true}}));
   }
   std::string text = output + ": " + post->title() + ", " + std::to_string(readBack.motions) +
                      " motions, read back within " + roundedText(readBack.distance, 2) + " mm and " +
                      roundedText(readBack.angle, 2) + " degrees\n";
+  if (!plans.workFrame.empty()) text += "Its places are in the frame " + plans.workFrame + ".\n";
   if (written->exactStops > 0)
     text +=
         std::to_string(written->exactStops) + " blends became exact stops: not every way within their zones is free\n";
@@ -83,6 +92,9 @@ Command postCommand() {
       {}};
   spec.options.push_back({"controller", 0, "NAME", "The language: " + controllers()});
   spec.options.push_back(armOption());
+  spec.options.push_back({"frame", 0, "NAME",
+                          "The frame of the cell that the places are written in (default: the one chosen in the cell); "
+                          "'base': that of the robot"});
   spec.options.push_back(resolutionOption());
   spec.options.push_back({"outdated", 0, "",
                           "Write it even if the part that it was planned along stands elsewhere now; a comment of the "

@@ -202,6 +202,8 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
     detail += QLatin1Char(' ') + tr("%Ln blend(s) became exact stops, as their zones are not free everywhere.", nullptr,
                                     static_cast<int>(written.exactStops));
   }
+  if (!written.frame.empty())
+    detail += QLatin1Char(' ') + tr("Its places are in the frame %1.").arg(QString::fromStdString(written.frame));
   const bool isOther = !written.otherRobot.empty();
   if (isOther) {
     detail += QLatin1Char(' ') + tr("%1 is not the language of the controller of this robot, %2.")

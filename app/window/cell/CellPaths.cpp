@@ -34,6 +34,8 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
       m_checks(parts, collisions, this),
       m_store(tr("&Store this configuration"), this),
       m_storeTarget(tr("Store a &target here"), this),
+      m_storeFrame(tr("Store a &frame here"), this),
+      m_workIn(tr("&Work in the frame"), this),
       m_go(tr("&Go to it"), this),
       m_plan(tr("&Plan a path…"), this),
       m_again(tr("Plan the path &again"), this),
@@ -54,7 +56,15 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
       m_menu(new QMenu(parts.window)) {
   prepare(m_store, "storeConfiguration", "place", tr("Store the current joint values under a name"));
   prepare(m_storeTarget, "storeTarget", "target",
-          tr("Store the current pose of the tool as a target; on the selected body, if any, with which it moves"));
+          tr("Store the current pose of the tool as a target; on the selected body, if any, or in the chosen frame, "
+             "with which it moves"));
+  prepare(
+      m_storeFrame, "storeFrame", nullptr,
+      tr("Store the current pose of the tool as a frame for targets and programs; on the selected body, if any, with "
+         "which it moves"));
+  prepare(m_workIn, "workInFrame", nullptr,
+          tr("Show coordinates of targets, and write programs, in the selected frame; once more: in none"));
+  m_workIn.setCheckable(true);
   prepare(m_go, "goToConfiguration", nullptr, tr("Move the robot to the selected configuration, place or target"));
   prepare(m_plan, "planPath", "program", tr("Plan a path between configurations that is proven free of collisions"));
   prepare(m_again, "planPathAgain", nullptr,
@@ -63,7 +73,7 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
           tr("Insert the current joint values after the selected place as a critical configuration; before the goal, "
              "if that or the path is selected"));
   prepare(m_here, "setPlaceHere", nullptr,
-          tr("Replace the selected place or target by the current position of the robot"));
+          tr("Replace the selected place, target or frame by the current position of the robot"));
   prepare(m_up, "movePlaceUp", nullptr, tr("Move the selected place towards the start of the path"));
   prepare(m_down, "movePlaceDown", nullptr, tr("Move the selected place towards the end of the path"));
   prepare(m_straight, "straightToPlace", nullptr,
@@ -81,8 +91,9 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
   prepare(m_semantics, "readSemantics", nullptr,
           tr("Read the pairs of links that may touch, and named states, of the selected robot, or else of the one to "
              "plan for"));
-  prepare(m_rename, "renamePlan", nullptr, tr("Give the selected configuration, path or target another name"));
-  prepare(m_remove, "removePlan", nullptr, tr("Remove the selected configuration, path, place, target or robot"));
+  prepare(m_rename, "renamePlan", nullptr, tr("Give the selected configuration, path, target or frame another name"));
+  prepare(m_remove, "removePlan", nullptr,
+          tr("Remove the selected configuration, path, place, target, frame or robot"));
   prepare(m_optimise, "optimisePath", nullptr,
           tr("Choose the order of the critical places, and the configurations in which they are reached, that take the "
              "least time"));
@@ -107,6 +118,8 @@ CellPaths::~CellPaths() {
 void CellPaths::connectActions() {
   connect(&m_store, &QAction::triggered, this, &CellPaths::store);
   connect(&m_storeTarget, &QAction::triggered, this, &CellPaths::storeTarget);
+  connect(&m_storeFrame, &QAction::triggered, this, &CellPaths::storeFrame);
+  connect(&m_workIn, &QAction::triggered, this, [this] { workIn(m_tree->current().name); });
   connect(&m_go, &QAction::triggered, this, [this] { goTo(m_tree->current()); });
   connect(&m_choose, &QAction::triggered, this, [this] { m_robots.choose(m_tree->current().name); });
   connect(&m_plan, &QAction::triggered, this, &CellPaths::askForPath);
@@ -212,6 +225,11 @@ const NamedTarget* CellPaths::target() const {
   return entry.kind == PlanTree::Entry::Kind::Target ? plans().target(entry.name) : nullptr;
 }
 
+const NamedFrame* CellPaths::frame() const {
+  const PlanTree::Entry entry = m_tree->current();
+  return entry.kind == PlanTree::Entry::Kind::Frame ? plans().frame(entry.name) : nullptr;
+}
+
 const RobotPath* CellPaths::path() const {
   const PlanTree::Entry entry = m_tree->current();
   const bool isOfPath = entry.kind == PlanTree::Entry::Kind::Path || entry.kind == PlanTree::Entry::Kind::Place;
@@ -269,7 +287,7 @@ void CellPaths::update() {
   std::map<std::string, PathStatus> statuses;
   for (const RobotPath& each : plans().paths)
     statuses[each.name] = pathStatusOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
-  m_tree->setPlans(plans(), m_document ? &cell().robot() : nullptr, statuses, m_targets.reach());
+  m_tree->setPlans(plans(), m_document ? &cell().robot() : nullptr, statuses, m_targets.reach(), frameRemarks());
   offerActions();
   showDetail();
 }
@@ -287,6 +305,8 @@ void CellPaths::showDetail() {
   } else if (const auto reach = m_targets.reach().find(entry.name);
              entry.kind == Kind::Target && reach != m_targets.reach().end()) {
     text = reach->second.remark;
+  } else if (const auto remarks = frameRemarks(); entry.kind == Kind::Frame && remarks.contains(entry.name)) {
+    text = remarks.at(entry.name);
   }
   m_detail->setText(text);
   m_detail->setVisible(!text.isEmpty());
@@ -303,10 +323,13 @@ void CellPaths::offerActions() {
                 noPath = isOfOther ? tr("Choose the robot of the path first.") : tr("Select a path first.");
   offer(m_store, isCell, noCell);
   offer(m_storeTarget, isCell, noCell);
+  offer(m_storeFrame, isCell, noCell);
   const bool isAnyPlace = !plans().configurations.empty() || !plans().targets.empty();
   offer(m_plan, isCell && isAnyPlace,
         isCell ? tr("Store a configuration or a target first: where the path is to begin or end.") : noCell);
-  const bool isTarget = entry.kind == Kind::Target;
+  const bool isTarget = entry.kind == Kind::Target, isFrame = entry.kind == Kind::Frame;
+  offer(m_workIn, isFrame, tr("Select a frame in the list first."));
+  m_workIn.setChecked(isFrame && entry.name == plans().workFrame);
   offer(m_go, entry.kind == Kind::Configuration || isPlace || isTarget,
         tr("Select a configuration, a place or a target first."));
   offer(m_choose, entry.kind == Kind::Robot, tr("Select a robot in the list first, in a cell with several."));
@@ -314,7 +337,7 @@ void CellPaths::offerActions() {
   offer(m_optimise, present && present->places.size() >= 3,
         present ? tr("There is nothing between the ends of the path.") : noPath);
   offer(m_insert, present != nullptr, noPath);
-  offer(m_here, isPlace || isTarget, tr("Select a place of a path or a target first."));
+  offer(m_here, isPlace || isTarget || isFrame, tr("Select a place of a path, a target or a frame first."));
   offer(m_up, isPlace && entry.place > 0, noPlace);
   offer(m_down, isPlace && present && entry.place + 1 < present->places.size(), noPlace);
   offer(m_straight, isPlace && entry.place > 0, noPlace);
@@ -331,9 +354,9 @@ void CellPaths::offerActions() {
                      : tr("Only a path that is proven free of collisions is exported."));
   offer(m_import, isCell, noCell);
   offer(m_semantics, isCell, noCell);
-  offer(m_rename, entry.kind == Kind::Configuration || entry.kind == Kind::Path || isTarget,
-        tr("Select a configuration, a path or a target first."));
-  offer(m_remove, isSomething, tr("Select a configuration, a path, a place, a target or a robot first."));
+  offer(m_rename, entry.kind == Kind::Configuration || entry.kind == Kind::Path || isTarget || isFrame,
+        tr("Select a configuration, a path, a target or a frame first."));
+  offer(m_remove, isSomething, tr("Select a configuration, a path, a place, a target, a frame or a robot first."));
 }
 
 }  // namespace handwheel

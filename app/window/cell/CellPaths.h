@@ -24,9 +24,9 @@ class PathLayer;
 struct RobotSemantics;
 class RobotCellDocument;
 
-// The list of the plans of a robot cell and its actions. Stores configurations and targets, plans paths through them,
-// edits their places, verifies and shows them. The path of the selected row, or the only one, is the present one, if it
-// is of the robot that is planned for.
+// The list of the plans of a robot cell and its actions. Stores configurations, targets and frames, plans paths through
+// them, edits their places, verifies and shows them. The path of the selected row, or the only one, is the present one,
+// if it is of the robot that is planned for.
 class CellPaths : public QObject {
   Q_OBJECT
 
@@ -39,7 +39,7 @@ class CellPaths : public QObject {
   void setDocument(DocumentTab* document);
   void forget(const DocumentTab* document);
   // The actions, by what they are for.
-  QList<QAction*> ofConfigurations() { return {&m_store, &m_storeTarget, &m_go}; }
+  QList<QAction*> ofConfigurations() { return {&m_store, &m_storeTarget, &m_storeFrame, &m_go, &m_workIn}; }
   QList<QAction*> ofPaths() {
     return {&m_plan, &m_again, &m_optimise, &m_insert, &m_here, &m_up, &m_down, &m_straight};
   }
@@ -65,6 +65,7 @@ class CellPaths : public QObject {
   void setVisible(bool isVisible);             // the line of the path in the view
 
   const NamedTarget* target() const;  // of the selected row; null: that is none
+  const NamedFrame* frame() const;    // likewise
   // The present path, and what is known of it; null while nothing is.
   const RobotPath* path() const;
   std::shared_ptr<const CheckedPath> checked() const;
@@ -89,6 +90,11 @@ class CellPaths : public QObject {
   void store();
   void storeTarget();
   void setTargetHere(const std::string& name);
+  void storeFrame();
+  void setFrameHere(const std::string& name);
+  void workIn(const std::string& name);  // or in none, if it is in this frame
+  BodyPointer bodyForPlaces() const;     // that what is stored is on; null: none
+  std::map<std::string, QString> frameRemarks() const;
   void goTo(const PlanTree::Entry& entry);
   void goToTarget(const std::string& name);
   void askForPath();
@@ -177,8 +183,8 @@ class CellPaths : public QObject {
   std::optional<OperationValues> m_planned;              // what was chosen in the dialog last
   std::map<const DocumentTab*, WantedProcess> m_wanted;  // one at most of a document
   std::uint64_t m_remakes = 0;                           // that were begun
-  QAction m_store, m_storeTarget, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down, m_straight, m_verify,
-      m_verifyAll, m_export, m_import, m_semantics, m_rename, m_remove, m_optimise, m_choose;
+  QAction m_store, m_storeTarget, m_storeFrame, m_workIn, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down,
+      m_straight, m_verify, m_verifyAll, m_export, m_import, m_semantics, m_rename, m_remove, m_optimise, m_choose;
   QMenu* m_menu;  // owned by the window
 };
 

@@ -3,7 +3,6 @@
 
 // How the actions for paths change the document.
 #include "document/FileBytes.h"
-#include "document/cell/BodyCarriers.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/PlaceProperties.h"
@@ -112,7 +111,7 @@ void CellPaths::reportStored(const DocumentTab& tab, const QString& title, const
   emit message(said);
 }
 
-// On the selected body it moves with that, unless the robot itself carries it.
+// On the selected body it moves with that, or else with the chosen frame, unless the robot itself moves it.
 void CellPaths::storeTarget() {
   m_document->document.settle();  // the hand may lead the robot
   CellPlans changed = plans();
@@ -120,32 +119,37 @@ void CellPaths::storeTarget() {
   NamedTarget target{.name = changed.freePlaceName(wish)};
   const RobotModel& robot = cell().robot().model;
   target.pose = toolPose(cell().robot(), changed, cell().joints());
-  const BodyPointer selected = m_selected();
-  const BodyPointer body = selected && carrierOf(*selected, robot) == kNone ? selected : nullptr;
-  if (body) target = onBody(std::move(target), *body, robot, cell().joints());
+  const BodyPointer body = bodyForPlaces();
+  const NamedFrame* const work = changed.frame(changed.workFrame);
+  const bool isStill = work && !movesWith(*work, cell().bodies(), robot,
+                                          dofsOfArm(cell().robot(), activeArmNumber(cell().robot(), changed)));
+  const Result<NamedTarget> inFrame = targetInFrame(target, changed.workFrame, cell().placement());
+  if (body)
+    target = onBody(std::move(target), *body, robot, cell().joints());
+  else if (isStill && inFrame)
+    target = *inFrame;
   const PlanTree::Entry entry{Kind::Target, target.name};
-  const QString name = QString::fromStdString(target.name);
+  const QString name = QString::fromStdString(target.name), frame = QString::fromStdString(target.frame);
   changed.targets.push_back(std::move(target));
-  const QString text =
-      body ? tr("Store %1 on %2").arg(name, QString::fromStdString(body->name)) : tr("Store %1").arg(name);
+  const QString text = body               ? tr("Store %1 on %2").arg(name, QString::fromStdString(body->name))
+                       : !frame.isEmpty() ? tr("Store %1 in %2").arg(name, frame)
+                                          : tr("Store %1").arg(name);
   if (!commit(text, std::move(changed))) return;
   m_tree->select(entry);
-  reportStored(
-      *m_document, tr("%1 was stored").arg(name),
-      body ? tr("It moves with %1.").arg(QString::fromStdString(body->name)) : tr("It is selected in the list."),
-      entry);
+  reportStored(*m_document, tr("%1 was stored").arg(name),
+               body               ? tr("It moves with %1.").arg(QString::fromStdString(body->name))
+               : !frame.isEmpty() ? tr("It moves with %1.").arg(frame)
+                                  : tr("It is selected in the list."),
+               entry);
 }
 
-// It stays on its body.
+// It stays on its body, and in its frame.
 void CellPaths::setTargetHere(const std::string& name) {
   CellPlans changed = plans();
   const auto target = std::find_if(changed.targets.begin(), changed.targets.end(),
                                    [&](const NamedTarget& each) { return each.name == name; });
   if (target == changed.targets.end()) return;
-  const RobotModel& robot = cell().robot().model;
-  target->pose = toolPose(cell().robot(), changed, cell().joints());
-  const BodyPointer body = cell().bodies().withId(target->body);
-  if (body) *target = onBody(std::move(*target), *body, robot, cell().joints());
+  *target = targetAt(*target, toolPose(cell().robot(), changed, cell().joints()), cell().placement());
   commit(tr("Set %1").arg(QString::fromStdString(name)), std::move(changed));
 }
 
@@ -161,6 +165,7 @@ void CellPaths::goToTarget(const std::string& name) {
 
 void CellPaths::goTo(const PlanTree::Entry& entry) {
   if (entry.kind == Kind::Robot) return m_robots.choose(entry.name);
+  if (entry.kind == Kind::Frame) return workIn(entry.name);
   if (entry.kind == Kind::Target && plans().target(entry.name)) return goToTarget(entry.name);
   const NamedConfiguration* const configuration =
       entry.kind == Kind::Configuration ? plans().configuration(entry.name) : nullptr;
@@ -227,6 +232,7 @@ void CellPaths::setPlaceHere() {
   m_document->document.settle();
   const PlanTree::Entry entry = m_tree->current();
   if (entry.kind == Kind::Target) return setTargetHere(entry.name);
+  if (entry.kind == Kind::Frame) return setFrameHere(entry.name);
   CellPlans changed = plans();
   RobotPath* const of = pathByHand(changed, entry.name);
   if (entry.kind != Kind::Place || !of || entry.place >= of->places.size()) return;
@@ -268,6 +274,8 @@ void CellPaths::removeCurrent() {
   } else if (entry.kind == Kind::Target) {
     std::erase_if(changed.targets, [&](const NamedTarget& each) { return each.name == entry.name; });
     commit(tr("Remove %1").arg(name), std::move(changed));
+  } else if (entry.kind == Kind::Frame) {
+    commit(tr("Remove %1").arg(name), withoutFrame(entry.name, cell().placement()));
   } else if (entry.kind == Kind::Path) {
     std::erase_if(changed.paths, [&](const RobotPath& each) { return each.name == entry.name; });
     commit(tr("Remove %1").arg(name), std::move(changed));
@@ -282,8 +290,9 @@ void CellPaths::rename(const PlanTree::Entry& entry, const QString& name) {
   CellPlans changed = plans();
   const std::string wanted = name.toStdString();
   const bool isPlace = entry.kind == Kind::Configuration || entry.kind == Kind::Target;
-  const bool isTaken =
-      isPlace ? changed.configuration(wanted) || changed.target(wanted) : changed.path(wanted) != nullptr;
+  const bool isTaken = isPlace                     ? changed.configuration(wanted) || changed.target(wanted)
+                       : entry.kind == Kind::Frame ? changed.frame(wanted) != nullptr
+                                                   : changed.path(wanted) != nullptr;
   if (wanted == entry.name || isTaken || !isBodyName(wanted)) return update();
   const auto renameIn = [&](auto& all) {
     for (auto& each : all) {
@@ -294,6 +303,8 @@ void CellPaths::rename(const PlanTree::Entry& entry, const QString& name) {
     renameIn(changed.configurations);
   } else if (entry.kind == Kind::Target) {
     renameIn(changed.targets);
+  } else if (entry.kind == Kind::Frame) {
+    changed = withFrameRenamed(std::move(changed), entry.name, wanted);
   } else if (RobotPath* const of = pathOf(changed, entry.name)) {
     of->name = wanted;
   }

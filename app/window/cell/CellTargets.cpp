@@ -18,26 +18,33 @@ namespace handwheel {
 namespace {
 
 constexpr double kShownAxis = 40.0;       // mm of x and y; z, along which the tool works, is twice as long
-constexpr std::size_t kMostShown = 1000;  // frames
+constexpr double kFrameAxis = 80.0;       // mm of each axis of a named frame
+constexpr std::size_t kMostShown = 1000;  // targets; frames
 
 TargetReach reachOf(const CellScene& scene, const CellPlans& plans, const NamedTarget& target,
                     const JointValues& joints) {
-  const Result<Pose> pose = poseOfTarget(target, scene.bodies, scene.robot->model, joints);
-  if (!pose) return {false, CellTargets::tr("its body was removed")};
+  const Result<Pose> pose = poseOfTarget(target, {plans, scene.bodies, scene.robot->model, joints});
+  if (!pose) {
+    return {false,
+            target.body != 0 ? CellTargets::tr("its body was removed") : CellTargets::tr("its frame is on nothing")};
+  }
   const std::vector<CellIkSolution> ways = ikSolutionsTo(scene, plans, *pose, scene.planned(joints));
   const auto count = std::count_if(ways.begin(), ways.end(), [](const CellIkSolution& way) { return way.isFree(); });
   const QString remark = ways.empty() ? CellTargets::tr("out of reach")
                          : count > 0  ? CellTargets::tr("%Ln configuration(s)", nullptr, static_cast<int>(count))
                                       : problemText(scene, ways.front());
   const BodyPointer body = scene.bodies.withId(target.body);
-  return {count > 0, body ? CellTargets::tr("%1 (on %2)").arg(remark, QString::fromStdString(body->name)) : remark};
+  if (body) return {count > 0, CellTargets::tr("%1 (on %2)").arg(remark, QString::fromStdString(body->name))};
+  if (target.frame.empty()) return {count > 0, remark};
+  return {count > 0, CellTargets::tr("%1 (in %2)").arg(remark, QString::fromStdString(target.frame))};
 }
 
 }  // namespace
 
 bool CellTargets::Question::operator==(const Question& other) const {
-  return scene == other.scene && targets == other.targets && tool.matrix() == other.tool.matrix() &&
-         clearance == other.clearance && joints.size() == other.joints.size() && joints == other.joints;
+  return scene == other.scene && targets == other.targets && frames == other.frames &&
+         tool.matrix() == other.tool.matrix() && clearance == other.clearance && joints.size() == other.joints.size() &&
+         joints == other.joints;
 }
 
 CellTargets::CellTargets(const WindowContext& parts, CellCollisions& collisions, QObject* parent)
@@ -71,10 +78,14 @@ void CellTargets::setVisible(bool isVisible) {
 
 CellTargets::Question CellTargets::question() const {
   const CellPlans& plans = *cell().plans();
-  Question question{m_collisions.scene(), plans.targets, plans.tool, plans.clearance, {}};
-  const auto isCarried = [&](const NamedTarget& target) {
-    const BodyPointer body = target.body == 0 ? nullptr : cell().bodies().withId(target.body);
+  Question question{m_collisions.scene(), plans.targets, plans.frames, plans.tool, plans.clearance, {}};
+  const auto isBodyCarried = [&](std::uint32_t id) {
+    const BodyPointer body = id == 0 ? nullptr : cell().bodies().withId(id);
     return body && carrierOf(*body, cell().robot().model) != kNone;
+  };
+  const auto isCarried = [&](const NamedTarget& target) {
+    const NamedFrame* const frame = target.frame.empty() ? nullptr : plans.frame(target.frame);
+    return frame ? !frame->link.empty() || isBodyCarried(frame->body) : isBodyCarried(target.body);
   };
   if (std::any_of(plans.targets.begin(), plans.targets.end(), isCarried)) question.joints = cell().joints();
   return question;
@@ -96,6 +107,7 @@ void CellTargets::look() {
   job.owner = this;
   job.work = [this, asked, joints = cell().joints()](Progress progress) -> Job::Finish {
     CellPlans plans;
+    plans.frames = asked.frames;
     plans.tool = asked.tool;
     plans.clearance = asked.clearance;
     std::map<std::string, TargetReach> reach;
@@ -113,13 +125,13 @@ void CellTargets::look() {
   m_parts.jobs.start(std::move(job));
 }
 
-// Those that are not reached in the colour of collisions.
+// Those that are not reached in the colour of collisions; the named frames in another one.
 void CellTargets::show() {
   auto lines = std::make_shared<std::vector<PathLine>>();
   const CellPlans& plans = *cell().plans();
   for (std::size_t i = 0; i < std::min(plans.targets.size(), kMostShown); ++i) {
     const NamedTarget& target = plans.targets[i];
-    const Result<Pose> pose = poseOfTarget(target, cell().bodies(), cell().robot().model, cell().joints());
+    const Result<Pose> pose = poseOfTarget(target, cell().placement());
     if (!pose) continue;
     const auto known = m_reach.find(target.name);
     const bool isReached = known == m_reach.end() || known->second.isFree;
@@ -128,6 +140,12 @@ void CellTargets::show() {
       lines->push_back({{pose->translation(), *pose * Vec3(length * Vec3::Unit(axis))},
                         isReached ? PathLine::Look::Feed : PathLine::Look::Collision});
     }
+  }
+  for (std::size_t i = 0; i < std::min(plans.frames.size(), kMostShown); ++i) {
+    const Result<Pose> pose = poseOfFrame(plans.frames[i], cell().placement());
+    if (!pose) continue;
+    for (int axis = 0; axis < 3; ++axis)
+      lines->push_back({{pose->translation(), *pose * Vec3(kFrameAxis * Vec3::Unit(axis))}, PathLine::Look::Thread});
   }
   m_layer->setLines(lines->empty() ? nullptr : lines);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/cell/CellFrames.h"
 #include "document/cell/CellReach.h"
 #include "window/cell/CellCollisions.h"
 
@@ -17,7 +18,8 @@ struct TargetReach {
   QString remark;  // "out of reach"
 };
 
-// The targets of the current cell, drawn as frames, and their reachability. Looks for that on a worker. Window thread.
+// The targets of the current cell, drawn as axes like its frames, and their reachability. Looks for that on a worker.
+// Window thread.
 class CellTargets : public QObject {
   Q_OBJECT
 
@@ -37,9 +39,10 @@ class CellTargets : public QObject {
   struct Question {
     std::shared_ptr<const CellScene> scene;
     std::vector<NamedTarget> targets;
+    std::vector<NamedFrame> frames;
     Pose tool = Pose::Identity();
     double clearance = 0.0;
-    JointValues joints;  // where a target is on what the robot carries; else empty
+    JointValues joints;  // where a target is on what a robot carries; else empty
     bool operator==(const Question& other) const;
   };
 

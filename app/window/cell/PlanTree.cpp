@@ -20,7 +20,7 @@ constexpr int kKindRole = Qt::UserRole, kNameRole = Qt::UserRole + 1, kPlaceRole
 
 PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
   setObjectName(QStringLiteral("planTree"));
-  setAccessibleName(tr("Configurations, paths and targets"));
+  setAccessibleName(tr("Configurations, paths, targets and frames"));
   setColumnCount(2);
   setHeaderHidden(true);
   constexpr int kIndentation = 14;  // pixels: the panel is narrow
@@ -71,7 +71,8 @@ void PlanTree::addRobots(const CellPlans& plans, const CellRobot& robot) {
 
 void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
                         const std::map<std::string, PathStatus>& statuses,
-                        const std::map<std::string, TargetReach>& reach) {
+                        const std::map<std::string, TargetReach>& reach,
+                        const std::map<std::string, QString>& remarks) {
   m_isFilling = true;
   const Entry before = current();
   const auto* editor = qobject_cast<QLineEdit*>(indexWidget(currentIndex()));
@@ -122,6 +123,16 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
     QTreeWidgetItem* item = add(targets, {Entry::Kind::Target, each.name}, QString::fromStdString(each.name),
                                 isKnown ? known->second.remark : QString());
     if (isKnown) item->setIcon(0, icon(known->second.isFree ? QStringLiteral("ok") : QStringLiteral("warning")));
+  }
+  if (!plans.frames.empty()) {
+    auto* frames = new QTreeWidgetItem(this, {tr("Frames")});
+    frames->setFlags(Qt::ItemIsEnabled);
+    for (const NamedFrame& each : plans.frames) {
+      const auto remark = remarks.find(each.name);
+      add(frames, {Entry::Kind::Frame, each.name}, QString::fromStdString(each.name),
+          remark == remarks.end() ? QString() : remark->second);
+    }
+    frames->setExpanded(true);
   }
   if (robot && robot->arms.size() > 1) addRobots(plans, *robot);
   targets->setExpanded(true);

@@ -10,26 +10,27 @@
 
 namespace handwheel {
 
-// A tree of the planned content of a cell. It lists its configurations, its paths with their places, its targets, and
-// its robots where it has several. It only asks for changes.
+// A tree of the planned content of a cell. It lists its configurations, its paths with their places, its targets, its
+// frames where it has some, and its robots where it has several. It only asks for changes.
 class PlanTree : public QTreeWidget {
   Q_OBJECT
 
  public:
   // What a row stands for.
   struct Entry {
-    enum class Kind { None, Configuration, Path, Place, Target, Robot };
+    enum class Kind { None, Configuration, Path, Place, Target, Frame, Robot };
     Kind kind = Kind::None;
-    std::string name;       // of the configuration, the target, the path, or the robot
+    std::string name;       // of the configuration, the target, the frame, the path, or the robot
     std::size_t place = 0;  // in the path
     bool operator==(const Entry&) const = default;
   };
 
   explicit PlanTree(QWidget* parent = nullptr);
 
-  // statuses: what is known of each path, by its name; reach: of targets. robot: null where there is no cell.
+  // statuses: what is known of each path, by its name; reach: of targets; remarks: on frames. robot: null where there
+  // is no cell.
   void setPlans(const CellPlans& plans, const CellRobot* robot, const std::map<std::string, PathStatus>& statuses,
-                const std::map<std::string, TargetReach>& reach);
+                const std::map<std::string, TargetReach>& reach, const std::map<std::string, QString>& remarks = {});
   Entry current() const;
   void select(const Entry& entry);
 

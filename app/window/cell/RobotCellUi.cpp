@@ -7,6 +7,7 @@
 #include "document/cell/CellArms.h"
 #include "document/cell/CellDisplay.h"
 #include "document/cell/CellImport.h"
+#include "document/cell/CellProperties.h"
 #include "document/cell/PlaceProperties.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/cell/RobotCellKind.h"
@@ -202,7 +203,7 @@ QList<QAction*> RobotCellUi::menu() {
   const std::pair<QString, QList<QAction*>> groups[] = {
       {tr("&Robots"), m_robots.all() + QList<QAction*>{m_paths.choosing(), m_reach.action(), m_toolCamera.action()}},
       {tr("&Bodies"), m_bodies.all()},
-      {tr("C&onfigurations and targets"), m_paths.ofConfigurations()},
+      {tr("C&onfigurations, targets and frames"), m_paths.ofConfigurations()},
       {tr("P&aths"), m_paths.ofPaths()},
       {tr("Verif&ication"), m_paths.ofVerification() + QList<QAction*>{m_pathDock.action()}},
       {tr("Pro&grams"), m_paths.ofPrograms()}};
@@ -283,7 +284,7 @@ void RobotCellUi::followRow(bool isChosen) {
   using Kind = PlanTree::Entry::Kind;
   const Kind kind = m_paths.tree()->current().kind;
   if (kind == Kind::Place || kind == Kind::Robot || (kind == Kind::Path && isChosen)) m_bodies.selection().clear();
-  m_showsRow = kind == Kind::Target || m_bodies.selection().empty();
+  m_showsRow = kind == Kind::Target || kind == Kind::Frame || m_bodies.selection().empty();
   refreshPanel();
   parts().tools.refresh();
 }
@@ -306,8 +307,14 @@ bool RobotCellUi::takeEdit(const std::string& id, const PropertyValue& value, bo
 
 std::vector<Property> RobotCellUi::panelProperties(const Document& document) const {
   const auto& cell = static_cast<const RobotCellDocument&>(document);
-  if (const NamedTarget* const target = m_showsRow ? m_paths.target() : nullptr)
-    return RobotCellDocument::propertiesOfTarget(*target);
+  const NamedTarget* const target = m_showsRow ? m_paths.target() : nullptr;
+  const NamedFrame* const frame = m_showsRow ? m_paths.frame() : nullptr;
+  if (target || frame) {
+    std::vector<Property> own =
+        target ? targetProperties(*target, cell.placement()) : frameProperties(*frame, cell.placement());
+    if (auto chosen = cell.property("frame")) own.push_back(*std::move(chosen));
+    return own;
+  }
   const auto body = m_showsRow ? std::nullopt : shownBody(document);
   if (body) return cell.propertiesOfBody(*body);
   const PlanTree::Entry entry = m_paths.tree()->current();
@@ -318,7 +325,7 @@ std::vector<Property> RobotCellUi::panelProperties(const Document& document) con
   std::vector<Property> all = listedProperties(document);
   const std::string base = "robot." + selectedRobot() + '.';
   std::erase_if(all, [&](const Property& each) {
-    return !each.id.starts_with("joint") && !each.id.starts_with(base) && each.group != "Tool";
+    return !each.id.starts_with("joint") && !each.id.starts_with(base) && each.group != "Tool" && each.id != "frame";
   });
   // The base of the selected robot, then its joints.
   const auto end = std::stable_partition(all.begin(), all.end(),
@@ -342,7 +349,7 @@ void RobotCellUi::selectRobot(std::uint32_t link) {
   if (robot == kNone) return;
   if (robots.arms.size() > 1)
     m_paths.tree()->select({PlanTree::Entry::Kind::Robot, robots.arms[robot].name});
-  else if (m_paths.target())
+  else if (m_paths.target() || m_paths.frame())
     m_paths.tree()->setCurrentItem(nullptr);
 }
 

@@ -123,6 +123,21 @@ const ErrorDescription CellError::TargetStray{
     .sentences = {translatable("ErrorText", "the body that the target '%1' is on was removed")},
     .advice = {translatable("ErrorText", "Undo that, or remove the target.")}};
 
+const ErrorDescription CellError::FrameMissing{
+    .id = "FrameMissing",
+    .sentences = {translatable("ErrorText", "the cell has no frame called '%1'")},
+    .advice = {translatable("ErrorText", "Name one of its frames ('inspect' lists them).")}};
+
+const ErrorDescription CellError::FrameStray{
+    .id = "FrameStray",
+    .sentences = {translatable("ErrorText", "what carries the frame '%1' was removed")},
+    .advice = {translatable("ErrorText", "Undo that, or set the frame anew.")}};
+
+const ErrorDescription CellError::FrameMoves{
+    .id = "FrameMoves",
+    .sentences = {translatable("ErrorText", "the robot moves the frame '%1', so that no program can be written in it")},
+    .advice = {translatable("ErrorText", "Choose a frame that stands still while the robot moves.")}};
+
 const ErrorDescription CellError::ArmMissing{
     .id = "ArmMissing",
     .sentences = {translatable("ErrorText", "the cell has no robot called '%1'")},

@@ -29,6 +29,9 @@ extern const ErrorDescription TrackBroken;        // {point, count, x, y, z; mm}
 extern const ErrorDescription PlaceNameTaken;     // {name} by a configuration or a target
 extern const ErrorDescription PlansFull;          // {what, count, most} more than a cell can hold
 extern const ErrorDescription TargetStray;        // {target} the body that it is on is missing
+extern const ErrorDescription FrameMissing;       // {name} the cell has no such frame
+extern const ErrorDescription FrameStray;         // {frame} the body or link that carries it is missing
+extern const ErrorDescription FrameMoves;         // {frame} the robot that is planned for moves it
 extern const ErrorDescription ArmMissing;         // {name} the cell has no such robot
 extern const ErrorDescription ArmNameUnusable;    // {name}
 extern const ErrorDescription OnlyRobot;          // {robot} it cannot be removed

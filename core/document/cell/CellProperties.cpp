@@ -127,6 +127,92 @@ std::vector<Property> armProperties(const CellRobot& cell, const CellPlans& plan
   return all;
 }
 
+Property choiceOf(std::string id, const std::string& group, const char* label, std::vector<std::string> choices,
+                  std::size_t chosen) {
+  Property property;
+  property.id = std::move(id);
+  property.group = group;
+  property.label = label;
+  property.choices = std::move(choices);
+  property.value = static_cast<double>(chosen);
+  property.least = 0.0;
+  property.largest = static_cast<double>(property.choices.size() - 1);
+  return property;
+}
+
+// None, then the frames.
+Property frameChoice(std::string id, const std::string& group, const char* label, const CellPlans& plans,
+                     const std::string& chosen) {
+  std::vector<std::string> choices{QT_TRANSLATE_NOOP("Property", "none")};
+  std::size_t number = 0;
+  for (const NamedFrame& frame : plans.frames) {
+    if (frame.name == chosen) number = choices.size();
+    choices.push_back(frame.name);
+  }
+  return choiceOf(std::move(id), group, label, std::move(choices), number);
+}
+
+// The number of a choice of frameChoice() as a name; none: it is no such number.
+std::optional<std::string> frameChosen(const PropertyValue& value, const CellPlans& plans) {
+  const auto* const number = std::get_if<double>(&value);
+  if (!number || !(*number >= 0.0 && *number <= static_cast<double>(plans.frames.size()))) return std::nullopt;
+  const auto index = static_cast<std::size_t>(*number);
+  return index == 0 ? std::string() : plans.frames[index - 1].name;
+}
+
+std::optional<NamedField> namedField(std::string_view kind, const std::string& id) {
+  const std::size_t last = id.rfind('.');
+  if (!id.starts_with(kind) || last == id.npos || last < kind.size()) return std::nullopt;
+  return NamedField{id.substr(kind.size(), last - kind.size()), id.substr(last + 1)};
+}
+
+Error noNumber(const std::string& id) {
+  return {ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
+}
+
+Error tooFar(const std::string& id, const PropertyValue& value) {
+  const std::string most = shownText(kFarthestBody);
+  return {ErrorCode::ValueOutOfRange, {id, shownText(std::get<double>(value)), "-" + most, most}, {}, {}};
+}
+
+// The frame with another of the choices of frameProperties() carrying it.
+Result<NamedFrame> withCarrier(const NamedFrame& frame, const std::string& id, const PropertyValue& value,
+                               const CellPlacement& cell) {
+  const auto* const number = std::get_if<double>(&value);
+  const std::size_t links = cell.robot.links.size();
+  if (!number || !(*number >= 0.0 && *number <= static_cast<double>(links + cell.bodies.size()))) return noNumber(id);
+  const auto index = static_cast<std::size_t>(*number);
+  if (index == 0) return carriedFrame(frame, 0, {}, cell);
+  if (index <= links) return carriedFrame(frame, 0, cell.robot.links[index - 1].name, cell);
+  const auto body = std::next(cell.bodies.begin(), static_cast<std::ptrdiff_t>(index - links - 1));
+  return carriedFrame(frame, (*body)->id, {}, cell);
+}
+
+Result<NamedFrame> changedFrame(const NamedFrame& frame, const std::string& field, const std::string& id,
+                                const PropertyValue& value, const CellPlacement& cell) {
+  if (field == "carrier") return withCarrier(frame, id, value, cell);
+  const auto pose = changedPose(frame.pose, field, value);
+  if (!pose) return noNumber(id);
+  if (!isRigid(*pose)) return tooFar(id, value);
+  NamedFrame moved = frame;
+  moved.pose = *pose;
+  return moved;
+}
+
+Result<NamedTarget> changedTarget(const NamedTarget& target, const std::string& field, const std::string& id,
+                                  const PropertyValue& value, const CellPlacement& cell) {
+  if (field == "frame") {
+    const auto chosen = frameChosen(value, cell.plans);
+    if (!chosen) return noNumber(id);
+    return *chosen == target.frame ? Result<NamedTarget>(target) : targetInFrame(target, *chosen, cell);
+  }
+  const auto pose = changedPose(shownPose(target, cell), field, value);
+  if (!pose) return noNumber(id);
+  NamedTarget moved = targetShownAt(target, *pose, cell);
+  if (!isRigid(*pose) || !isRigid(moved.pose)) return tooFar(id, value);
+  return moved;
+}
+
 std::string shown(double value, const Joint& joint) {
   return shownText(turns(joint) ? value / kRadiansPerDegree : value);
 }
@@ -157,6 +243,9 @@ std::vector<Property> cellProperties(const CellRobot& cell, const JointValues& j
     all.push_back(std::move(shapes));
   }
   for (Property& each : armProperties(cell, plans)) all.push_back(std::move(each));
+  if (!plans.frames.empty())
+    all.push_back(frameChoice("frame", QT_TRANSLATE_NOOP("Property", "Coordinates and programs"),
+                              QT_TRANSLATE_NOOP("Property", "In the frame"), plans, plans.workFrame));
   const std::string& link = robot.links[activeArm(cell, plans).flange].name;
   all.push_back(toRead("tool", kTool, QT_TRANSLATE_NOOP("Property", "Link"), link, Quantity::Number));
   for (Property& each : toolProperties(toolPose(cell, plans, joints))) all.push_back(std::move(each));
@@ -183,6 +272,75 @@ std::vector<Property> poseProperties(const std::string& prefix, const std::strin
 
 std::vector<Property> toolProperties(const Pose& pose) {
   return poseProperties("tool.", kTool, pose);
+}
+
+std::vector<Property> frameProperties(const NamedFrame& frame, const CellPlacement& cell) {
+  const std::string prefix = "frame." + frame.name + '.';
+  std::vector<std::string> choices{QT_TRANSLATE_NOOP("Property", "nothing")};
+  std::size_t chosen = 0;
+  for (const Link& link : cell.robot.links) {
+    if (frame.body == 0 && link.name == frame.link) chosen = choices.size();
+    choices.push_back(link.name);
+  }
+  for (const BodyPointer& body : cell.bodies) {
+    if (frame.body == body->id) chosen = choices.size();
+    choices.push_back(body->name);
+  }
+  std::vector<Property> all{choiceOf(prefix + "carrier", frame.name, QT_TRANSLATE_NOOP("Property", "Carried by"),
+                                     std::move(choices), chosen)};
+  if (chosen == 0 && (frame.body != 0 || !frame.link.empty()))
+    all.front().problem = QT_TRANSLATE_NOOP("Property", "what carried it was removed");
+  for (Property& each : poseProperties(prefix, frame.name, frame.pose)) all.push_back(std::move(each));
+  for (Property& each : all) each.groupTranslated = false;
+  return all;
+}
+
+std::vector<Property> targetProperties(const NamedTarget& target, const CellPlacement& cell) {
+  const std::string prefix = "target." + target.name + '.';
+  std::vector<Property> all;
+  if (!cell.plans.frames.empty())
+    all.push_back(frameChoice(prefix + "frame", target.name, QT_TRANSLATE_NOOP("Property", "In the frame"), cell.plans,
+                              target.frame));
+  for (Property& each : poseProperties(prefix, target.name, shownPose(target, cell))) all.push_back(std::move(each));
+  for (Property& each : all) each.groupTranslated = false;
+  return all;
+}
+
+std::optional<NamedField> fieldOfFrame(const std::string& id) {
+  return namedField("frame.", id);
+}
+
+std::optional<NamedField> fieldOfTarget(const std::string& id) {
+  return namedField("target.", id);
+}
+
+Result<CellPlans> changedPlaceOf(const std::string& id, const PropertyValue& value, const CellPlacement& cell) {
+  CellPlans plans = cell.plans;
+  if (id == "frame") {
+    auto chosen = frameChosen(value, plans);
+    if (!chosen) return noNumber(id);
+    plans.workFrame = *std::move(chosen);
+    return plans;
+  }
+  if (const auto field = fieldOfFrame(id)) {
+    for (NamedFrame& frame : plans.frames) {
+      if (frame.name != field->name) continue;
+      Result<NamedFrame> changed = changedFrame(frame, field->field, id, value, cell);
+      if (!changed) return changed.error();
+      frame = std::move(changed).value();
+      return plans;
+    }
+  }
+  if (const auto field = fieldOfTarget(id)) {
+    for (NamedTarget& target : plans.targets) {
+      if (target.name != field->name) continue;
+      Result<NamedTarget> changed = changedTarget(target, field->field, id, value, cell);
+      if (!changed) return changed.error();
+      target = std::move(changed).value();
+      return plans;
+    }
+  }
+  return Error{ErrorCode::ReferenceMissing, {"the property", id}, {}, {}};
 }
 
 std::optional<BaseField> baseOfProperty(const CellRobot& robot, const std::string& id) {

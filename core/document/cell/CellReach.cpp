@@ -3,7 +3,6 @@
 #include "document/cell/CellReach.h"
 
 #include "base/NumberText.h"
-#include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
 #include "robot/Kinematics.h"
 
@@ -29,28 +28,10 @@ Error beyondLimits(const Pose& pose, const std::string& joint) {
   return {CellError::ToolBeyondLimits, std::move(arguments), {}, {}};
 }
 
-Pose poseInBase(const Body& body, const RobotModel& robot, const JointValues& joints) {
-  return carrierPose(body, robot, linkPoses(robot, joints)) * body.pose;
-}
-
 }  // namespace
 
 Pose toolPose(const CellRobot& robot, const CellPlans& plans, const JointValues& joints) {
   return linkPoses(robot.model, joints)[activeArm(robot, plans).flange] * plans.tool;
-}
-
-Result<Pose> poseOfTarget(const NamedTarget& target, const BodySet& bodies, const RobotModel& robot,
-                          const JointValues& joints) {
-  if (target.body == 0) return target.pose;
-  const BodyPointer body = bodies.withId(target.body);
-  if (!body) return Error{CellError::TargetStray, {target.name}, {}, {}};
-  return Pose(poseInBase(*body, robot, joints) * target.pose);
-}
-
-NamedTarget onBody(NamedTarget target, const Body& body, const RobotModel& robot, const JointValues& joints) {
-  target.pose = poseInBase(body, robot, joints).inverse(Eigen::Isometry) * target.pose;
-  target.body = body.id;
-  return target;
 }
 
 std::vector<CellIkSolution> ikSolutionsTo(const CellScene& scene, const CellPlans& plans, const Pose& pose,

@@ -13,13 +13,6 @@ namespace handwheel {
 // The pose of the tool's centre point (CellPlans::tool) where the joints stand.
 Pose toolPose(const CellRobot& robot, const CellPlans& plans, const JointValues& joints);
 
-// The pose of a target in the frame of the base. Error: TargetStray.
-Result<Pose> poseOfTarget(const NamedTarget& target, const BodySet& bodies, const RobotModel& robot,
-                          const JointValues& joints);
-
-// A target at a pose in the frame of the base, on this body from now on.
-NamedTarget onBody(NamedTarget target, const Body& body, const RobotModel& robot, const JointValues& joints);
-
 // A solution of the inverse kinematics in a cell: a way in which the robot brings its tool somewhere.
 struct CellIkSolution {
   ArmSolution arm;

@@ -26,12 +26,14 @@ class PlansReading {
 
   CellPlans read(const json& stored) {
     readConfigurations(listAt(stored, "configurations"));
+    for (const json& entry : listAt(stored, "frames")) readFrame(entry);
     for (const json& entry : listAt(stored, "targets")) readTarget(entry);
     for (const json& entry : listAt(stored, "paths")) readOnePath(entry);
     for (const json& pair : listAt(stored, "allowed")) {
       if (pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string())
         m_plans.allowed.insert({pair[0].get<std::string>(), pair[1].get<std::string>()});
     }
+    m_plans.workFrame = knownFrame(stored, "work_frame").value_or(std::string());
     m_plans.arm = stringAt(stored, "arm");
     m_plans.tool = toolFrom(stored, "tool");
     const auto tools = stored.find("other_tools");
@@ -89,15 +91,40 @@ class PlansReading {
     m_plans.paths.push_back(std::move(path).value());
   }
 
-  void readTarget(const json& entry) {
-    const std::vector<double> numbers = numbersAt(entry, "pose", 12);
-    const auto pose = numbers.size() == 12 ? poseFrom(numbers, "targets") : std::nullopt;
-    if (numbers.size() != 12) note({ErrorCode::ElementMalformed, {"targets", "its pose cannot be used"}, {}, {}});
+  void readFrame(const json& entry) {
+    const auto pose = poseIn(entry, "frames");
     if (!pose) return;
+    const std::uint32_t body = bodyIn(entry);
+    const std::string link = body == 0 ? stringAt(entry, "link") : std::string();
+    m_plans.frames.push_back({m_frameNames.take(stringAt(entry, "name", "frame")), *pose, body, link});
+  }
+
+  void readTarget(const json& entry) {
+    const auto pose = poseIn(entry, "targets");
+    const auto frame = pose ? knownFrame(entry, "frame") : std::nullopt;
+    if (!frame) return;
+    const std::uint32_t body = frame->empty() ? bodyIn(entry) : 0;
+    m_plans.targets.push_back({m_placeNames.take(stringAt(entry, "name", "target")), *pose, body, *frame});
+  }
+
+  // The name of a frame of the cell; empty: none is named; none: it has no such frame, which is noted.
+  std::optional<std::string> knownFrame(const json& entry, const char* key) {
+    std::string name = stringAt(entry, key);
+    if (name.empty() || m_plans.frame(name)) return name;
+    note({ErrorCode::ReferenceMissing, {"the frame", std::move(name)}, {}, {}});
+    return std::nullopt;
+  }
+
+  static std::uint32_t bodyIn(const json& entry) {
     const auto body = entry.find("body");
-    const bool isOnBody = body != entry.end() && body->is_number_unsigned();
-    m_plans.targets.push_back(
-        {m_placeNames.take(stringAt(entry, "name", "target")), *pose, isOnBody ? body->get<std::uint32_t>() : 0});
+    return body != entry.end() && body->is_number_unsigned() ? body->get<std::uint32_t>() : 0;
+  }
+
+  std::optional<Pose> poseIn(const json& entry, const char* element) {
+    const std::vector<double> numbers = numbersAt(entry, "pose", 12);
+    if (numbers.size() == 12) return poseFrom(numbers, element);
+    note({ErrorCode::ElementMalformed, {element, "its pose cannot be used"}, {}, {}});
+    return std::nullopt;
   }
 
   // A pose that was written in few digits.
@@ -113,7 +140,7 @@ class PlansReading {
   const JointValues& m_others;
   std::vector<Error>& m_damage;
   CellPlans m_plans;
-  FreeNames m_placeNames, m_pathNames;
+  FreeNames m_placeNames, m_pathNames, m_frameNames;
 };
 
 }  // namespace
@@ -129,8 +156,17 @@ void writePlans(const CellPlans& plans, const RobotModel& robot, Container& cont
     stored["configurations"].push_back({{"name", each.name}, {"joints", toJson(robot, each.joints)}});
     if (!each.arm.empty()) stored["configurations"].back()["arm"] = each.arm;
   }
-  for (const NamedTarget& each : plans.targets)
+  for (const NamedTarget& each : plans.targets) {
     stored["targets"].push_back({{"name", each.name}, {"pose", numbersOfPose(each.pose)}, {"body", each.body}});
+    if (!each.frame.empty()) stored["targets"].back()["frame"] = each.frame;
+  }
+  for (const NamedFrame& each : plans.frames) {
+    json frame = {{"name", each.name}, {"pose", numbersOfPose(each.pose)}};
+    if (each.body != 0) frame["body"] = each.body;
+    if (!each.link.empty()) frame["link"] = each.link;
+    stored["frames"].push_back(std::move(frame));
+  }
+  if (!plans.workFrame.empty()) stored["work_frame"] = plans.workFrame;
   for (const RobotPath& path : plans.paths) stored["paths"].push_back(toJson(robot, path));
   for (const auto& [first, second] : plans.allowed) stored["allowed"].push_back({first, second});
   container.blobs[kPlans] = stored.dump(-1, ' ', false, json::error_handler_t::replace);

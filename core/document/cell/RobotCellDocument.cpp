@@ -33,13 +33,6 @@ std::optional<BodyField> bodyFieldOf(const std::string& id) {
   return BodyField{id.substr(first + 1, last - first - 1), id.substr(last + 1)};
 }
 
-// "target.drop.x": the target and the field.
-std::optional<BodyField> targetFieldOf(const std::string& id) {
-  const std::size_t first = id.find('.'), last = id.rfind('.');
-  if (!id.starts_with("target.") || last == first) return std::nullopt;
-  return BodyField{id.substr(first + 1, last - first - 1), id.substr(last + 1)};
-}
-
 // In ids of properties the number comes first: they must not change with the names.
 BodyPointer bodyNamed(const BodySet& bodies, const std::string& text) {
   BodyId number = 0;
@@ -82,33 +75,14 @@ std::vector<Property> RobotCellDocument::properties() const {
   for (const BodyPointer& body : bodies()) {
     for (Property& ofBody : propertiesOfBody(*body)) all.push_back(std::move(ofBody));
   }
+  for (const NamedFrame& frame : m_plans->frames) {
+    for (Property& ofFrame : frameProperties(frame, placement())) all.push_back(std::move(ofFrame));
+  }
   for (const NamedTarget& target : m_plans->targets) {
-    for (Property& ofTarget : propertiesOfTarget(target)) all.push_back(std::move(ofTarget));
+    for (Property& ofTarget : targetProperties(target, placement())) all.push_back(std::move(ofTarget));
   }
   for (Property& common : Document::properties()) all.push_back(std::move(common));
   return all;
-}
-
-std::vector<Property> RobotCellDocument::propertiesOfTarget(const NamedTarget& target) {
-  std::vector<Property> all = poseProperties("target." + target.name + '.', target.name, target.pose);
-  for (Property& each : all) each.groupTranslated = false;
-  return all;
-}
-
-Result<std::unique_ptr<Edit>> RobotCellDocument::targetEdit(const std::string& id, const PropertyValue& value) const {
-  const auto field = targetFieldOf(id);
-  CellPlans plans = *m_plans;
-  const auto target = std::find_if(plans.targets.begin(), plans.targets.end(),
-                                   [&](const NamedTarget& each) { return field && each.name == field->body; });
-  if (target == plans.targets.end()) return Error{ErrorCode::ReferenceMissing, {"the property", id}, {}, {}};
-  const auto pose = changedPose(target->pose, field->field, value);
-  if (!pose) return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
-  if (!isRigid(*pose)) {
-    const std::string most = shownText(kFarthestBody);
-    return Error{ErrorCode::ValueOutOfRange, {id, shownText(std::get<double>(value)), "-" + most, most}, {}, {}};
-  }
-  target->pose = *pose;
-  return plansEdit(std::move(plans));
 }
 
 std::vector<Property> RobotCellDocument::propertiesWith(std::span<const Body> shown) const {
@@ -134,9 +108,13 @@ std::optional<Property> RobotCellDocument::property(const std::string& id) const
       if (each.id == id) return each;
     }
   }
-  if (const auto ofTarget = targetFieldOf(id)) {
-    const NamedTarget* const target = m_plans->target(ofTarget->body);
-    for (Property& each : target ? propertiesOfTarget(*target) : std::vector<Property>()) {
+  const auto ofFrame = fieldOfFrame(id), ofTarget = fieldOfTarget(id);
+  if (ofFrame || ofTarget) {
+    const NamedFrame* const frame = ofFrame ? m_plans->frame(ofFrame->name) : nullptr;
+    const NamedTarget* const target = ofTarget ? m_plans->target(ofTarget->name) : nullptr;
+    for (Property& each : frame    ? frameProperties(*frame, placement())
+                          : target ? targetProperties(*target, placement())
+                                   : std::vector<Property>()) {
       if (each.id == id) return each;
     }
     return std::nullopt;
@@ -169,7 +147,11 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
     if (!changed) return changed.error();
     return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }
-  if (id.starts_with("target.")) return targetEdit(id, value);
+  if (id == "frame" || id.starts_with("frame.") || id.starts_with("target.")) {
+    Result<CellPlans> changed = changedPlaceOf(id, value, placement());
+    if (!changed) return changed.error();
+    return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
+  }
   if (id == "arm") return armEdit(id, value);
   if (const auto base = baseOfProperty(*m_robot, id)) return baseEdit(*base, id, value);
   const Pose tool = toolPose(*m_robot, *m_plans, m_joints);

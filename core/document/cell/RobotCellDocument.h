@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/Document.h"
+#include "document/cell/CellFrames.h"
 #include "document/cell/RobotCellSnapshot.h"
 #include "document/scene/BodyOwner.h"
 
@@ -30,14 +31,14 @@ class RobotCellDocument : public Document, public BodyOwner {
   void setProofs(PathProofs proofs, bool isChange);
 
   SnapshotPointer snapshot() const override;
-  // Those of cellProperties(), of bodyProperties(), of the targets, then those of every document.
+  // Those of cellProperties(), of bodyProperties(), of the frames and targets, then those of every document.
   std::vector<Property> properties() const override;
   // Of the bodies those of these only: there may be very many.
   std::vector<Property> propertiesWith(std::span<const Body> shown) const;
   // Those of one body: of propertiesOf(), and what carries it.
   std::vector<Property> propertiesOfBody(const Body& body) const;
-  // Those of a target, "target.NAME.x" to "target.NAME.rz", in the frame that it is stored in.
-  static std::vector<Property> propertiesOfTarget(const NamedTarget& target);
+  // Where its frames and targets are.
+  CellPlacement placement() const { return {*m_plans, bodies(), m_robot->model, m_joints}; }
   // A body may be named by its name, too: "body.Table.x"; the property then has the id with the number.
   std::optional<Property> property(const std::string& id) const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
@@ -56,7 +57,6 @@ class RobotCellDocument : public Document, public BodyOwner {
   friend class RobotsEdit;
   void bodiesChanged() override { wasChanged(); }
 
-  Result<std::unique_ptr<Edit>> targetEdit(const std::string& id, const PropertyValue& value) const;
   Result<std::unique_ptr<Edit>> armEdit(const std::string& id, const PropertyValue& value) const;
   Result<std::unique_ptr<Edit>> baseEdit(const BaseField& base, const std::string& id,
                                          const PropertyValue& value) const;

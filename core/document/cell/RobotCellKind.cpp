@@ -116,7 +116,25 @@ nlohmann::json describeTargets(const RobotCellSnapshot& cell) {
     list.push_back({{"name", each.name},
                     {"position", {at.x(), at.y(), at.z()}},
                     {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}},
-                    {"body", body ? nlohmann::json(body->name) : nlohmann::json()}});
+                    {"body", body ? nlohmann::json(body->name) : nlohmann::json()},
+                    {"frame", each.frame.empty() ? nlohmann::json() : nlohmann::json(each.frame)}});
+  }
+  return list;
+}
+
+// In what carries them.
+nlohmann::json describeFrames(const RobotCellSnapshot& cell) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const NamedFrame& each : cell.plans->frames) {
+    const Vec3 at = each.pose.translation();
+    const Eigen::Quaterniond turn(each.pose.linear());
+    const BodyPointer body = cell.bodies.withId(each.body);
+    list.push_back({{"name", each.name},
+                    {"position", {at.x(), at.y(), at.z()}},
+                    {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}},
+                    {"body", body ? nlohmann::json(body->name) : nlohmann::json()},
+                    {"link", each.link.empty() ? nlohmann::json() : nlohmann::json(each.link)},
+                    {"chosen", each.name == cell.plans->workFrame}});
   }
   return list;
 }
@@ -240,6 +258,7 @@ nlohmann::json RobotCellKind::describe(const Snapshot& content) const {
           {"missing_meshes", missing},
           {"bodies", describeBodies(cell.bodies)},
           {"configurations", describeConfigurations(cell)},
+          {"frames", describeFrames(cell)},
           {"targets", describeTargets(cell)},
           {"paths", describePaths(cell)}};
 }

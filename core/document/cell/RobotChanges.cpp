@@ -6,6 +6,7 @@
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/CellFrames.h"
 #include "document/cell/PlansEdit.h"
 #include "document/cell/SurfaceBudget.h"
 #include "document/scene/BodyChanges.h"
@@ -100,7 +101,7 @@ std::optional<Error> problemOfBase(const Pose& base) {
                {}};
 }
 
-// The plans without what is of a robot, and about links that are gone.
+// The plans without what is of a robot, and about links that are gone. Frames that these carried stand where they were.
 CellPlans plansWithout(const RobotCellSnapshot& cell, std::size_t arm, const CellRobot& rest) {
   CellPlans plans = *cell.plans;
   const std::string& name = cell.robot->arms[arm].name;
@@ -111,6 +112,11 @@ CellPlans plansWithout(const RobotCellSnapshot& cell, std::size_t arm, const Cel
   if (isPlanned) plans.choose(rest.arms.front().name, name);
   plans.otherTools.erase(name);
   for (RobotPath& path : plans.paths) path.bases.erase(name);
+  for (NamedFrame& frame : plans.frames) {
+    const bool isReleased = !frame.link.empty() && linkNamed(rest.model, frame.link) == kNone;
+    const Result<Pose> pose = poseOfFrame(frame, {*cell.plans, cell.bodies, cell.robot->model, cell.joints});
+    if (isReleased && pose) frame = {frame.name, *pose};
+  }
   std::erase_if(plans.allowed, [&](const auto& pair) {
     const auto isGone = [&](const std::string& part) {
       return linkNamed(cell.robot->model, part) != kNone && linkNamed(rest.model, part) == kNone;

@@ -41,7 +41,8 @@ class KrlPost : public ControllerPost {
 };
 
 // Fanuc: J by joints, with the third as this maker counts it (less the second), L by X, Y, Z, W, P, R in the world
-// frame, which lies at the height of axis 2. The way of CNT is not defined: all motions stop exactly (FINE).
+// frame, which lies at the height of axis 2, or in a frame of the cell, which the program sets as user frame 9. The way
+// of CNT is not defined: all motions stop exactly (FINE).
 class FanucPost : public ControllerPost {
  public:
   const char* id() const override { return "fanuc"; }
@@ -54,7 +55,8 @@ class FanucPost : public ControllerPost {
 };
 
 // Universal Robots: movej and movel by joints; metres and radians. ROS turns the base of these robots by 180° against
-// the controller's: poses would lead there, joint values do not depend on it.
+// the controller's: poses would lead there, joint values do not depend on it. In a frame of the cell, and where the
+// base is the controller's, lines are pose_trans(frame, pose).
 class UrScriptPost : public ControllerPost {
  public:
   const char* id() const override { return "urscript"; }

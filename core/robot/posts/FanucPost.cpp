@@ -16,6 +16,9 @@ namespace {
 
 constexpr std::size_t kLongestFanucName = 8;  // that every controller takes
 constexpr std::size_t kLongestPlaceName = 16;
+constexpr std::size_t kLongestFanucRemark = 25;  // with its sign; teach pendants cut what is longer
+// The last user frame, and the position register by which a program sets it.
+constexpr int kOwnFrame = 9;
 
 // This maker counts the third joint from the horizontal: less what the second has turned.
 ArmValues counted(ArmValues values, double sign) {
@@ -45,9 +48,11 @@ Pose fanucWorld(const SerialArm& arm) {
   return Pose(Eigen::Translation3d(up.dot(axes[1].translation()) * up));
 }
 
-// In the world frame, which is user frame 0 and needs no entry on the controller.
+// In the frame of the cell, which the program sets itself, or in the world frame, which is user frame 0. Neither needs
+// an entry on the controller.
 std::string placeText(const RobotProgram& program, const ProgramMotion& motion) {
-  std::string text = "   GP1:\n   UF : 0, UT : 1,";
+  const bool isInFrame = !program.frameName.empty();
+  std::string text = "   GP1:\n   UF : " + std::to_string(isInFrame ? kOwnFrame : 0) + ", UT : 1,";
   if (motion.kind == ProgramMotion::Kind::Joint) {
     text += "\n";
     const std::vector<double> degrees = degreesOf(counted(motion.joints, 1.0));
@@ -57,7 +62,8 @@ std::string placeText(const RobotProgram& program, const ProgramMotion& motion) 
     }
     return text;
   }
-  const Pose place = fanucWorld(program.arm).inverse(Eigen::Isometry) * program.tipOf(motion);
+  const Pose frame = isInFrame ? program.frame : fanucWorld(program.arm);
+  const Pose place = frame.inverse(Eigen::Isometry) * program.tipOf(motion);
   const Vec3 at = place.translation(), turn = zyxAngles(place.linear()) / kRadiansPerDegree;
   text += " CONFIG : '" + fanucConfiguration(program.arm, motion.joints) + "',\n";
   text += "   X = " + fixedText(at.x(), 5) + " mm, Y = " + fixedText(at.y(), 5) + " mm, Z = " + fixedText(at.z(), 5) +
@@ -73,9 +79,9 @@ std::string fanucSpeed(const ProgramMotion& motion) {
   return (tenths.ends_with(".0") ? tenths.substr(0, tenths.size() - 2) : tenths) + "mm/sec";
 }
 
-// A sentence as remarks that are short, as teach pendants cut them.
+// A sentence as remarks that are short enough.
 void addRemark(std::string_view sentence, std::vector<std::string>& lines) {
-  constexpr std::size_t kLongest = 25;  // with its sign
+  constexpr std::size_t kLongest = kLongestFanucRemark;
   std::string line = "!";
   while (!sentence.empty()) {
     const std::string_view word = sentence.substr(0, sentence.find(' '));
@@ -90,6 +96,25 @@ void addRemark(std::string_view sentence, std::vector<std::string>& lines) {
   if (line.size() > 1) lines.push_back(line);
 }
 
+// The instructions that set the frame of the cell as a user frame, by way of a position register.
+std::vector<std::string> frameLines(const RobotProgram& program) {
+  const Pose frame = fanucWorld(program.arm).inverse(Eigen::Isometry) * program.frame;
+  const Vec3 at = frame.translation(), turn = zyxAngles(frame.linear()) / kRadiansPerDegree;
+  const std::string number = std::to_string(kOwnFrame), position = "PR[" + number;
+  std::vector<std::string> lines{"!Sets UFRAME[" + number + "], " + position + "] to",
+                                 "!" + identifierOf(program.frameName, kLongestFanucRemark - 1),
+                                 position + "]=LPOS-LPOS"};
+  const double values[] = {at.x(), at.y(), at.z(), turn.z(), turn.y(), turn.x()};
+  for (std::size_t i = 0; i < std::size(values); ++i) {
+    const std::string value = fixedText(values[i], i < 3 ? 5 : 7);
+    const bool isBelow = value.starts_with('-');  // which the language has in brackets
+    lines.push_back(position + "," + std::to_string(i + 1) + "]=" + (isBelow ? "(" + value + ")" : value));
+  }
+  lines.push_back("UFRAME[" + number + "]=" + position + "]");
+  lines.push_back("UFRAME_NUM=" + number);
+  return lines;
+}
+
 // What stands before the motions.
 std::vector<std::string> headLines(const RobotProgram& program) {
   std::vector<std::string> lines;
@@ -101,7 +126,11 @@ std::vector<std::string> headLines(const RobotProgram& program) {
     return std::string("!") + first + " " + fixedText(a, 3) + " " + second + " " + fixedText(b, 3);
   };
   lines.insert(lines.end(), {"!Enter as UTOOL[1]:", pair("X", at.x(), "Y", at.y()), pair("Z", at.z(), "W", turn.z()),
-                             pair("P", turn.y(), "R", turn.x()), "UFRAME_NUM=0", "UTOOL_NUM=1"});
+                             pair("P", turn.y(), "R", turn.x())});
+  const std::vector<std::string> frame =
+      program.frameName.empty() ? std::vector<std::string>{"UFRAME_NUM=0"} : frameLines(program);
+  lines.insert(lines.end(), frame.begin(), frame.end());
+  lines.emplace_back("UTOOL_NUM=1");
   return lines;
 }
 
@@ -151,12 +180,6 @@ std::optional<double> fanucSpeedFrom(LineReader line, bool isJoint) {
   return std::nullopt;
 }
 
-// User frames but the world are on the controller, not in the file.
-bool isInWorld(const FanucPlace& place) {
-  const auto frame = place.find("UF");
-  return frame != place.end() && frame->second == 0.0;
-}
-
 // Beginnings of what neither moves the robot nor changes where others lead. What is in no list is refused.
 constexpr std::array kFanucStill = {"UFRAME_NUM", "UTOOL_NUM", "WAIT",    "DO[",  "RO[",
                                     "GO[",        "AO[",       "F[",      "R[",   "PAYLOAD",
@@ -186,11 +209,16 @@ class FanucReading {
       if (const auto joints = valuesOf(place, {"J1", "J2", "J3", "J4", "J5", "J6"});
           joints && m_program.arm.size() == 6) {
         motion.joints = counted(radiansOf(*joints), -1.0);
+        if (const auto set = m_frames.find(frameNumber(place)); set != m_frames.end()) motion.frame = set->second;
       } else if (const auto pose = valuesOf(place, {"X", "Y", "Z", "R", "P", "W"})) {
-        if (!isInWorld(place) || m_program.arm.size() != 6) {
+        // User frames but the world are on the controller, unless the program sets them.
+        const double inFrame = frameNumber(place);
+        const auto set = m_frames.find(inFrame);
+        if (m_program.arm.size() != 6 || (inFrame != 0.0 && set == m_frames.end())) {
           return Error{
               ErrorCode::Unsupported, {"a place in another frame than UF : 0"}, InputPosition::line(motion.line), {}};
         }
+        if (inFrame != 0.0) motion.frame = set->second;
         // The data of tools are on the controller: 0 is the flange, the other one that of the cell.
         const auto named = valuesOf(place, {"UT"});
         const double used = named ? named->front() : 1.0;
@@ -199,7 +227,7 @@ class FanucReading {
         if (used != 0.0) tool = used;
         Pose inWorld(Eigen::Translation3d((*pose)[0], (*pose)[1], (*pose)[2]));
         inWorld.linear() = fromZyx(Vec3((*pose)[3], (*pose)[4], (*pose)[5]) * kRadiansPerDegree);
-        motion.pose = placeIn(m_program, fanucWorld(m_program.arm), inWorld,
+        motion.pose = placeIn(m_program, motion.frame.value_or(fanucWorld(m_program.arm)), inWorld,
                               used == 0.0 ? Pose(Pose::Identity()) : m_program.tool);
       } else {
         return LineReader({}, motion.line).malformed("target", "its place is not in /POS, or not all of it");
@@ -237,6 +265,8 @@ class FanucReading {
       if (LineReader(line).take(still)) return Done{};
     }
     const std::string_view whole = line.rest();
+    if (LineReader(line).take("PR[") || LineReader(line).take("UFRAME["))
+      return readsFrame(line) ? Status(Done{}) : unread(whole, statement.line);
     const bool isJoint = line.takeWord("J"), isLinear = !isJoint && line.takeWord("L");
     if (!isJoint && !isLinear) return unread(whole, statement.line);
     const std::size_t number = placeNumber(line);
@@ -247,6 +277,52 @@ class FanucReading {
     if (const Status options = readOptions(line, statement.line); !options) return options.error();
     m_motions.emplace_back(number, std::move(motion));
     return Done{};
+  }
+
+  // The number of the frame that a place is in; below 0: it does not say.
+  static double frameNumber(const FanucPlace& place) {
+    const auto found = place.find("UF");
+    return found == place.end() ? -1.0 : found->second;
+  }
+
+  // "PR[9]=LPOS-LPOS", "PR[9,1]=(-12.5)", "UFRAME[9]=PR[9]" before all motions. False: it is none of these.
+  bool readsFrame(LineReader line) {
+    if (!m_motions.empty() || m_program.arm.size() != 6) return false;
+    const bool isFrame = line.take("UFRAME[");
+    if (!isFrame) line.take("PR[");
+    const auto number = line.number();
+    const auto element = !isFrame && line.take(",") ? line.number() : std::nullopt;
+    if (!number || !line.take("]") || !line.take("=")) return false;
+    const auto isOver = [&] {
+      line.skipSpace();
+      return line.rest().empty();
+    };
+    if (isFrame) {
+      const auto from = line.take("PR[") ? line.number() : std::nullopt;
+      const auto values = from ? m_registers.find(*from) : m_registers.end();
+      if (*number < 1.0 || values == m_registers.end() || !line.take("]") || !isOver()) return false;
+      const auto& [x, y, z, w, p, r] = values->second;
+      Pose pose(Eigen::Translation3d(x, y, z));
+      pose.linear() = fromZyx(Vec3(r, p, w) * kRadiansPerDegree);
+      m_frames[*number] = fanucWorld(m_program.arm) * pose;
+      return true;
+    }
+    if (!element) {
+      if (!line.take("LPOS-LPOS") || !isOver()) return false;
+      m_registers[*number] = {};
+      return true;
+    }
+    const auto values = m_registers.find(*number);
+    const bool isInBrackets = line.take("(");
+    const auto value = line.number();
+    const bool isWhole = value && (!isInBrackets || line.take(")")) && isOver();
+    if (!isWhole || values == m_registers.end()) return false;
+    for (std::size_t i = 0; i < values->second.size(); ++i) {
+      if (*element != static_cast<double>(i + 1)) continue;
+      values->second[i] = *value;
+      return true;
+    }
+    return false;
   }
 
   // After the speed: "FINE", "CNT50", "ACC80", "Wjnt", "PTH"; others, as Offset, Tool_Offset or INC, change the place.
@@ -264,6 +340,8 @@ class FanucReading {
   }
 
   const RobotProgram& m_program;
+  std::map<double, std::array<double, 6>> m_registers;  // X, Y, Z, W, P, R in mm and degrees, by their numbers
+  std::map<double, Pose> m_frames;                      // user frames in the base, by theirs
   std::map<std::size_t, FanucPlace> m_places;
   std::vector<std::pair<std::size_t, ReadMotion>> m_motions;  // by the numbers of their places
   std::size_t m_open = 0;

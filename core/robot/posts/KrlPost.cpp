@@ -263,6 +263,7 @@ class KrlReading {
     if (motions.size() >= PostProcessor::kMostMotions) return line.malformed("PTP", "there are too many motions");
     ReadMotion motion{isPtp ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, number};
     motion.speed = isPtp ? m_settings.share() : m_settings.lineSpeed;
+    motion.frame = m_base;
     LineReader other = line;
     if (const auto joints = aggregate(line, {"A1", "A2", "A3", "A4", "A5", "A6"})) {
       motion.joints = radiansOf(*joints);

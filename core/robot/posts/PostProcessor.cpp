@@ -122,6 +122,13 @@ std::optional<Error> differenceOf(const ProgramMotion& wanted, const ReadMotion&
   return std::nullopt;
 }
 
+void compare(const Pose& wanted, const Pose& got, PostCheck& check) {
+  if (!got.matrix().allFinite()) check.distance = std::numeric_limits<double>::infinity();
+  check.distance = std::max(check.distance, (got.translation() - wanted.translation()).norm());
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(got.linear().transpose() * wanted.linear()));
+  check.angle = std::max(check.angle, std::abs(turn.angle()) / kRadiansPerDegree);
+}
+
 }  // namespace
 
 Result<PostCheck> checkWritten(const PostProcessor& post, const RobotProgram& program, std::string_view text) {
@@ -143,10 +150,8 @@ Result<PostCheck> checkWritten(const PostProcessor& post, const RobotProgram& pr
         motion.joints
             ? Pose(program.frame.inverse(Eigen::Isometry) * program.arm.tipPose(*motion.joints) * program.tool)
             : *motion.pose;
-    if (!got.matrix().allFinite()) check.distance = std::numeric_limits<double>::infinity();
-    check.distance = std::max(check.distance, (got.translation() - wanted.translation()).norm());
-    const Eigen::AngleAxisd turn(Eigen::Matrix3d(got.linear().transpose() * wanted.linear()));
-    check.angle = std::max(check.angle, std::abs(turn.angle()) / kRadiansPerDegree);
+    compare(wanted, got, check);
+    if (motion.frame) compare(program.frame, *motion.frame, check);
   }
   return check;
 }

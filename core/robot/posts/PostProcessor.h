@@ -21,6 +21,8 @@ struct ReadMotion {
   double blend = 0.0;                    // mm
   std::size_t line = 0;                  // from 1
   std::optional<double> speed = {};      // as in ProgramMotion, above 0; none: the program does not say
+  // That its place is given in, in the base of the program that it is read for; none: the program does not say.
+  std::optional<Pose> frame = {};
   std::optional<double> toolSpeed = {};  // mm/s: where a language gives a joint motion that of the tool's centre point
 };
 
@@ -62,8 +64,9 @@ struct PostCheck {
   std::size_t motions = 0;
 };
 // Reads a program back, computes where its motions end and compares these with the program (forward kinematics), and so
-// their kinds, speeds and blends: a speed is the one wanted as far as the languages can say it, a blend never larger.
-// Errors: those of PostProcessor::read(), CountMismatch {"motions", written, read}, MotionDiffers.
+// the frames that they are in, their kinds, speeds and blends: a speed is the one wanted as far as the languages can
+// say it, a blend never larger. Errors: those of PostProcessor::read(), CountMismatch {"motions", written, read},
+// MotionDiffers.
 Result<PostCheck> checkWritten(const PostProcessor& post, const RobotProgram& program, std::string_view text);
 
 }  // namespace handwheel

@@ -79,6 +79,8 @@ std::string identifierBeside(std::span<const char* const> words, const std::stri
 
 std::vector<std::string> headRemarks(const RobotProgram& program) {
   std::vector<std::string> remarks{identifierOf(program.robot, 60)};
+  if (!program.frameName.empty())
+    remarks.push_back("Places are in the frame " + identifierOf(program.frameName, 60) + ".");
   if (program.hasPlainShapes) remarks.emplace_back("Collisions were checked with simplified shapes of the robot.");
   remarks.insert(remarks.end(), program.remarks.begin(), program.remarks.end());
   return remarks;

@@ -211,8 +211,10 @@ class RapidReading {
     }
     if (m_calculatedWith && *m_calculatedWith != toolText(arguments, 3))
       return line.malformed("target", "CalcRobT has another tool or frame than the motion");
+    const std::string_view tool = arguments.size() > 3 ? arguments[3] : "";
+    motion.frame = frameIn(tool);
     if (motion.pose) {
-      const auto place = placed(*motion.pose, arguments.size() > 3 ? arguments[3] : "", number);
+      const auto place = placed(*motion.pose, tool, number);
       if (!place) return place.error();
       motion.pose = *place;
     }
@@ -229,19 +231,27 @@ class RapidReading {
     return text;
   }
 
+  // "tool", "tool\WObj:=frame": the frame; none: it is not known.
+  std::optional<Pose> frameIn(std::string_view text) const {
+    LineReader line(text, 0);
+    line.name();
+    const bool isNamed = line.take("\\WObj") && line.take(":=");
+    const auto frame = m_frames.find(isNamed ? folded(line.name()) : "wobj0");
+    return frame == m_frames.end() ? std::nullopt : frame->second;
+  }
+
   // "tool", "tool\WObj:=frame" of a motion to this pose.
   Result<Pose> placed(const Pose& pose, std::string_view text, std::size_t number) const {
     LineReader line(text, number);
     const auto tool = m_tools.find(folded(line.name()));
-    auto frame = m_frames.find("wobj0");
-    if (line.take("\\WObj") && line.take(":=")) frame = m_frames.find(folded(line.name()));
+    const std::optional<Pose> frame = frameIn(text);
+    if (line.take("\\WObj") && line.take(":=")) line.name();
     line.skipSpace();
     if (!line.rest().empty()) return unread(line.rest(), number);
     if (tool == m_tools.end() || !tool->second)
       return line.malformed("tool", "its data are not in the file, or the robot does not hold it");
-    if (frame == m_frames.end() || !frame->second)
-      return line.malformed("frame", "its data are not in the file, or it moves");
-    return placeIn(m_program, *frame->second, pose, *tool->second);
+    if (!frame) return line.malformed("frame", "its data are not in the file, or it moves");
+    return placeIn(m_program, *frame, pose, *tool->second);
   }
 
   // "v100", "[100,500,5000,1000]", a name of the file; "v100\V:=50". vmax is the largest of the joints.

@@ -4,6 +4,7 @@
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
@@ -25,11 +26,40 @@ std::vector<double> poseNumbers(const Pose& pose) {
   return {at.x(), at.y(), at.z(), turn.w(), turn.x(), turn.y(), turn.z()};
 }
 
+// None: these are not seven numbers, or the quaternion has no direction.
+std::optional<Pose> poseOfNumbers(std::span<const double> n) {
+  if (n.size() != 7) return std::nullopt;
+  const Eigen::Quaterniond turn(n[3], n[4], n[5], n[6]);
+  if (!(turn.norm() > 1e-3) || !(turn.norm() < 1e3)) return std::nullopt;
+  Pose pose(Eigen::Translation3d(n[0], n[1], n[2]));
+  pose.linear() = turn.normalized().toRotationMatrix();
+  return pose;
+}
+
+constexpr std::string_view kCsvFrame = "# frame,";
+
+// "# frame,NAME,x,y,z,qw,qx,qy,qz" before the motions: the frame; none: there is no such line.
+std::optional<Pose> csvFrame(const std::vector<std::string_view>& lines) {
+  const auto found =
+      std::find_if(lines.begin(), lines.end(), [](std::string_view line) { return line.starts_with(kCsvFrame); });
+  if (found == lines.end()) return std::nullopt;
+  LineReader line(found->substr(kCsvFrame.size()), 0);
+  line.name();
+  std::vector<double> numbers;
+  while (line.take(",") && numbers.size() < 7) {
+    const auto value = line.number();
+    if (!value) return std::nullopt;
+    numbers.push_back(*value);
+  }
+  return poseOfNumbers(numbers);
+}
+
 const char* wordFor(ProgramMotion::Kind kind) {
   return kind == ProgramMotion::Kind::Joint ? "joint" : "linear";
 }
 
-// motion, its end by joints in degrees (slides in mm), by the pose of the tool's centre point, and how it is done.
+// motion, its end by joints in degrees (slides in mm), by the pose of the tool's centre point, and how it is done. The
+// frame of the poses, if it is one of the cell, stands in a line of its own.
 class CsvPost : public PostProcessor {
  public:
   const char* id() const override { return "csv"; }
@@ -44,6 +74,9 @@ class CsvPost : public PostProcessor {
     }
     text += ",x_mm,y_mm,z_mm,qw,qx,qy,qz\n";
     for (const std::string& remark : program.remarks) text += "# " + remark + "\n";
+    if (!program.frameName.empty())
+      text += std::string(kCsvFrame) + identifierOf(program.frameName, 60) + "," +
+              fixedList(poseNumbers(program.frame), 9) + "\n";
     for (std::size_t i = 0; i < program.motions.size(); ++i) {
       const ProgramMotion& motion = program.motions[i];
       const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
@@ -57,6 +90,7 @@ class CsvPost : public PostProcessor {
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override {
     const Result<std::vector<std::string_view>> lines = programLines(text, "#");
     if (!lines) return lines.error();
+    const std::optional<Pose> inFrame = csvFrame(*programLines(text, {}));
     std::vector<ReadMotion> motions;
     for (std::size_t i = 1; i < lines->size(); ++i) {  // after the heading
       LineReader line((*lines)[i], i + 1);
@@ -66,7 +100,7 @@ class CsvPost : public PostProcessor {
       const bool hasNumber = line.number() && line.take(",");
       line.name();
       if (!hasNumber || !line.take(",")) return line.malformed("motion", "a number and a name were expected");
-      ReadMotion motion{.line = i + 1};
+      ReadMotion motion{.line = i + 1, .frame = inFrame};
       if (line.takeWord("linear"))
         motion.kind = ProgramMotion::Kind::Linear;
       else if (!line.takeWord("joint"))
@@ -104,6 +138,7 @@ class JsonPost : public PostProcessor {
                                    {"robot", program.robot},
                                    {"tool", poseNumbers(program.tool)},
                                    {"frame", poseNumbers(program.frame)},
+                                   {"frame_name", program.frameName},
                                    {"collision_shapes", program.hasPlainShapes ? "simplified" : "of the robot"},
                                    {"motions", nlohmann::ordered_json::array()}};
     if (!program.remarks.empty()) json["remarks"] = program.remarks;
@@ -129,11 +164,12 @@ class JsonPost : public PostProcessor {
     const auto list = json->is_object() ? json->find("motions") : json->end();
     if (!json->is_object() || list == json->end() || !list->is_array() || list->size() > kMostMotions)
       return wrong("a list was expected");
+    const std::optional<Pose> inFrame = poseOfNumbers(numbersAt(*json, "frame", 7));
     std::vector<ReadMotion> motions;
     for (const nlohmann::json& each : *list) {
       const std::vector<double> q = numbersAt(each, "q", static_cast<std::size_t>(frame.arm.size()));
       if (static_cast<Eigen::Index>(q.size()) != frame.arm.size()) return wrong("a number for each joint was expected");
-      ReadMotion motion;
+      ReadMotion motion{.frame = inFrame};
       motion.kind = stringAt(each, "kind") == "linear" ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
       motion.joints = Eigen::Map<const Eigen::VectorXd>(q.data(), frame.arm.size());
       if (const auto blend = each.find("blend_mm"); blend != each.end() && blend->is_number())

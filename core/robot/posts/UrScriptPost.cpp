@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace handwheel {
 
@@ -129,14 +130,24 @@ Pose urPoseOf(std::span<const double> n) {
   return pose;
 }
 
-// movep(pose, a, v, r) has no time; the others are movej(q, a, v, t, r).
-Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime) {
+using UrFrames = std::map<std::string, Pose, std::less<>>;  // variables that a program has given poses, in the base
+
+// movep(pose, a, v, r) has no time; the others are movej(q, a, v, t, r). A pose may be pose_trans(frame,p[…]).
+Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime,
+                            const UrFrames& frames) {
   ReadMotion motion{kind, {}, {}, 0.0, number};
   const std::string_view call = line.rest();
   if (!line.take("(")) return line.malformed("target", "numbers in brackets were expected");
+  const bool isInFrame = line.takeWord("pose_trans");
+  if (isInFrame) {
+    const auto frame = line.take("(") ? frames.find(line.name()) : frames.end();
+    if (frame == frames.end() || !line.take(",")) return unread(call, number);
+    motion.frame = frame->second;
+  }
   const bool isPose = line.take("p");
   const auto numbers = line.numbersWithin('[', ']', 6);
   if (!numbers || numbers->size() != 6) return line.malformed("target", "six numbers in brackets were expected");
+  if (isInFrame && (!isPose || !line.take(")"))) return unread(call, number);
   const auto& n = *numbers;
   if (isPose) {
     motion.pose = urPoseOf(n);
@@ -155,6 +166,15 @@ Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion:
   return motion;
 }
 
+// Whether lines lead to poses in the frame of the cell, which is a variable of this name then. A pose has to be in the
+// controller's base, which ROS' base_link is turned by 180° against.
+bool isInUrFrame(const RobotProgram& program) {
+  return program.isBaseOfController && !program.frameName.empty();
+}
+std::string urFrameName(const RobotProgram& program) {
+  return "frame_" + identifierOf(program.frameName, 50);
+}
+
 std::string urMotion(const RobotProgram& program, std::size_t i) {
   const ProgramMotion& motion = program.motions[i];
   const bool isJoint = motion.kind == ProgramMotion::Kind::Joint;
@@ -162,9 +182,13 @@ std::string urMotion(const RobotProgram& program, std::size_t i) {
   const double speed = isJoint ? urFullSpeed(program) * std::clamp(motion.speed, 0.001, 1.0)
                                : kMetresOfMillimetre * std::max(motion.speed, 0.01);
   // movel by joint values, too: the controller computes the pose by its own kinematics, with the TCP that is set above.
-  // A pose would have to be in the controller's base, which ROS' base_link is turned by 180° against.
   std::string text = motion.name.empty() ? "" : "  # " + identifierOf(motion.name, 60) + "\n";
-  text += std::string(isJoint ? "  movej([" : "  movel([") + fixedList(std::span(motion.joints.data(), 6), 9) + "]";
+  if (!isJoint && isInUrFrame(program)) {
+    const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
+    text += "  movel(pose_trans(" + urFrameName(program) + "," + urPose(place) + ")";
+  } else {
+    text += std::string(isJoint ? "  movej([" : "  movel([") + fixedList(std::span(motion.joints.data(), 6), 9) + "]";
+  }
   text += ",a=" + fixedText(kRampsASecond * speed, 7) + ",v=" + fixedText(speed, 7);
   return text + ",r=" + fixedText(kMetresOfMillimetre * zoneOf(program, i), 6) + ")\n";
 }
@@ -205,12 +229,22 @@ class UrScriptReading {
     }
     line.takeWord("global");
     line.takeWord("local");
-    const bool isAssignment = !line.name().empty() && line.take("=") && !line.take("=");
+    const std::string name(line.name());
+    const bool isAssignment = !name.empty() && line.take("=") && !line.take("=");
+    if (isAssignment) takeFrame(name, line);
     const bool isCalculation = isAssignment && !callsOther(line.rest(), kUrFunctions);
     return isCalculation ? Status(Done{}) : unread(statement.text, statement.line);
   }
 
  private:
+  // A variable that is a pose in numbers from now on, or something else.
+  void takeFrame(const std::string& name, LineReader value) {
+    const auto numbers = value.take("p") ? value.numbersWithin('[', ']', 6) : std::nullopt;
+    value.skipSpace();
+    m_frames.erase(name);
+    if (numbers && numbers->size() == 6 && value.rest().empty()) m_frames[name] = urPoseOf(*numbers);
+  }
+
   Status setTool(LineReader& line) {
     const auto numbers = line.take("(") && line.take("p") ? line.numbersWithin('[', ']', 6) : std::nullopt;
     if (!numbers || numbers->size() != 6) return line.malformed("tool", "six numbers in brackets were expected");
@@ -220,19 +254,21 @@ class UrScriptReading {
 
   Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime) {
     if (motions.size() >= PostProcessor::kMostMotions) return line.malformed("movej", "there are too many motions");
-    Result<ReadMotion> motion = urTarget(line, number, kind, hasTime);
+    Result<ReadMotion> motion = urTarget(line, number, kind, hasTime, m_frames);
     if (!motion) return motion.error();
     if (motion->speed && kind == ProgramMotion::Kind::Joint)
       motion->speed = std::min(1.0, *motion->speed / urFullSpeed(m_program));
     else if (motion->speed)
       *motion->speed /= kMetresOfMillimetre;
-    if (motion->pose) motion->pose = placeIn(m_program, Pose::Identity(), *motion->pose, m_tool);
+    if (motion->pose)
+      motion->pose = placeIn(m_program, motion->frame.value_or(Pose(Pose::Identity())), *motion->pose, m_tool);
     motions.push_back(std::move(motion).value());
     return Done{};
   }
 
   const RobotProgram& m_program;
   Pose m_tool;  // in the flange: that of the cell until the program sets another
+  UrFrames m_frames;
 };
 
 // Takes functions apart. Blocks within them end like these do.
@@ -265,6 +301,10 @@ std::string UrScriptPost::write(const RobotProgram& program) const {
   text += "def " + name + "():\n  set_tcp(" + urPose(program.tool) + ")\n";
   text += "  # The load is that of the installation. An assumption was: set_payload(" +
           fixedText(std::max(0.001, program.toolMass), 3) + ")\n";
+  if (isInUrFrame(program))
+    text += "  " + urFrameName(program) + " = " + urPose(program.frame) + "\n";
+  else if (!program.frameName.empty())
+    text += "  # That frame in the base of the robot's description: " + urPose(program.frame) + "\n";
   for (std::size_t i = 0; i < program.motions.size(); ++i) text += urMotion(program, i);
   return text + "end\n\n# Leave this call out where the file is sent to a port of the controller.\n" + name + "()\n";
 }

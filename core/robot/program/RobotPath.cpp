@@ -57,8 +57,12 @@ bool RobotPath::operator==(const RobotPath& other) const {
          areSame(bases, other.bases);
 }
 
+bool NamedFrame::operator==(const NamedFrame& other) const {
+  return name == other.name && pose.matrix() == other.pose.matrix() && body == other.body && link == other.link;
+}
+
 bool NamedTarget::operator==(const NamedTarget& other) const {
-  return name == other.name && pose.matrix() == other.pose.matrix() && body == other.body;
+  return name == other.name && pose.matrix() == other.pose.matrix() && body == other.body && frame == other.frame;
 }
 
 const NamedConfiguration* CellPlans::configuration(std::string_view name) const {
@@ -71,6 +75,10 @@ const NamedTarget* CellPlans::target(std::string_view name) const {
 
 const RobotPath* CellPlans::path(std::string_view name) const {
   return withName(paths, name);
+}
+
+const NamedFrame* CellPlans::frame(std::string_view name) const {
+  return withName(frames, name);
 }
 
 FreeNames CellPlans::pathNames() const {
@@ -86,13 +94,20 @@ FreeNames CellPlans::placeNames() const {
   return names;
 }
 
+FreeNames CellPlans::frameNames() const {
+  FreeNames names;
+  for (const NamedFrame& each : frames) names.add(each.name);
+  return names;
+}
+
 std::size_t CellPlans::bytes() const {
   const auto ofValues = [](const JointValues& values) {
     return static_cast<std::size_t>(values.size()) * sizeof(double);
   };
   std::size_t sum = sizeof *this;
   for (const NamedConfiguration& each : configurations) sum += sizeof each + each.name.size() + ofValues(each.joints);
-  for (const NamedTarget& each : targets) sum += sizeof each + each.name.size();
+  for (const NamedTarget& each : targets) sum += sizeof each + each.name.size() + each.frame.size();
+  for (const NamedFrame& each : frames) sum += sizeof each + each.name.size() + each.link.size();
   for (const RobotPath& path : paths) {
     sum += sizeof path + path.name.size();
     if (!path.process) continue;
@@ -119,8 +134,8 @@ void CellPlans::choose(const std::string& other, const std::string& present) {
 
 bool CellPlans::operator==(const CellPlans& other) const {
   return configurations == other.configurations && targets == other.targets && paths == other.paths &&
-         allowed == other.allowed && arm == other.arm && tool.matrix() == other.tool.matrix() &&
-         areSame(otherTools, other.otherTools) && clearance == other.clearance;
+         frames == other.frames && workFrame == other.workFrame && allowed == other.allowed && arm == other.arm &&
+         tool.matrix() == other.tool.matrix() && areSame(otherTools, other.otherTools) && clearance == other.clearance;
 }
 
 }  // namespace handwheel

@@ -70,11 +70,22 @@ struct NamedConfiguration {
   bool operator==(const NamedConfiguration& other) const;
 };
 
-// A frame that the tool's centre point can be brought to.
+// A place that targets belong to and programs are written in: a work object, or a user frame, of a controller.
+struct NamedFrame {
+  std::string name;
+  Pose pose = Pose::Identity();  // in the frame of the root, of the body, or of the link; rigid
+  std::uint32_t body = 0;        // the number of the body that carries it; 0: none does
+  std::string link = {};         // the name of the link that carries it; empty: none does. Only without a body
+
+  bool operator==(const NamedFrame& other) const;
+};
+
+// A pose that the tool's centre point can be brought to.
 struct NamedTarget {
   std::string name;
-  Pose pose = Pose::Identity();  // in the frame of the robot's base, or of the body; rigid
-  std::uint32_t body = 0;        // the number of the body that it is on and moves with; 0: it stands
+  Pose pose = Pose::Identity();  // in the frame of the root, of the body, or in the named frame; rigid
+  std::uint32_t body = 0;        // the number of the body that it is on and moves with; 0: on none
+  std::string frame = {};        // the name of the frame that it belongs to; empty: to none. Only without a body
 
   bool operator==(const NamedTarget& other) const;
 };
@@ -92,13 +103,17 @@ class FreeNames {
 };
 
 // What is planned in a robot cell. Names are unique among configurations and targets
-// together, and among paths, and not empty.
+// together, among paths, and among frames, and not empty.
 struct CellPlans {
-  static constexpr std::size_t kMost = 10'000;  // configurations; targets; paths
+  static constexpr std::size_t kMost = 10'000;  // configurations; targets; paths; frames
 
   std::vector<NamedConfiguration> configurations;
   std::vector<NamedTarget> targets;
   std::vector<RobotPath> paths;
+  std::vector<NamedFrame> frames;
+  // The name of the frame that programs are written in, and coordinates of targets shown in. Empty: programs in the
+  // base of the robot, each target in what it is on.
+  std::string workFrame = {};
   // Names of links, or a link and a body ("body.3"), whose collisions do not count.
   std::set<std::pair<std::string, std::string>> allowed;
   std::string arm = {};          // the name of the robot that is planned for; empty: the first
@@ -110,9 +125,11 @@ struct CellPlans {
   const NamedConfiguration* configuration(std::string_view name) const;  // null: there is none
   const NamedTarget* target(std::string_view name) const;                // null: there is none
   const RobotPath* path(std::string_view name) const;                    // null: there is none
+  const NamedFrame* frame(std::string_view name) const;                  // null: there is none
   // Names that are free. O(names); who wants several keeps it.
   FreeNames pathNames() const;
   FreeNames placeNames() const;  // neither of a configuration nor of a target
+  FreeNames frameNames() const;
   std::string freePathName(const std::string& wish) const { return pathNames().take(wish); }
   std::string freePlaceName(const std::string& wish) const { return placeNames().take(wish); }
   std::size_t bytes() const;  // about

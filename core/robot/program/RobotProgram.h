@@ -30,6 +30,7 @@ struct RobotProgram {
   SerialArm arm{{}, Pose::Identity()};
   Pose tool = Pose::Identity();   // of the tool's centre point in the flange
   Pose frame = Pose::Identity();  // that the places are written in, in the base
+  std::string frameName = {};     // of that frame, as the cell has it; empty: it is none of the cell
   double toolMass = 1.0;          // kg; an assumption, which programs say they make
   // The base is the one that the controller counts from, as in its maker's table. Else a description may have turned or
   // raised it, and only joint values mean the same to both.

@@ -18,7 +18,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr const char* kVerbs[] = {"add", "remove", "go", "remove-path", "add-target", "remove-target"};
+constexpr const char* kVerbs[] = {"add",        "remove",        "go",        "remove-path",
+                                  "add-target", "remove-target", "add-frame", "remove-frame"};
 
 Parameter nameParameter(const char* id, std::string meaning, const char* word = "NAME") {
   return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
@@ -70,11 +71,17 @@ const Operation& configurationOperation() {
           nameParameter("remove-path", "Removes this path"),
           nameParameter("add-target",
                         "Stores the current pose of the tool as a target; a target of that name is replaced"),
-          nameParameter("on", "The body that the new target is on and moves with", "BODY"),
+          nameParameter("on", "The body that the new target or frame is on and moves with", "BODY"),
+          nameParameter("in", "The frame that the new target belongs to and moves with", "FRAME"),
           nameParameter("remove-target", "Removes this target"),
+          nameParameter("add-frame",
+                        "Stores the current pose of the tool as a frame; one of that name is replaced, and its targets "
+                        "move with it"),
+          nameParameter("link", "The link of a robot that carries the new frame", "LINK"),
+          nameParameter("remove-frame", "Removes this frame; its targets stay where they are"),
           {.property = {.id = "at", .group = {}, .label = {}, .value = "", .least = -1e7, .largest = 1e7},
            .meaning = "Place of the tool's centre point, in mm from the base; the robot moves there, or --add-target "
-                      "stores it",
+                      "or --add-frame stores it",
            .word = "X,Y,Z",
            .parts = {{"x"}, {"y"}, {"z"}},
            .hasDefault = false},
@@ -117,10 +124,16 @@ const Operation& configurationOperation() {
 std::string problemOfConfigurationValues(const OperationValues& values) {
   const auto isSet = [&](const char* id) { return values.isSet(id); };
   if (std::count_if(std::begin(kVerbs), std::end(kVerbs), isSet) > 1)
-    return "only one of add, remove, go, remove-path, add-target and remove-target can be done at a time";
+    return "only one of add, remove, go, remove-path, add-target, remove-target, add-frame and remove-frame can be "
+           "done "
+           "at a time";
   if (isSet("go") && (isSet("at") || isSet("turn"))) return "go moves to a stored place, at and turn to another one";
-  if (isSet("on") && !isSet("add-target")) return "on needs add-target";
-  if (isSet("solution") && isSet("add-target")) return "solution chooses joint values, which a target has none of";
+  const bool addsPose = isSet("add-target") || isSet("add-frame");
+  if (isSet("on") && !addsPose) return "on needs add-target or add-frame";
+  if (isSet("in") && !isSet("add-target")) return "in needs add-target";
+  if (isSet("link") && !isSet("add-frame")) return "link needs add-frame";
+  if (isSet("on") && (isSet("in") || isSet("link"))) return "only one of on, in and link can be given";
+  if (isSet("solution") && addsPose) return "solution chooses joint values, which targets and frames have none of";
   if (isSet("joints") && !isSet("add") && !isSet("go")) return "joints needs add or go";
   return {};
 }
@@ -135,6 +148,7 @@ Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSn
     stored = std::move(joints).value();
   }
   if (const Status targets = changeTargets(values, cell, plans); !targets) return targets.error();
+  if (const Status frames = changeFrames(values, cell, plans); !frames) return frames.error();
   if (movesTool(values, *cell.plans)) {
     Result<JointValues> joints = jointsThere(values, cell);
     if (!joints) return joints.error();

@@ -9,8 +9,8 @@
 namespace handwheel {
 
 // The operation "configuration", which edits the plans of a cell. It stores where the robot stands under a name, moves
-// it there, removes what is stored; the same for targets, and for poses of the tool; removes paths; sets what planning
-// goes by.
+// it there, removes what is stored; the same for targets, frames, and poses of the tool; removes paths; sets what
+// planning goes by.
 const Operation& configurationOperation();
 
 // What is wrong with a combination of values, as a clause; empty when they fit together.
@@ -22,8 +22,8 @@ struct ChangedCell {
   JointValues joints;
 };
 
-// Errors: PlaceMissing, PathMissing, BodyError::BodyMissing, those of CellReach.h and sceneOf(); BodyError::NameTaken
-// and NameUnusable, ValueOutOfRange.
+// Errors: PlaceMissing, PathMissing, FrameMissing, FrameStray, BodyError::BodyMissing, those of CellReach.h and
+// sceneOf(); BodyError::NameTaken and NameUnusable, ValueOutOfRange.
 Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSnapshot& cell);
 
 // Plans with what an SRDF says: the pairs that may touch, and its states as configurations. Error: ValueOutOfRange.

@@ -3,6 +3,7 @@
 #include "tools/cell/ConfigurationPoses.h"
 
 #include "document/cell/CellErrors.h"
+#include "document/cell/CellFrames.h"
 #include "document/scene/BodyChanges.h"
 #include "document/scene/BodyErrors.h"
 #include "scene/RigidPose.h"
@@ -23,6 +24,25 @@ const NamedTarget* targetToGoTo(const OperationValues& values, const CellPlans& 
   return values.isSet("go") && !plans.configuration(values.text("go")) ? plans.target(values.text("go")) : nullptr;
 }
 
+CellPlacement placementIn(const RobotCellSnapshot& cell, const CellPlans& plans) {
+  return {plans, cell.bodies, cell.robot->model, cell.joints};
+}
+
+std::optional<Error> problemOfPlaceName(const std::string& name) {
+  if (isBodyName(name)) return std::nullopt;
+  return Error{BodyError::NameUnusable, {name, std::to_string(kLongestBodyName)}, {}, {}};
+}
+
+// In place of the one of the same name, or at the end.
+template <class Named>
+void store(std::vector<Named>& all, Named made) {
+  const auto same = std::find_if(all.begin(), all.end(), [&](const Named& each) { return each.name == made.name; });
+  if (same != all.end())
+    *same = std::move(made);
+  else
+    all.push_back(std::move(made));
+}
+
 }  // namespace
 
 bool goesToTarget(const OperationValues& values, const CellPlans& plans) {
@@ -30,14 +50,13 @@ bool goesToTarget(const OperationValues& values, const CellPlans& plans) {
 }
 
 bool movesTool(const OperationValues& values, const CellPlans& plans) {
-  if (values.isSet("add-target")) return false;
+  if (values.isSet("add-target") || values.isSet("add-frame")) return false;
   return values.isSet("at") || values.isSet("turn") || values.isSet("solution") || targetToGoTo(values, plans);
 }
 
 Result<Pose> givenPose(const OperationValues& values, const RobotCellSnapshot& cell) {
-  const RobotModel& robot = cell.robot->model;
   if (const NamedTarget* const target = targetToGoTo(values, *cell.plans))
-    return poseOfTarget(*target, cell.bodies, robot, cell.joints);
+    return poseOfTarget(*target, placementIn(cell, *cell.plans));
   Pose pose = toolPose(*cell.robot, *cell.plans, cell.joints);
   if (values.isSet("turn")) pose = poseOf(pose.translation(), vectorOf(values, "turn"));
   if (values.isSet("at")) pose.translation() = vectorOf(values, "at");
@@ -73,8 +92,7 @@ Status changeTargets(const OperationValues& values, const RobotCellSnapshot& cel
   }
   if (!values.isSet("add-target")) return Done{};
   NamedTarget target{.name = values.text("add-target")};
-  if (!isBodyName(target.name))
-    return Error{BodyError::NameUnusable, {target.name, std::to_string(kLongestBodyName)}, {}, {}};
+  if (const auto problem = problemOfPlaceName(target.name)) return *problem;
   if (plans.configuration(target.name)) return Error{CellError::PlaceNameTaken, {target.name}, {}, {}};
   const Result<Pose> pose = givenPose(values, cell);
   if (!pose) return pose.error();
@@ -84,12 +102,36 @@ Status changeTargets(const OperationValues& values, const RobotCellSnapshot& cel
     if (!body) return body.error();
     target = onBody(std::move(target), **body, cell.robot->model, cell.joints);
   }
-  const auto same = std::find_if(plans.targets.begin(), plans.targets.end(),
-                                 [&](const NamedTarget& each) { return each.name == target.name; });
-  if (same != plans.targets.end())
-    *same = std::move(target);
-  else
-    plans.targets.push_back(std::move(target));
+  if (values.isSet("in")) {
+    Result<NamedTarget> inFrame = targetInFrame(std::move(target), values.text("in"), placementIn(cell, plans));
+    if (!inFrame) return inFrame.error();
+    target = std::move(inFrame).value();
+  }
+  store(plans.targets, std::move(target));
+  return Done{};
+}
+
+Status changeFrames(const OperationValues& values, const RobotCellSnapshot& cell, CellPlans& plans) {
+  if (values.isSet("remove-frame")) {
+    const std::string name = values.text("remove-frame");
+    if (!plans.frame(name)) return Error{CellError::FrameMissing, {name}, {}, {}};
+    plans = withoutFrame(name, placementIn(cell, plans));
+  }
+  if (!values.isSet("add-frame")) return Done{};
+  NamedFrame frame{.name = values.text("add-frame")};
+  if (const auto problem = problemOfPlaceName(frame.name)) return *problem;
+  const Result<Pose> pose = givenPose(values, cell);
+  if (!pose) return pose.error();
+  frame.pose = *pose;
+  std::uint32_t carrier = 0;
+  if (values.isSet("on")) {
+    const Result<BodyPointer> body = bodyCalled(cell.bodies, values.text("on"));
+    if (!body) return body.error();
+    carrier = (*body)->id;
+  }
+  Result<NamedFrame> carried = carriedFrame(std::move(frame), carrier, values.text("link"), placementIn(cell, plans));
+  if (!carried) return carried.error();
+  store(plans.frames, std::move(carried).value());
   return Done{};
 }
 

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Poses of the tool and targets in configurationOperation().
+// Poses of the tool, targets and frames in configurationOperation().
 
 // Whether "go" names a target.
 bool goesToTarget(const OperationValues& values, const CellPlans& plans);
@@ -23,7 +23,9 @@ Result<Pose> givenPose(const OperationValues& values, const RobotCellSnapshot& c
 // ValueOutOfRange of "solution"; those of nearestFree(), sceneOf() and givenPose().
 Result<JointValues> jointsThere(const OperationValues& values, const RobotCellSnapshot& cell);
 
-// Adds or removes a target. Errors: PlaceMissing, BodyMissing, NameUnusable, PlaceNameTaken.
+// Adds or removes a target, or a frame. Errors: PlaceMissing, FrameMissing, FrameStray, BodyMissing, NameUnusable,
+// PlaceNameTaken; those of carriedFrame().
 Status changeTargets(const OperationValues& values, const RobotCellSnapshot& cell, CellPlans& plans);
+Status changeFrames(const OperationValues& values, const RobotCellSnapshot& cell, CellPlans& plans);
 
 }  // namespace handwheel

@@ -6,6 +6,7 @@
 #include "document/AtomicFile.h"
 #include "document/DocumentErrors.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/CellFrames.h"
 #include "robot/arm/NumericalIk.h"
 #include "robot/dh/DhTable.h"
 #include "robot/program/PathFile.h"
@@ -68,6 +69,16 @@ double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional
 
 }  // namespace
 
+Result<Pose> programFrame(const CellScene& scene, const CellPlans& plans) {
+  if (plans.workFrame.empty()) return Pose(Pose::Identity());
+  const RobotModel& robot = scene.robot->model;
+  const Result<Pose> pose = poseOfFrame(plans.workFrame, {plans, scene.bodies, robot, scene.others});
+  if (!pose) return pose;
+  if (movesWith(*plans.frame(plans.workFrame), scene.bodies, robot, scene.dofs))
+    return Error{CellError::FrameMoves, {plans.workFrame}, {}, {}};
+  return Pose(basePose(robot, scene.plannedArm()).inverse(Eigen::Isometry) * *pose);
+}
+
 // Descriptions name the model only, as "ur5_robot".
 const PostProcessor& usualPost(const RobotArm& arm) {
   std::string plain;
@@ -98,7 +109,11 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
   if (const auto problem = problemOf(scene, path, checked)) return *problem;
   if (!checked.partMoved.empty() && outdated == OutdatedPath::Refuse)
     return Error{CellError::PathOutdated, {path.name, checked.partMoved}, {}, {}};
-  const RobotProgram program = programOf(scene, plans, path, checked);
+  const Result<Pose> frame = programFrame(scene, plans);
+  if (!frame) return frame.error();
+  RobotProgram program = programOf(scene, plans, path, checked);
+  program.frame = *frame;
+  program.frameName = plans.workFrame;
   if (const std::vector<Error> refusals = post.refusals(program); !refusals.empty()) return refusals.front();
   const std::string text = post.write(program);
   const Result<PostCheck> check = checkWritten(post, program, text);
@@ -107,7 +122,7 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
     return Error{DocumentError::CheckFailed, {std::string("the ") + post.title() + " program"}, {}, output.string()};
   const Status written = writeFileAtomically(output, text, {});
   if (!written) return written.error();
-  WrittenProgram result{*check, 0, otherRobot(scene, post)};
+  WrittenProgram result{*check, 0, otherRobot(scene, post), plans.workFrame};
   for (std::size_t i = 0; i < path.places.size(); ++i)
     result.exactStops += path.places[i].blend > 0.0 && checked.blends[i] == 0.0 ? 1 : 0;
   return result;

@@ -15,14 +15,21 @@ struct WrittenProgram {
   std::size_t exactStops = 0;  // places whose blend was not certified, or that the language has none for
   // The robot, if it comes with the program and the controller is known to move those of another maker; else empty.
   std::string otherRobot = {};
+  std::string frame = {};  // CellPlans::workFrame
 };
 
 // What becomes of a path that is free, but leads along a curve of a part that stands elsewhere now.
 enum class OutdatedPath { Refuse, Write };
 
-// Writes a certified path as a program, with remarks of what was not proven or does not hold any more. What the
+// The frame that the places of a program are written in (CellPlans::workFrame), in the base of the robot that the scene
+// is for. Errors: those of poseOfFrame(); FrameMoves where that robot moves it.
+Result<Pose> programFrame(const CellScene& scene, const CellPlans& plans);
+
+// Writes a certified path as a program, its places in CellPlans::workFrame, with remarks of what was not proven or does
+// not hold any more. What the
 // controller cannot do is an error before anything is written; so is a text that does not read back as the path (1e-3
-// mm, 1e-3°). Errors: PathCollides, LineUnreachable, PathOutdated, those of PostProcessor::refusals() and of writing.
+// mm, 1e-3°). Errors: PathCollides, LineUnreachable, PathOutdated, FrameMissing, FrameStray, FrameMoves,
+// those of PostProcessor::refusals() and of writing.
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const CheckedPath& checked, const PostProcessor& post,
                                     const std::filesystem::path& output, OutdatedPath outdated = OutdatedPath::Refuse);

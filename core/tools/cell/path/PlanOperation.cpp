@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/CellFrames.h"
 #include "document/cell/CellReach.h"
 #include "planning/PlanningFidelity.h"
 #include "planning/ToolTrack.h"
@@ -248,7 +249,7 @@ Result<Waypoint> placeCalled(const CellScene& scene, const RobotCellSnapshot& ce
                     .name = configuration->name};
   }
   if (const NamedTarget* target = cell.plans->target(text)) {
-    const Result<Pose> pose = poseOfTarget(*target, cell.bodies, scene.robot->model, cell.joints);
+    const Result<Pose> pose = poseOfTarget(*target, {*cell.plans, cell.bodies, scene.robot->model, cell.joints});
     if (!pose) return pose.error();
     const Result<ArmValues> values = nearestFree(scene, *cell.plans, *pose, scene.planned(near));
     if (!values) return values.error();

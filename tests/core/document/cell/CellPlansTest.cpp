@@ -29,10 +29,22 @@ CellPlans anyPlans() {
     for (int k = *rc::gen::inRange(0, 4); k > 0; --k) path.places.push_back({.joints = anyJoints()});
     plans.paths.push_back(std::move(path));
   }
+  FreeNames frames;
+  for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
+    NamedFrame frame{.name = frames.take("fixture")};
+    frame.pose = poseOf({0.25, *rc::gen::inRange(-900, 901) / 3.0, 12.5}, {-0.4, 0.3 * i, 2.0});
+    frame.body = *rc::gen::inRange<std::uint32_t>(0, 3);
+    if (frame.body == 0) frame.link = *rc::gen::element<std::string>("", "upper", "gone");
+    plans.frames.push_back(std::move(frame));
+  }
+  if (!plans.frames.empty() && *rc::gen::arbitrary<bool>()) plans.workFrame = plans.frames.front().name;
   for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
     NamedTarget target{.name = plans.freePlaceName("spot")};
     target.pose = poseOf({*rc::gen::inRange(-900, 901) / 7.0, 0.5, -3.25}, {0.1 * i, -0.2, 1.5});
-    target.body = *rc::gen::inRange<std::uint32_t>(0, 5);
+    if (!plans.frames.empty() && *rc::gen::arbitrary<bool>())
+      target.frame = plans.frames.back().name;
+    else
+      target.body = *rc::gen::inRange<std::uint32_t>(0, 5);
     plans.targets.push_back(std::move(target));
   }
   if (*rc::gen::arbitrary<bool>()) plans.allowed.insert({"upper", "body.3"});
@@ -94,6 +106,20 @@ class CellPlansTest : public QObject {
     }
   }
 
+  // As a cell was written before there were frames.
+  void withoutFrames() {
+    Container container = saved(*importOrThrow(m_package.urdf()).content);
+    container.blobs["cell/plans.json"] =
+        R"({"targets": [{"name": "spot", "pose": [1,0,0,5,0,1,0,6,0,0,1,7], "body": 2}], "clearance_mm": 3})";
+    std::vector<Error> damage;
+    const auto cell = loaded(container, damage);
+    QVERIFY(cell && damage.empty());
+    CellPlans expected;
+    expected.targets = {{"spot", poseOf({5.0, 6.0, 7.0}, Vec3::Zero()), 2}};
+    expected.clearance = 3.0;
+    QVERIFY(*cell->plans == expected);
+  }
+
   // What is more than a cell can hold is refused when it is added, and noted when a file has it.
   void fullCells() {
     using nlohmann::json;
@@ -122,6 +148,10 @@ class CellPlansTest : public QObject {
     const Status full = checkCounts(plans);
     QVERIFY(!full.hasValue() && full.error().code == CellError::PlansFull);
     plans.targets.pop_back();
+    plans.frames.resize(most + 1);
+    QVERIFY(!checkCounts(plans).hasValue());
+    plans.frames.pop_back();
+    QVERIFY(checkCounts(plans).hasValue());
     plans.paths.front().places.resize(RobotPath::kMostPlaces + 1);
     QVERIFY(!checkCounts(plans).hasValue());
   }
@@ -138,6 +168,10 @@ class CellPlansTest : public QObject {
     QTest::newRow("a target that is no pose") << QByteArray(R"({"targets": [{"name": "a", "pose": [1]}, 7]})");
     QTest::newRow("a mirrored target") << QByteArray(
         R"({"targets": [{"name": "a", "pose": [1,0,0,0,0,1,0,0,0,0,-1,0], "body": -2}]})");
+    QTest::newRow("a target in a frame that is not there")
+        << QByteArray(R"({"targets": [{"name": "a", "pose": [1,0,0,0,0,1,0,0,0,0,1,0], "frame": "b"}]})");
+    QTest::newRow("a frame that is no pose") << QByteArray(R"({"frames": [{"name": "a", "pose": 3}, null]})");
+    QTest::newRow("another frame than there are") << QByteArray(R"({"work_frame": "a"})");
     QTest::newRow("a tool without turn") << QByteArray(R"({"tool": [0,0,0,0,0,0,0,0,0,0,0,0]})");
   }
   void hostile() {
@@ -148,6 +182,7 @@ class CellPlansTest : public QObject {
     const auto cell = loaded(container, damage);
     QVERIFY(cell && !damage.empty());
     QVERIFY(cell->plans->configurations.empty() && cell->plans->paths.empty() && cell->plans->targets.empty());
+    QVERIFY(cell->plans->frames.empty() && cell->plans->workFrame.empty());
   }
 
  private:

@@ -53,6 +53,7 @@ inline void checkAnyProgram(const PostProcessor& post, const char* robot) {
   RobotProgram program = programOf(robot);
   program.isBaseOfController = *rc::gen::arbitrary<bool>();
   program.hasPlainShapes = *rc::gen::arbitrary<bool>();
+  program.frameName = *rc::gen::element<std::string>("", "fixture 1", "\xe5\xa4\xb9\xe5\x85\xb7; END");
   program.name = *rc::gen::element<std::string>("weld seam 1", "Move", "test", "a name that is longer than any takes");
   for (int i = *rc::gen::inRange(0, 8); i >= 0; --i) program.motions.push_back(anyMotion(program.arm));
   RC_ASSERT(post.refusals(program).empty());

@@ -4,6 +4,7 @@
 #include "TestClass.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/CellFrames.h"
 #include "tools/cell/ConfigurationOperation.h"
 #include "tools/cell/path/PlanOperation.h"
 
@@ -64,16 +65,16 @@ class TargetsTest : public QObject {
     const NamedTarget target = *cell.plans->target("T");
     QCOMPARE(target.body, box);
     const RobotModel& robot = cell.robot->model;
-    const Pose before = *poseOfTarget(target, cell.bodies, robot, cell.joints);
+    const Pose before = *poseOfTarget(target, {*cell.plans, cell.bodies, robot, cell.joints});
     QVERIFY((before.translation() - Vec3(350.0, 40.0, 300.0)).norm() < 1e-9);
     Body moved = *cell.bodies.withId(box);
     const Pose way = poseOf({10.0, -5.0, 3.0}, {0.1, 0.2, 0.3});
     moved.pose = way * moved.pose;
     cell.bodies = cell.bodies.with(std::make_shared<const Body>(moved));
-    QVERIFY(poseOfTarget(target, cell.bodies, robot, cell.joints)->isApprox(way * before, 1e-12));
+    QVERIFY(poseOfTarget(target, {*cell.plans, cell.bodies, robot, cell.joints})->isApprox(way * before, 1e-12));
     const BodyId gone[] = {box};
     m_cell->document().commit("Remove", removeBodiesEdit(m_cell->document().bodies(), gone));
-    const auto stray = poseOfTarget(target, m_cell->document().bodies(), robot, cell.joints);
+    const auto stray = poseOfTarget(target, {*cell.plans, m_cell->document().bodies(), robot, cell.joints});
     QVERIFY(!stray && stray.error().code == CellError::TargetStray);
   }
 

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "AnyProgram.h"
+#include "TestClass.h"
+#include "base/Units.h"
+#include "robot/posts/PostErrors.h"
+
+#include <QTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// Motions that end in a line, in a named frame.
+RobotProgram framedProgram(const char* robot) {
+  RobotProgram program = programOf(robot);
+  program.isBaseOfController = true;
+  program.frameName = "fixture 1";
+  program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.5), 0.5, 0.0, {}},
+                     {ProgramMotion::Kind::Linear, ArmValues::Constant(6, 0.6), 50.0, 0.0, {}}};
+  return program;
+}
+
+std::string replacedOnce(std::string text, const std::string& what, const std::string& by) {
+  const std::size_t at = text.find(what);
+  if (at == text.npos) qFatal("not found: %s", what.c_str());
+  return text.replace(at, what.size(), by);
+}
+
+Result<std::vector<ReadMotion>> readAs(const char* post, const std::string& text) {
+  return postCalled(post)->read(text, programOf("lrmate200id"));
+}
+
+}  // namespace
+
+// Frames of a cell in the languages of controllers: written, read back, and compared.
+class PostFramesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void languages_data() {
+    QTest::addColumn<QByteArray>("post");
+    for (const char* post : {"rapid", "krl", "fanuc", "urscript", "csv", "json"})
+      QTest::newRow(post) << QByteArray(post);
+  }
+
+  // The line is read with the frame that it is in.
+  void languages() {
+    QFETCH(const QByteArray, post);
+    const PostProcessor& language = *postCalled(post.toStdString());
+    QVERIFY(rc::check("any frame", [&] {
+      RobotProgram program = framedProgram("irb120");
+      program.frame = Pose(Eigen::Translation3d(anyNumber(-2000, 2000), anyNumber(-2000, 2000), anyNumber(-900, 900)) *
+                           Eigen::AngleAxisd(anyNumber(-3.1, 3.1), Vec3(1.0, anyNumber(-1, 1), 0.3).normalized()));
+      const std::string text = language.write(program);
+      RC_ASSERT(text.find("fixture") != text.npos);
+      const auto read = language.read(text, program);
+      RC_ASSERT(read.hasValue() && read->size() == 2u && (*read)[1].frame);
+      RC_ASSERT(((*read)[1].frame->matrix() - program.frame.matrix()).cwiseAbs().maxCoeff() < 1e-4);
+      const auto check = checkWritten(language, program, text);
+      RC_ASSERT(check.hasValue() && check->distance <= 1e-3 && check->angle <= 1e-3);
+    }));
+  }
+
+  // Places that are right in a frame that is not: 1 mm beside, and turned by 1°.
+  void otherFrames_data() { languages_data(); }
+  void otherFrames() {
+    QFETCH(const QByteArray, post);
+    const PostProcessor& language = *postCalled(post.toStdString());
+    const RobotProgram program = framedProgram("irb120");
+    RobotProgram beside = program, turned = program;
+    beside.frame.translation().y() += 1.0;
+    turned.frame = program.frame * Eigen::AngleAxisd(1.0 * kRadiansPerDegree, Vec3::UnitX());
+    const auto shift = checkWritten(language, program, language.write(beside));
+    QVERIFY(shift.hasValue() && shift->distance > 0.999);
+    const auto turn = checkWritten(language, program, language.write(turned));
+    QVERIFY(turn.hasValue() && turn->angle > 0.999);
+  }
+
+  // A frame that a person has changed in the file leads elsewhere, by as much.
+  void changedByHand() {
+    RobotProgram program = framedProgram("irb120");
+    program.frame = Pose(Eigen::Translation3d(400.0, 50.0, 290.0));
+    const auto moved = [&](const char* post, const std::string& what, const std::string& by) {
+      const PostProcessor& language = *postCalled(post);
+      const auto read = language.read(replacedOnce(language.write(program), what, by), program);
+      return read ? Vec3(program.frame * (*read)[1].pose->translation()) : Vec3(Vec3::Constant(1e9));
+    };
+    const Vec3 wanted = program.tipOf(program.motions[1]).translation();
+    QVERIFY((moved("rapid", "\"\",[[400.00000,", "\"\",[[407.00000,") - wanted - Vec3(7, 0, 0)).norm() < 1e-3);
+    QVERIFY((moved("krl", "$BASE={X 400.00000,", "$BASE={X 407.00000,") - wanted - Vec3(7, 0, 0)).norm() < 1e-3);
+    QVERIFY((moved("fanuc", "PR[9,1]=400.00000", "PR[9,1]=407.00000") - wanted - Vec3(7, 0, 0)).norm() < 1e-3);
+    QVERIFY(
+        (moved("urscript", "frame_fixture_1 = p[0.400", "frame_fixture_1 = p[0.407") - wanted - Vec3(7, 0, 0)).norm() <
+        1e-3);
+  }
+
+  // User frame 9 in the world, which is 330 mm above the foot of this arm. With all joints at 0 its flange is 465 mm
+  // ahead, and 695 mm above the foot (drawing of B-83494EN/03): in the frame that is turned by 90° 365 mm along -y.
+  void fanuc() {
+    RobotProgram program = framedProgram("lrmate200id");
+    program.tool = Pose::Identity();
+    program.frame = Pose(Eigen::Translation3d(100.0, -50.0, 330.0) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitZ()));
+    program.motions[1].joints = ArmValues::Zero(6);
+    const std::string text = postCalled("fanuc")->write(program);
+    std::size_t last = 0;
+    for (const char* line : {"!Sets UFRAME[9], PR[9] to ;", "!fixture_1 ;", "PR[9]=LPOS-LPOS ;", "PR[9,1]=100.00000 ;",
+                             "PR[9,2]=(-50.00000) ;", "PR[9,3]=0.00000 ;", "PR[9,4]=0.0000000 ;", "PR[9,5]=0.0000000 ;",
+                             "PR[9,6]=90.0000000 ;", "UFRAME[9]=PR[9] ;", "UFRAME_NUM=9 ;", "UTOOL_NUM=1 ;"}) {
+      const std::size_t at = text.find(line, last);
+      QVERIFY2(at != text.npos, line);
+      last = at;
+    }
+    QVERIFY(text.find("UFRAME_NUM=0") == text.npos && text.find("UF : 0") == text.npos);
+    QVERIFY(text.find("UF : 9, UT : 1, CONFIG") != text.npos);
+    QVERIFY(text.find("X = 50.00000 mm, Y = -365.00000 mm, Z = 365.00000 mm") != text.npos);
+  }
+
+  // Registers and frames that a program does not set itself are on the controller.
+  void fanucRegisters() {
+    const auto read = [](const std::string& before, const std::string& after = {}) {
+      return readAs("fanuc", "/MN\n" + before + "\n:L P[1] 50mm/sec FINE ;\n" + after +
+                                 "\n/POS\nP[1]{\n GP1:\n UF : 3, UT : 0,\n X = 1 mm, Y = 2 mm, Z = 3 mm,\n W = 0 deg, "
+                                 "P = 0 deg, R = 0 deg\n};\n/END\n");
+    };
+    const std::string set = ":PR[4]=LPOS-LPOS ;\n:PR[4,2]=(-20.5) ;\n:PR[4,6]=90 ;\n:UFRAME[3]=PR[4] ;";
+    const auto known = read(set);
+    QVERIFY(known.hasValue());
+    const RobotProgram program = programOf("lrmate200id");
+    // The tool of the program is the flange, that of the cell 10, -5, 120 mm before it, turned by 0.3.
+    const Pose flange = program.frame * *known->front().pose * program.tool.inverse(Eigen::Isometry);
+    QVERIFY((flange.translation() - Vec3(-2.0, -19.5, 333.0)).norm() < 1e-9);
+    QVERIFY(!read("").hasValue());
+    for (const char* const unread :
+         {":UFRAME[3]=PR[4] ;", ":PR[4]=LPOS-LPOS ;\n:UFRAME[3]=PR[5] ;", ":PR[4,1]=5 ;\n:UFRAME[3]=PR[4] ;",
+          ":PR[4]=LPOS ;", ":PR[4]=LPOS-LPOS+PR[1] ;", ":PR[4]=LPOS-LPOS ;\n:PR[4,7]=1 ;",
+          ":PR[4]=LPOS-LPOS ;\n:PR[4,1]=R[1] ;", ":PR[4]=LPOS-LPOS ;\n:PR[4,1]=(-5 ;",
+          ":PR[4]=LPOS-LPOS ;\n:PR[4,1]=5+R[1] ;", ":PR[R[1]]=LPOS-LPOS ;"}) {
+      const auto refused = read(unread);
+      QVERIFY2(!refused.hasValue() && refused.error().code == PostError::StatementUnread, unread);
+    }
+    // What is set after a motion would have meant another place before.
+    QVERIFY(read(set, ":PR[4]=LPOS-LPOS ;").error().code == PostError::StatementUnread);
+  }
+
+  // Only where the base is the controller's; else the lines are by joint values as without a frame.
+  void urScript() {
+    RobotProgram program = framedProgram("ur5");
+    program.frame = Pose(Eigen::Translation3d(400.0, 0.0, -10.0));
+    const std::string known = postCalled("urscript")->write(program);
+    QVERIFY(known.find("  frame_fixture_1 = p[0.400000000,0.000000000,-0.010000000,0.000000000,0.000000000,"
+                       "0.000000000]\n") != known.npos);
+    QVERIFY(known.find("  movel(pose_trans(frame_fixture_1,p[") != known.npos);
+    program.isBaseOfController = false;
+    const std::string unknown = postCalled("urscript")->write(program);
+    QVERIFY(unknown.find("pose_trans") == unknown.npos && unknown.find("  movel([0.6") != unknown.npos);
+    QVERIFY(unknown.find("base of the robot's description: p[0.400000000,") != unknown.npos);
+  }
+
+  // pose_trans(a, b) is a followed by b; a must be a pose in numbers that is given before.
+  void urFrames() {
+    const RobotProgram program = programOf("ur5");
+    const auto read = [&](const std::string& before, const std::string& target) {
+      return postCalled("urscript")->read(before + "\nmovel(" + target + ",a=1,v=0.1)\n", program);
+    };
+    const std::string table = "table = p[1,0,0,0,0,1.5707963267948966]";
+    const auto known = read(table, "pose_trans(table, p[0.2,0,0.3,0,0,0])");
+    QVERIFY(known.hasValue());
+    QVERIFY(((program.frame * *known->front().pose).translation() - Vec3(1000, 200, 300)).norm() < 1e-6);
+    QVERIFY((known->front().frame->translation() - Vec3(1000, 0, 0)).norm() < 1e-9);
+    const std::string target = "pose_trans(table,p[0.2,0,0.3,0,0,0])";
+    for (const std::string& before : std::initializer_list<std::string>{
+             "", table + "\ntable = get_actual_tcp_pose()", table + "\ntable = [1,0,0,0,0,0]",
+             "table = p[1,0,0,0,0,0+x]", "table = pose_trans(p[1,0,0,0,0,0],p[0,0,0,0,0,0])"}) {
+      const auto refused = read(before, target);
+      QVERIFY2(!refused.hasValue() && refused.error().code == PostError::StatementUnread, before.c_str());
+    }
+    for (const char* const odd : {"pose_trans(table)", "pose_trans(table,[0.2,0,0.3,0,0,0])", "pose_trans(table,other)",
+                                  "pose_trans(pose_trans(table,table),p[0,0,0,0,0,0])", "pose_trans"})
+      QVERIFY2(!read(table, odd).hasValue(), odd);
+  }
+};
+
+HANDWHEEL_TEST(PostFramesTest)
+#include "PostFramesTest.moc"

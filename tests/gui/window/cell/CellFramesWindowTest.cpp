@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowTestMain.h"
+#include "CellWindow.h"
+
+#include <QTreeWidget>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+class FramesWindow : public CellWindow {
+ public:
+  FramesWindow() {
+    edit("joint.joint_2", "20");
+    edit("joint.joint_3", "30");
+    edit("joint.joint_5", "40");
+  }
+  QTreeWidget* tree() { return find<QTreeWidget>("planTree"); }
+  QTreeWidgetItem* target() { return tree()->topLevelItem(2)->child(0); }
+  // The frames come after configurations, paths and targets, where there are some.
+  bool hasFrames() { return tree()->topLevelItemCount() > 3; }
+  QTreeWidgetItem* frame() { return tree()->topLevelItem(3)->child(0); }
+  double number(const char* property) { return field(property).split(' ').front().toDouble(); }
+  double toolHeight() {
+    tree()->setCurrentItem(tree()->topLevelItem(0));
+    return number("tool.z");
+  }
+};
+
+}  // namespace
+
+// Named frames in the window, with the rows and fields of targets.
+class CellFramesWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void storeWorkMoveRenameRemove() {
+    FramesWindow driver;
+    QVERIFY(driver.settle());
+    const double z = driver.toolHeight();
+    QVERIFY(!driver.hasFrames());
+    driver.choose("storeFrame");
+    QVERIFY(driver.hasFrames());
+    QCOMPARE(driver.frame()->text(0), QString("Frame 1"));
+    QVERIFY(std::abs(driver.number("frame.Frame 1.z") - z) < 1e-3);  // in the panel, as it is selected
+    // Targets that are stored while one works in it belong to it, and are shown in it.
+    driver.choose("workInFrame");
+    QVERIFY(driver.frame()->text(1).contains("programs"));
+    driver.choose("storeTarget");
+    QVERIFY(std::abs(driver.number("target.Target 1.z")) < 1e-3);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.target()->text(1).contains("in Frame 1"), kPatienceMs);
+    // It is moved, and the target with it.
+    driver.tree()->setCurrentItem(driver.frame());
+    driver.edit("frame.Frame 1.z", QString::number(z + 5.0));
+    driver.tree()->setCurrentItem(driver.target());
+    QVERIFY(std::abs(driver.number("target.Target 1.z")) < 1e-3);
+    QVERIFY(driver.settle());
+    driver.choose("goToConfiguration");
+    QVERIFY(std::abs(driver.toolHeight() - (z + 5.0)) < 1e-3);
+    driver.frame()->setText(0, "fixture");
+    QCOMPARE(driver.frame()->text(0), QString("fixture"));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.target()->text(1).contains("in fixture"), kPatienceMs);
+    // Without it the target stays where it is.
+    driver.tree()->setCurrentItem(driver.frame());
+    driver.choose("removePlan");
+    QVERIFY(!driver.hasFrames());
+    driver.tree()->setCurrentItem(driver.target());
+    QVERIFY(std::abs(driver.number("target.Target 1.z") - (z + 5.0)) < 1e-3);
+    driver.click("quickActions/undo");
+    QVERIFY(driver.hasFrames());
+    driver.tree()->setCurrentItem(driver.target());
+    QVERIFY(std::abs(driver.number("target.Target 1.z")) < 1e-3);
+  }
+
+  // On a body it moves with that, and is set anew where the tool is.
+  void onABody() {
+    FramesWindow driver;
+    QVERIFY(driver.settle());
+    const double z = driver.toolHeight();
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    driver.edit("body.1.z", "100");
+    driver.choose("storeFrame");
+    QVERIFY(driver.frame()->text(1).contains("on "));
+    driver.tree()->setCurrentItem(driver.tree()->topLevelItem(0));
+    driver.tree()->setCurrentItem(driver.frame());
+    QVERIFY(std::abs(driver.number("frame.Frame 1.z") - (z - 100.0)) < 1e-3);  // in the box
+    driver.choose("setPlaceHere");
+    QVERIFY(std::abs(driver.number("frame.Frame 1.z") - (z - 100.0)) < 1e-3);
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(CellFramesWindowTest)
+#include "CellFramesWindowTest.moc"
