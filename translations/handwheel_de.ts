@@ -33,6 +33,14 @@
             <numerusform>%Ln Stellungen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>its frame is on nothing</source>
+        <translation>sein Bezugssystem liegt auf nichts</translation>
+    </message>
+    <message>
+        <source>%1 (in %2)</source>
+        <translation>%1 (in %2)</translation>
+    </message>
 </context>
 <context>
     <name>ClassTable</name>
@@ -1448,10 +1456,6 @@
         <translation>Wählen Sie eine dickere Wand, oder Voxel von höchstens %3 mm.</translation>
     </message>
     <message>
-        <source>the path takes %1 s, and at most %2 s can be drilled at this rate</source>
-        <translation>die Bahn dauert %1 s, und bei dieser Taktrate lassen sich höchstens %2 s bohren</translation>
-    </message>
-    <message>
         <source>Choose a lower rate, or a part of the path.</source>
         <translation>Wählen Sie eine niedrigere Taktrate oder einen Teil der Bahn.</translation>
     </message>
@@ -1542,6 +1546,50 @@
     <message>
         <source>voxels of %1 mm would contain %2 mm³, and at least %3 mm³ are needed</source>
         <translation>Voxel von %1 mm würden %2 mm³ enthalten, und mindestens %3 mm³ sind nötig</translation>
+    </message>
+    <message>
+        <source>the cell has no frame called &apos;%1&apos;</source>
+        <translation>die Zelle hat kein Bezugssystem namens „%1“</translation>
+    </message>
+    <message>
+        <source>Name one of its frames (&apos;inspect&apos; lists them).</source>
+        <translation>Nennen Sie eines ihrer Bezugssysteme („inspect“ zählt sie auf).</translation>
+    </message>
+    <message>
+        <source>what carries the frame &apos;%1&apos; was removed</source>
+        <translation>was das Bezugssystem „%1“ trägt, wurde entfernt</translation>
+    </message>
+    <message>
+        <source>Undo that, or set the frame anew.</source>
+        <translation>Machen Sie das rückgängig, oder setzen Sie das Bezugssystem neu.</translation>
+    </message>
+    <message>
+        <source>the robot moves the frame &apos;%1&apos;, so that no program can be written in it</source>
+        <translation>der Roboter bewegt das Bezugssystem „%1“, sodass kein Programm darin geschrieben werden kann</translation>
+    </message>
+    <message>
+        <source>Choose a frame that stands still while the robot moves.</source>
+        <translation>Wählen Sie ein Bezugssystem, das steht, während sich der Roboter bewegt.</translation>
+    </message>
+    <message>
+        <source>the path takes %1 s, and at most %2 s can be followed at this rate</source>
+        <translation>die Bahn dauert %1 s, und bei dieser Rate können höchstens %2 s verfolgt werden</translation>
+    </message>
+    <message>
+        <source>a tool with a radius of %1 mm does not suit voxels of %2 mm: from %3 to %4 mm it does</source>
+        <translation>ein Werkzeug mit einem Radius von %1 mm passt nicht zu Voxeln von %2 mm: von %3 bis %4 mm passt es</translation>
+    </message>
+    <message>
+        <source>Choose another radius, or other voxels.</source>
+        <translation>Wählen Sie einen anderen Radius oder andere Voxel.</translation>
+    </message>
+    <message>
+        <source>the strokes go %1 mm, and a tool with a radius of %2 mm can be led %3 mm at most</source>
+        <translation>die Striche gehen über %1 mm, und ein Werkzeug mit einem Radius von %2 mm kann höchstens %3 mm geführt werden</translation>
+    </message>
+    <message>
+        <source>Check the unit of the places, or divide the strokes.</source>
+        <translation>Prüfen Sie die Einheit der Orte, oder teilen Sie die Striche auf.</translation>
     </message>
 </context>
 <context>
@@ -3098,6 +3146,14 @@
         <source>it is not supported</source>
         <translation>es wird nicht unterstützt</translation>
     </message>
+    <message>
+        <source>the frame</source>
+        <translation>das Bezugssystem</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bezugssysteme</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -4082,6 +4138,14 @@
         <source>CPU time of a cycle</source>
         <translation>CPU-Zeit eines Takts</translation>
     </message>
+    <message>
+        <source>Cells of a volume along a piece of its display</source>
+        <translation>Zellen eines Volumens entlang eines Stücks seiner Anzeige</translation>
+    </message>
+    <message>
+        <source>CPU time to renew the pieces that a touch of clay changes</source>
+        <translation>CPU-Zeit, um die Stücke zu erneuern, die eine Berührung des Tons ändert</translation>
+    </message>
 </context>
 <context>
     <name>FidelityPanel</name>
@@ -4401,6 +4465,10 @@
         <source>Open again</source>
         <translation>Erneut öffnen</translation>
     </message>
+    <message>
+        <source>Simulated hand with torque</source>
+        <translation>Simulierte Hand mit Drehmoment</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
@@ -4514,21 +4582,6 @@
     </message>
 </context>
 <context>
-    <name>LatheReadout</name>
-    <message>
-        <source>Kosilova</source>
-        <translation>Kosilova</translation>
-    </message>
-    <message>
-        <source>Kienzle</source>
-        <translation>Kienzle</translation>
-    </message>
-    <message>
-        <source>Network</source>
-        <translation>Netzwerk</translation>
-    </message>
-</context>
-<context>
     <name>LathePart</name>
     <message>
         <source>Cutting edge</source>
@@ -4605,6 +4658,21 @@
     <message>
         <source>The cut needed more power than the motor has.</source>
         <translation>Der Schnitt brauchte mehr Leistung, als der Motor hat.</translation>
+    </message>
+</context>
+<context>
+    <name>LatheReadout</name>
+    <message>
+        <source>Kosilova</source>
+        <translation>Kosilova</translation>
+    </message>
+    <message>
+        <source>Kienzle</source>
+        <translation>Kienzle</translation>
+    </message>
+    <message>
+        <source>Network</source>
+        <translation>Netzwerk</translation>
     </message>
 </context>
 <context>
@@ -4769,119 +4837,6 @@
     <message>
         <source>Wheel</source>
         <translation>Rad</translation>
-    </message>
-</context>
-<context>
-    <name>Suggestions</name>
-    <message numerus="yes">
-        <source>%Ln hole(s) found.</source>
-        <translation>
-            <numerusform>%Ln Loch gefunden.</numerusform>
-            <numerusform>%Ln Löcher gefunden.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 stays open: %2.</source>
-        <translation>%1 bleibt offen: %2.</translation>
-    </message>
-    <message numerus="yes">
-        <source>…and %Ln more, see the list.</source>
-        <translation>
-            <numerusform>… und %Ln weiteres, siehe Liste.</numerusform>
-            <numerusform>… und %Ln weitere, siehe Liste.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No holes. This is an open sheet.</source>
-        <translation>Keine Löcher. Das ist eine offene Fläche.</translation>
-    </message>
-    <message>
-        <source>Saved as %1.</source>
-        <translation>Gespeichert als %1.</translation>
-    </message>
-    <message>
-        <source>There is nothing to repair.</source>
-        <translation>Es gibt nichts zu reparieren.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln hole(s) could not be filled.</source>
-        <translation>
-            <numerusform>%Ln Loch konnte nicht gefüllt werden.</numerusform>
-            <numerusform>%Ln Löcher konnten nicht gefüllt werden.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No holes remain except those kept open.</source>
-        <translation>Keine Löcher mehr außer den offen gelassenen.</translation>
-    </message>
-    <message>
-        <source>Some defects remain.</source>
-        <translation>Einige Fehler sind übrig.</translation>
-    </message>
-    <message>
-        <source>No holes.</source>
-        <translation>Keine Löcher.</translation>
-    </message>
-    <message numerus="yes">
-        <source>No holes. These are %Ln open sheet(s).</source>
-        <translation>
-            <numerusform>Keine Löcher. Dies ist %Ln offene Fläche.</numerusform>
-            <numerusform>Keine Löcher. Dies sind %Ln offene Flächen.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>No holes. %Ln open sheet(s) among %1 pieces.</source>
-        <translation>
-            <numerusform>Keine Löcher. %Ln offene Fläche unter %1 Stücken.</numerusform>
-            <numerusform>Keine Löcher. %Ln offene Flächen unter %1 Stücken.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln open sheet(s).</source>
-        <translation>
-            <numerusform>%Ln offene Fläche.</numerusform>
-            <numerusform>%Ln offene Flächen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The self-intersections stay: %1.</source>
-        <translation>Die Selbstdurchdringungen bleiben: %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s) reversed on opening.</source>
-        <translation>
-            <numerusform>%Ln Dreieck beim Öffnen umgedreht.</numerusform>
-            <numerusform>%Ln Dreiecke beim Öffnen umgedreht.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Closed. Looking for self-intersections…</source>
-        <translation>Geschlossen. Selbstdurchdringungen werden gesucht…</translation>
-    </message>
-    <message numerus="yes">
-        <source>…and %Ln more, see the log.</source>
-        <translation>
-            <numerusform>… und %Ln weiterer, siehe Protokoll.</numerusform>
-            <numerusform>… und %Ln weitere, siehe Protokoll.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln hole(s) left.</source>
-        <translation>
-            <numerusform>%Ln Loch ist übrig.</numerusform>
-            <numerusform>%Ln Löcher sind übrig.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Outer boundaries of open sheets that the repair changed and that look like holes now: %1. Another repair tries to fill them.</source>
-        <translation>Außenränder offener Flächen, die die Reparatur verändert hat und die jetzt wie Löcher aussehen: %1. Eine weitere Reparatur versucht sie zu füllen.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln body(ies) inside another: “Unite bodies” removes what lies inside.</source>
-        <translation>
-            <numerusform>%Ln Körper liegt in einem anderen: „Körper vereinigen“ entfernt, was innen liegt.</numerusform>
-            <numerusform>%Ln Körper liegen in anderen: „Körper vereinigen“ entfernt, was innen liegt.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -5389,6 +5344,26 @@
     <message>
         <source>The part in section, with the outline of the target. Blue: material left over the target. Red: cut too deep.</source>
         <translation>Das Teil im Schnitt, mit dem Umriss des Ziels. Blau: Restmaterial über dem Ziel. Rot: zu tief geschnitten.</translation>
+    </message>
+    <message>
+        <source>Rounded to the numbers of this format, %1 more triangles have no area. 3MF, PLY, OBJ and OFF keep all digits; or move the part to the origin.</source>
+        <translation>Auf die Zahlen dieses Formats gerundet haben %1 weitere Dreiecke keine Fläche. 3MF, PLY, OBJ und OFF behalten alle Stellen; oder verschieben Sie das Teil zum Ursprung.</translation>
+    </message>
+    <message>
+        <source>The hole in section along the planned path. Grey: material that is left. Light blue: drilled. Red: drilled beside the planned hole or in the forbidden region, which is pink. Green: the planned path, with its tolerance. Black: the path of the tip.</source>
+        <translation>Das Loch im Schnitt entlang der geplanten Bahn. Grau: Material, das geblieben ist. Hellblau: gebohrt. Rot: neben dem geplanten Loch oder im verbotenen Bereich gebohrt, der rosa ist. Grün: die geplante Bahn mit ihrer Toleranz. Schwarz: die Bahn der Spitze.</translation>
+    </message>
+    <message>
+        <source>after %1 s; too heavy a cut: the lathe takes %2 N</source>
+        <translation>nach %1 s; ein zu schwerer Schnitt: die Drehmaschine verträgt %2 N</translation>
+    </message>
+    <message>
+        <source>after %1 s; too heavy a cut: the lathe has %2 kW</source>
+        <translation>nach %1 s; ein zu schwerer Schnitt: die Drehmaschine hat %2 kW</translation>
+    </message>
+    <message>
+        <source>%1 of 1 point</source>
+        <translation>%1 von 1 Punkt</translation>
     </message>
 </context>
 <context>
@@ -7706,6 +7681,22 @@
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
+    <message>
+        <source>Coordinates and programs</source>
+        <translation>Koordinaten und Programme</translation>
+    </message>
+    <message>
+        <source>In the frame</source>
+        <translation>Im Bezugssystem</translation>
+    </message>
+    <message>
+        <source>what carried it was removed</source>
+        <translation>was es trug, wurde entfernt</translation>
+    </message>
+    <message>
+        <source>Volume of all bodies added up (mm³)</source>
+        <translation>Volumen aller Körper zusammengezählt (mm³)</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -8260,6 +8251,119 @@
     <message>
         <source>A part of the surface that stood out by %1 was removed, at X %2, Y %3, Z %4.</source>
         <translation>Ein Teil der Oberfläche, der %1 herausstand, wurde entfernt, bei X %2, Y %3, Z %4.</translation>
+    </message>
+</context>
+<context>
+    <name>Suggestions</name>
+    <message numerus="yes">
+        <source>%Ln hole(s) found.</source>
+        <translation>
+            <numerusform>%Ln Loch gefunden.</numerusform>
+            <numerusform>%Ln Löcher gefunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 stays open: %2.</source>
+        <translation>%1 bleibt offen: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>…and %Ln more, see the list.</source>
+        <translation>
+            <numerusform>… und %Ln weiteres, siehe Liste.</numerusform>
+            <numerusform>… und %Ln weitere, siehe Liste.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes. This is an open sheet.</source>
+        <translation>Keine Löcher. Das ist eine offene Fläche.</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>There is nothing to repair.</source>
+        <translation>Es gibt nichts zu reparieren.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) could not be filled.</source>
+        <translation>
+            <numerusform>%Ln Loch konnte nicht gefüllt werden.</numerusform>
+            <numerusform>%Ln Löcher konnten nicht gefüllt werden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes remain except those kept open.</source>
+        <translation>Keine Löcher mehr außer den offen gelassenen.</translation>
+    </message>
+    <message>
+        <source>Some defects remain.</source>
+        <translation>Einige Fehler sind übrig.</translation>
+    </message>
+    <message>
+        <source>No holes.</source>
+        <translation>Keine Löcher.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No holes. These are %Ln open sheet(s).</source>
+        <translation>
+            <numerusform>Keine Löcher. Dies ist %Ln offene Fläche.</numerusform>
+            <numerusform>Keine Löcher. Dies sind %Ln offene Flächen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No holes. %Ln open sheet(s) among %1 pieces.</source>
+        <translation>
+            <numerusform>Keine Löcher. %Ln offene Fläche unter %1 Stücken.</numerusform>
+            <numerusform>Keine Löcher. %Ln offene Flächen unter %1 Stücken.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln open sheet(s).</source>
+        <translation>
+            <numerusform>%Ln offene Fläche.</numerusform>
+            <numerusform>%Ln offene Flächen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The self-intersections stay: %1.</source>
+        <translation>Die Selbstdurchdringungen bleiben: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) reversed on opening.</source>
+        <translation>
+            <numerusform>%Ln Dreieck beim Öffnen umgedreht.</numerusform>
+            <numerusform>%Ln Dreiecke beim Öffnen umgedreht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Closed. Looking for self-intersections…</source>
+        <translation>Geschlossen. Selbstdurchdringungen werden gesucht…</translation>
+    </message>
+    <message numerus="yes">
+        <source>…and %Ln more, see the log.</source>
+        <translation>
+            <numerusform>… und %Ln weiterer, siehe Protokoll.</numerusform>
+            <numerusform>… und %Ln weitere, siehe Protokoll.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) left.</source>
+        <translation>
+            <numerusform>%Ln Loch ist übrig.</numerusform>
+            <numerusform>%Ln Löcher sind übrig.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Outer boundaries of open sheets that the repair changed and that look like holes now: %1. Another repair tries to fill them.</source>
+        <translation>Außenränder offener Flächen, die die Reparatur verändert hat und die jetzt wie Löcher aussehen: %1. Eine weitere Reparatur versucht sie zu füllen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln body(ies) inside another: “Unite bodies” removes what lies inside.</source>
+        <translation>
+            <numerusform>%Ln Körper liegt in einem anderen: „Körper vereinigen“ entfernt, was innen liegt.</numerusform>
+            <numerusform>%Ln Körper liegen in anderen: „Körper vereinigen“ entfernt, was innen liegt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9523,6 +9627,18 @@
         <source>go on with the feed</source>
         <translation>Vorschub fortsetzen</translation>
     </message>
+    <message>
+        <source>Measuring the mesh</source>
+        <translation>Das Netz wird vermessen</translation>
+    </message>
+    <message>
+        <source>the mesh is being measured</source>
+        <translation>das Netz wird vermessen</translation>
+    </message>
+    <message>
+        <source>Shape clay</source>
+        <translation>Ton formen</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -10355,10 +10471,6 @@
         <translation>Zwischen den Enden der Bahn liegt nichts.</translation>
     </message>
     <message>
-        <source>Select a place of a path or a target first.</source>
-        <translation>Wählen Sie zuerst einen Punkt einer Bahn oder ein Ziel.</translation>
-    </message>
-    <message>
         <source>Try again in a moment.</source>
         <translation>Versuchen Sie es gleich noch einmal.</translation>
     </message>
@@ -10411,16 +10523,8 @@
         <translation>Plant die Bahn noch einmal durch ihre kritischen Punkte; eine Bahn entlang einer Kurve folgt dieser dort, wo das Teil jetzt ist</translation>
     </message>
     <message>
-        <source>Remove the selected configuration, path, place, target or robot</source>
-        <translation>Entfernt, was gewählt ist: Stellung, Bahn, Punkt, Ziel oder Roboter</translation>
-    </message>
-    <message>
         <source>Select a robot in the list first, in a cell with several.</source>
         <translation>Wählen Sie zuerst einen Roboter in der Liste, in einer Zelle mit mehreren.</translation>
-    </message>
-    <message>
-        <source>Select a configuration, a path, a place, a target or a robot first.</source>
-        <translation>Wählen Sie zuerst eine Stellung, eine Bahn, einen Punkt, ein Ziel oder einen Roboter.</translation>
     </message>
     <message>
         <source>%1 was verified: %2</source>
@@ -10508,14 +10612,6 @@
     <message>
         <source>Remo&amp;ve from the plan</source>
         <translation>Aus dem Plan entfe&amp;rnen</translation>
-    </message>
-    <message>
-        <source>Give the selected configuration, path or target another name</source>
-        <translation>Der ausgewählten Stellung oder Bahn oder dem ausgewählten Ziel einen anderen Namen geben</translation>
-    </message>
-    <message>
-        <source>Select a configuration, a path or a target first.</source>
-        <translation>Wählen Sie zuerst eine Stellung, eine Bahn oder ein Ziel aus.</translation>
     </message>
     <message>
         <source>%1 was stored</source>
@@ -10626,16 +10722,8 @@
         <translation>Speichert die jetzigen Gelenkwerte unter einem Namen</translation>
     </message>
     <message>
-        <source>Store the current pose of the tool as a target; on the selected body, if any, with which it moves</source>
-        <translation>Speichert die jetzige Pose des Werkzeugs als Ziel; auf dem gewählten Körper, falls einer gewählt ist, mit dem es sich dann bewegt</translation>
-    </message>
-    <message>
         <source>Insert the current joint values after the selected place as a critical configuration; before the goal, if that or the path is selected</source>
         <translation>Fügt die jetzigen Gelenkwerte nach dem gewählten Punkt als kritische Stellung ein; vor dem Ziel der Bahn, wenn dieses oder die Bahn gewählt ist</translation>
-    </message>
-    <message>
-        <source>Replace the selected place or target by the current position of the robot</source>
-        <translation>Ersetzt den gewählten Punkt oder das gewählte Ziel durch die jetzige Stellung des Roboters</translation>
     </message>
     <message>
         <source>Move the selected place towards the start of the path</source>
@@ -10715,6 +10803,90 @@
             <numerusform>%Ln Abschnitt mit unveränderten Enden, der weiterhin als frei bewiesen ist, wurde beibehalten.</numerusform>
             <numerusform>%Ln Abschnitte mit unveränderten Enden, die weiterhin als frei bewiesen sind, wurden beibehalten.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Bezugssystem %1</translation>
+    </message>
+    <message>
+        <source>Work in no frame</source>
+        <translation>In keinem Bezugssystem arbeiten</translation>
+    </message>
+    <message>
+        <source>Work in %1</source>
+        <translation>In %1 arbeiten</translation>
+    </message>
+    <message>
+        <source>what carried it was removed</source>
+        <translation>was es trug, wurde entfernt</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <translation>auf %1</translation>
+    </message>
+    <message>
+        <source>for coordinates and programs</source>
+        <translation>für Koordinaten und Programme</translation>
+    </message>
+    <message>
+        <source>%1; for coordinates and programs</source>
+        <translation>%1; für Koordinaten und Programme</translation>
+    </message>
+    <message>
+        <source>Its places are in the frame %1.</source>
+        <translation>Seine Orte stehen im Bezugssystem %1.</translation>
+    </message>
+    <message>
+        <source>Store a &amp;frame here</source>
+        <translation>&amp;Bezugssystem hier speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Work in the frame</source>
+        <translation>Im Bezugssystem &amp;arbeiten</translation>
+    </message>
+    <message>
+        <source>Store the current pose of the tool as a target; on the selected body, if any, or in the chosen frame, with which it moves</source>
+        <translation>Die jetzige Lage des Werkzeugs als Ziel speichern; auf dem gewählten Körper, falls es einen gibt, oder im gewählten Bezugssystem, mit dem es sich bewegt</translation>
+    </message>
+    <message>
+        <source>Store the current pose of the tool as a frame for targets and programs; on the selected body, if any, with which it moves</source>
+        <translation>Die jetzige Lage des Werkzeugs als Bezugssystem für Ziele und Programme speichern; auf dem gewählten Körper, falls es einen gibt, mit dem es sich bewegt</translation>
+    </message>
+    <message>
+        <source>Show coordinates of targets, and write programs, in the selected frame; once more: in none</source>
+        <translation>Koordinaten der Ziele im gewählten Bezugssystem zeigen und Programme darin schreiben; noch einmal: in keinem</translation>
+    </message>
+    <message>
+        <source>Replace the selected place, target or frame by the current position of the robot</source>
+        <translation>Den gewählten Ort, das Ziel oder das Bezugssystem durch die jetzige Stellung des Roboters ersetzen</translation>
+    </message>
+    <message>
+        <source>Give the selected configuration, path, target or frame another name</source>
+        <translation>Der gewählten Stellung, der Bahn, dem Ziel oder dem Bezugssystem einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>Remove the selected configuration, path, place, target, frame or robot</source>
+        <translation>Die gewählte Stellung, die Bahn, den Ort, das Ziel, das Bezugssystem oder den Roboter entfernen</translation>
+    </message>
+    <message>
+        <source>Select a frame in the list first.</source>
+        <translation>Wählen Sie zuerst ein Bezugssystem in der Liste.</translation>
+    </message>
+    <message>
+        <source>Select a place of a path, a target or a frame first.</source>
+        <translation>Wählen Sie zuerst einen Ort einer Bahn, ein Ziel oder ein Bezugssystem.</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path, a target or a frame first.</source>
+        <translation>Wählen Sie zuerst eine Stellung, eine Bahn, ein Ziel oder ein Bezugssystem.</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path, a place, a target, a frame or a robot first.</source>
+        <translation>Wählen Sie zuerst eine Stellung, eine Bahn, einen Ort, ein Ziel, ein Bezugssystem oder einen Roboter.</translation>
+    </message>
+    <message>
+        <source>Store %1 in %2</source>
+        <translation>%1 in %2 speichern</translation>
     </message>
 </context>
 <context>
@@ -11993,6 +12165,14 @@
         <source>“Task” shows where it lies in the bar, “Criteria” what is measured.</source>
         <translation>„Aufgabe“ zeigt, wo es in der Stange liegt, „Kriterien“, was gemessen wird.</translation>
     </message>
+    <message>
+        <source>Model solution</source>
+        <translation>Musterlösung</translation>
+    </message>
+    <message>
+        <source>Model solution of %1</source>
+        <translation>Musterlösung von %1</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FidelityPanel</name>
@@ -12492,6 +12672,25 @@
     </message>
 </context>
 <context>
+    <name>handwheel::InstructionEditor</name>
+    <message>
+        <source>Done when these criteria are met:</source>
+        <translation>Erledigt, wenn diese Kriterien erfüllt sind:</translation>
+    </message>
+    <message>
+        <source>Hints, shown one after another; double-click to change one:</source>
+        <translation>Hinweise, nacheinander gezeigt; Doppelklick ändert einen:</translation>
+    </message>
+    <message>
+        <source>Add a hint</source>
+        <translation>Einen Hinweis hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the hint</source>
+        <translation>Den Hinweis entfernen</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::JobBar</name>
     <message>
         <source>Cancel this job</source>
@@ -12581,145 +12780,6 @@
     <message>
         <source>Collisions with the parts involved, and warnings with the rule that was broken, each with its time. A crash stops the spindle.</source>
         <translation>Kollisionen mit den beteiligten Teilen und Warnungen mit der verletzten Regel, jeweils mit der Zeit. Eine Kollision hält die Spindel an.</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::LatheReadout</name>
-    <message>
-        <source>Force</source>
-        <translation>Kraft</translation>
-    </message>
-    <message>
-        <source>Power</source>
-        <translation>Leistung</translation>
-    </message>
-    <message>
-        <source>%1 of %2 %3</source>
-        <translation>%1 von %2 %3</translation>
-    </message>
-    <message>
-        <source>kW</source>
-        <translation>kW</translation>
-    </message>
-    <message>
-        <source>Torque</source>
-        <translation>Drehmoment</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>N·m</translation>
-    </message>
-    <message>
-        <source>Spindle</source>
-        <translation>Spindel</translation>
-    </message>
-    <message>
-        <source>%1 r/min</source>
-        <translation>%1 1/min</translation>
-    </message>
-    <message>
-        <source>Cutting speed</source>
-        <translation>Schnittgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>%1 m/min</source>
-        <translation>%1 m/min</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Feed</source>
-        <translation>Vorschub</translation>
-    </message>
-    <message>
-        <source>%1 mm/rev</source>
-        <translation>%1 mm/U</translation>
-    </message>
-    <message>
-        <source>Law</source>
-        <translation>Gesetz</translation>
-    </message>
-    <message>
-        <source>Kosilova</source>
-        <translation>Kosilova</translation>
-    </message>
-    <message>
-        <source>Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the material is a property of the workpiece.</source>
-        <translation>Gesetz der Schnittkraft für %1. Es wird in den Einstellungen von Geschwindigkeit und Genauigkeit gewählt; der Werkstoff ist eine Eigenschaft des Werkstücks.</translation>
-    </message>
-    <message>
-        <source>Ra here</source>
-        <translation>Ra hier</translation>
-    </message>
-    <message>
-        <source>%1 µm</source>
-        <translation>%1 µm</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>N</translation>
-    </message>
-    <message>
-        <source>Resultant of the three components of the cutting force, and the limit of the exercise</source>
-        <translation>Resultierende der drei Komponenten der Schnittkraft, und die Grenze der Übung</translation>
-    </message>
-    <message>
-        <source>Power taken from the motor, and its rated power</source>
-        <translation>Leistung, die dem Motor entnommen wird, und seine Nennleistung</translation>
-    </message>
-    <message>
-        <source>Torque at the spindle, and the torque available</source>
-        <translation>Drehmoment an der Spindel, und das verfügbare Drehmoment</translation>
-    </message>
-    <message>
-        <source>Current spindle speed. A cut beyond the available power or torque slows it down.</source>
-        <translation>Jetzige Drehzahl der Spindel. Ein Schnitt über der verfügbaren Leistung oder dem verfügbaren Drehmoment bremst sie.</translation>
-    </message>
-    <message>
-        <source>Surface speed at the middle of the cut</source>
-        <translation>Schnittgeschwindigkeit in der Mitte des Schnitts</translation>
-    </message>
-    <message>
-        <source>Depth of cut, measured across the feed direction</source>
-        <translation>Schnitttiefe, quer zur Vorschubrichtung gemessen</translation>
-    </message>
-    <message>
-        <source>Feed per revolution of the spindle</source>
-        <translation>Vorschub je Umdrehung der Spindel</translation>
-    </message>
-    <message>
-        <source>Roughness of the part at the tool, from feed and nose radius and from later work with file, paper or disk</source>
-        <translation>Rauheit des Teils am Werkzeug, aus Vorschub und Eckenradius und aus späterer Bearbeitung mit Feile, Schleifpapier oder Schleifscheibe</translation>
-    </message>
-    <message>
-        <source>The law of the cutting force is not valid for such a cut of %1.</source>
-        <translation>Das Gesetz der Schnittkraft gilt nicht für einen solchen Schnitt in %1.</translation>
-    </message>
-    <message>
-        <source>%1 has no data for this material, so Kienzle is used.</source>
-        <translation>%1 hat für diesen Werkstoff keine Daten, daher gilt Kienzle.</translation>
-    </message>
-    <message>
-        <source>%1, unverified</source>
-        <translation>%1, ungeprüft</translation>
-    </message>
-    <message>
-        <source>Not all numbers of its table were compared with the handbook.</source>
-        <translation>Nicht alle Zahlen der Tabelle wurden mit dem Handbuch verglichen.</translation>
-    </message>
-    <message>
-        <source>Power law</source>
-        <translation>Potenzgesetz</translation>
-    </message>
-    <message>
-        <source>The cut is outside the range of the network, so the power law fitted to the same data is used.</source>
-        <translation>Der Schnitt liegt außerhalb des Bereichs des Netzwerks, daher gilt das Potenzgesetz, das an dieselben Daten angepasst wurde.</translation>
     </message>
 </context>
 <context>
@@ -12938,6 +12998,145 @@
     </message>
 </context>
 <context>
+    <name>handwheel::LatheReadout</name>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>%1 of %2 %3</source>
+        <translation>%1 von %2 %3</translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation>kW</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>N·m</translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation>Spindel</translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation>%1 1/min</translation>
+    </message>
+    <message>
+        <source>Cutting speed</source>
+        <translation>Schnittgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 m/min</source>
+        <translation>%1 m/min</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>%1 mm/rev</source>
+        <translation>%1 mm/U</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>Gesetz</translation>
+    </message>
+    <message>
+        <source>Kosilova</source>
+        <translation>Kosilova</translation>
+    </message>
+    <message>
+        <source>Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the material is a property of the workpiece.</source>
+        <translation>Gesetz der Schnittkraft für %1. Es wird in den Einstellungen von Geschwindigkeit und Genauigkeit gewählt; der Werkstoff ist eine Eigenschaft des Werkstücks.</translation>
+    </message>
+    <message>
+        <source>Ra here</source>
+        <translation>Ra hier</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Resultant of the three components of the cutting force, and the limit of the exercise</source>
+        <translation>Resultierende der drei Komponenten der Schnittkraft, und die Grenze der Übung</translation>
+    </message>
+    <message>
+        <source>Power taken from the motor, and its rated power</source>
+        <translation>Leistung, die dem Motor entnommen wird, und seine Nennleistung</translation>
+    </message>
+    <message>
+        <source>Torque at the spindle, and the torque available</source>
+        <translation>Drehmoment an der Spindel, und das verfügbare Drehmoment</translation>
+    </message>
+    <message>
+        <source>Current spindle speed. A cut beyond the available power or torque slows it down.</source>
+        <translation>Jetzige Drehzahl der Spindel. Ein Schnitt über der verfügbaren Leistung oder dem verfügbaren Drehmoment bremst sie.</translation>
+    </message>
+    <message>
+        <source>Surface speed at the middle of the cut</source>
+        <translation>Schnittgeschwindigkeit in der Mitte des Schnitts</translation>
+    </message>
+    <message>
+        <source>Depth of cut, measured across the feed direction</source>
+        <translation>Schnitttiefe, quer zur Vorschubrichtung gemessen</translation>
+    </message>
+    <message>
+        <source>Feed per revolution of the spindle</source>
+        <translation>Vorschub je Umdrehung der Spindel</translation>
+    </message>
+    <message>
+        <source>Roughness of the part at the tool, from feed and nose radius and from later work with file, paper or disk</source>
+        <translation>Rauheit des Teils am Werkzeug, aus Vorschub und Eckenradius und aus späterer Bearbeitung mit Feile, Schleifpapier oder Schleifscheibe</translation>
+    </message>
+    <message>
+        <source>The law of the cutting force is not valid for such a cut of %1.</source>
+        <translation>Das Gesetz der Schnittkraft gilt nicht für einen solchen Schnitt in %1.</translation>
+    </message>
+    <message>
+        <source>%1 has no data for this material, so Kienzle is used.</source>
+        <translation>%1 hat für diesen Werkstoff keine Daten, daher gilt Kienzle.</translation>
+    </message>
+    <message>
+        <source>%1, unverified</source>
+        <translation>%1, ungeprüft</translation>
+    </message>
+    <message>
+        <source>Not all numbers of its table were compared with the handbook.</source>
+        <translation>Nicht alle Zahlen der Tabelle wurden mit dem Handbuch verglichen.</translation>
+    </message>
+    <message>
+        <source>Power law</source>
+        <translation>Potenzgesetz</translation>
+    </message>
+    <message>
+        <source>The cut is outside the range of the network, so the power law fitted to the same data is used.</source>
+        <translation>Der Schnitt liegt außerhalb des Bereichs des Netzwerks, daher gilt das Potenzgesetz, das an dieselben Daten angepasst wurde.</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::LatheView</name>
     <message>
         <source>Lathe</source>
@@ -13103,6 +13302,14 @@
     <message>
         <source>Let the device apply forces; without this it only points</source>
         <translation>Das Gerät darf Kräfte ausüben; ohne dies zeigt es nur</translation>
+    </message>
+    <message>
+        <source>Torque that is sent to the device, of the largest that it has</source>
+        <translation>Drehmoment, das an das Gerät geht, vom größten, das es hat</translation>
+    </message>
+    <message>
+        <source>Torque: %1 of %2 N·mm</source>
+        <translation>Drehmoment: %1 von %2 N·mm</translation>
     </message>
 </context>
 <context>
@@ -13571,13 +13778,6 @@
     </message>
 </context>
 <context>
-    <name>handwheel::SuggestionCard</name>
-    <message>
-        <source>Do not show this card for this document again</source>
-        <translation>Diese Karte für dieses Dokument nicht mehr zeigen</translation>
-    </message>
-</context>
-<context>
     <name>handwheel::NumberField</name>
     <message>
         <source>in %1</source>
@@ -13726,10 +13926,6 @@
         <translation>%1: kritisch</translation>
     </message>
     <message>
-        <source>Configurations, paths and targets</source>
-        <translation>Stellungen, Bahnen und Ziele</translation>
-    </message>
-    <message>
         <source>Targets</source>
         <translation>Ziele</translation>
     </message>
@@ -13744,6 +13940,14 @@
     <message>
         <source>of %1</source>
         <translation>von %1</translation>
+    </message>
+    <message>
+        <source>Configurations, paths, targets and frames</source>
+        <translation>Stellungen, Bahnen, Ziele und Bezugssysteme</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bezugssysteme</translation>
     </message>
 </context>
 <context>
@@ -15258,10 +15462,6 @@
         <translation>Körp&amp;er</translation>
     </message>
     <message>
-        <source>C&amp;onfigurations and targets</source>
-        <translation>Stellungen &amp;und Ziele</translation>
-    </message>
-    <message>
         <source>P&amp;aths</source>
         <translation>Ba&amp;hnen</translation>
     </message>
@@ -15288,6 +15488,10 @@
     <message>
         <source>Create a cell with a robot of the library, from its manufacturer&apos;s data</source>
         <translation>Eine Zelle mit einem Roboter der Bibliothek erstellen, nach den Daten seines Herstellers</translation>
+    </message>
+    <message>
+        <source>C&amp;onfigurations, targets and frames</source>
+        <translation>St&amp;ellungen, Ziele und Bezugssysteme</translation>
     </message>
 </context>
 <context>
@@ -15366,6 +15570,53 @@
     <message>
         <source>Checking the steps</source>
         <translation>Schritte werden geprüft</translation>
+    </message>
+    <message>
+        <source>Work on %1</source>
+        <translation>Arbeit an %1</translation>
+    </message>
+    <message>
+        <source>Work of %1 on %2</source>
+        <translation>Arbeit von %1 an %2</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ScriptExport</name>
+    <message>
+        <source>Save s&amp;teps…</source>
+        <translation>Sch&amp;ritte speichern…</translation>
+    </message>
+    <message>
+        <source>Write what was done to the mesh as a file that “handwheel edit --steps” reads</source>
+        <translation>Schreibt, was mit dem Netz getan wurde, als Datei, die „handwheel edit --steps“ liest</translation>
+    </message>
+    <message>
+        <source>Save steps</source>
+        <translation>Schritte speichern</translation>
+    </message>
+    <message>
+        <source>Steps (%1)</source>
+        <translation>Schritte (%1)</translation>
+    </message>
+    <message>
+        <source>%1 was not written</source>
+        <translation>%1 wurde nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation>%1 konnte nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>Saved the steps as %1</source>
+        <translation>Schritte als %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>There is no file from which the steps reproduce the current state.</source>
+        <translation>Es gibt keine Datei, aus der die Schritte den jetzigen Stand erzeugen.</translation>
+    </message>
+    <message>
+        <source>Save the document as *.handwheel, and continue from there.</source>
+        <translation>Speichern Sie das Dokument als *.handwheel, und arbeiten Sie von dort aus weiter.</translation>
     </message>
 </context>
 <context>
@@ -16132,61 +16383,18 @@
     </message>
 </context>
 <context>
-    <name>handwheel::InstructionEditor</name>
+    <name>handwheel::SuggestionCard</name>
     <message>
-        <source>Done when these criteria are met:</source>
-        <translation>Erledigt, wenn diese Kriterien erfüllt sind:</translation>
+        <source>Do not show this card for this document again</source>
+        <translation>Diese Karte für dieses Dokument nicht mehr zeigen</translation>
     </message>
     <message>
-        <source>Hints, shown one after another; double-click to change one:</source>
-        <translation>Hinweise, nacheinander gezeigt; Doppelklick ändert einen:</translation>
+        <source>Show the details and all actions</source>
+        <translation>Einzelheiten und alle Aktionen zeigen</translation>
     </message>
     <message>
-        <source>Add a hint</source>
-        <translation>Einen Hinweis hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove the hint</source>
-        <translation>Den Hinweis entfernen</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::ScriptExport</name>
-    <message>
-        <source>Save s&amp;teps…</source>
-        <translation>Sch&amp;ritte speichern…</translation>
-    </message>
-    <message>
-        <source>Write what was done to the mesh as a file that “handwheel edit --steps” reads</source>
-        <translation>Schreibt, was mit dem Netz getan wurde, als Datei, die „handwheel edit --steps“ liest</translation>
-    </message>
-    <message>
-        <source>Save steps</source>
-        <translation>Schritte speichern</translation>
-    </message>
-    <message>
-        <source>Steps (%1)</source>
-        <translation>Schritte (%1)</translation>
-    </message>
-    <message>
-        <source>%1 was not written</source>
-        <translation>%1 wurde nicht geschrieben</translation>
-    </message>
-    <message>
-        <source>%1 could not be saved</source>
-        <translation>%1 konnte nicht gespeichert werden</translation>
-    </message>
-    <message>
-        <source>Saved the steps as %1</source>
-        <translation>Schritte als %1 gespeichert</translation>
-    </message>
-    <message>
-        <source>There is no file from which the steps reproduce the current state.</source>
-        <translation>Es gibt keine Datei, aus der die Schritte den jetzigen Stand erzeugen.</translation>
-    </message>
-    <message>
-        <source>Save the document as *.handwheel, and continue from there.</source>
-        <translation>Speichern Sie das Dokument als *.handwheel, und arbeiten Sie von dort aus weiter.</translation>
+        <source>Fold this card to one line</source>
+        <translation>Diese Karte auf eine Zeile falten</translation>
     </message>
 </context>
 <context>

@@ -32,6 +32,14 @@
             <numerusform>%Ln 种位形</numerusform>
         </translation>
     </message>
+    <message>
+        <source>its frame is on nothing</source>
+        <translation>其坐标系没有载体</translation>
+    </message>
+    <message>
+        <source>%1 (in %2)</source>
+        <translation>%1（在 %2 中）</translation>
+    </message>
 </context>
 <context>
     <name>ClassTable</name>
@@ -1447,10 +1455,6 @@
         <translation>请选择更厚的壁，或不大于 %3 mm 的体素。</translation>
     </message>
     <message>
-        <source>the path takes %1 s, and at most %2 s can be drilled at this rate</source>
-        <translation>路径需要 %1 s，而以此频率最多只能钻 %2 s</translation>
-    </message>
-    <message>
         <source>Choose a lower rate, or a part of the path.</source>
         <translation>请选择较低的频率，或只取路径的一部分。</translation>
     </message>
@@ -1541,6 +1545,50 @@
     <message>
         <source>voxels of %1 mm would contain %2 mm³, and at least %3 mm³ are needed</source>
         <translation>%1 mm 的体素只包含 %2 mm³，至少需要 %3 mm³</translation>
+    </message>
+    <message>
+        <source>the cell has no frame called &apos;%1&apos;</source>
+        <translation>单元中没有名为“%1”的坐标系</translation>
+    </message>
+    <message>
+        <source>Name one of its frames (&apos;inspect&apos; lists them).</source>
+        <translation>请指定其中一个坐标系（“inspect”会列出它们）。</translation>
+    </message>
+    <message>
+        <source>what carries the frame &apos;%1&apos; was removed</source>
+        <translation>坐标系“%1”的载体已被移除</translation>
+    </message>
+    <message>
+        <source>Undo that, or set the frame anew.</source>
+        <translation>请撤销该操作，或重新设置坐标系。</translation>
+    </message>
+    <message>
+        <source>the robot moves the frame &apos;%1&apos;, so that no program can be written in it</source>
+        <translation>机器人会移动坐标系“%1”，因此无法在其中编写程序</translation>
+    </message>
+    <message>
+        <source>Choose a frame that stands still while the robot moves.</source>
+        <translation>请选择机器人运动时静止不动的坐标系。</translation>
+    </message>
+    <message>
+        <source>the path takes %1 s, and at most %2 s can be followed at this rate</source>
+        <translation>路径需要 %1 秒，而在此频率下最多只能跟随 %2 秒</translation>
+    </message>
+    <message>
+        <source>a tool with a radius of %1 mm does not suit voxels of %2 mm: from %3 to %4 mm it does</source>
+        <translation>半径为 %1 mm 的工具不适合 %2 mm 的体素：%3 至 %4 mm 才适合</translation>
+    </message>
+    <message>
+        <source>Choose another radius, or other voxels.</source>
+        <translation>请选择其他半径或其他体素。</translation>
+    </message>
+    <message>
+        <source>the strokes go %1 mm, and a tool with a radius of %2 mm can be led %3 mm at most</source>
+        <translation>笔划长 %1 mm，而半径为 %2 mm 的工具最多只能移动 %3 mm</translation>
+    </message>
+    <message>
+        <source>Check the unit of the places, or divide the strokes.</source>
+        <translation>请检查位置的单位，或拆分笔划。</translation>
     </message>
 </context>
 <context>
@@ -3097,6 +3145,14 @@
         <source>it is not supported</source>
         <translation>不受支持</translation>
     </message>
+    <message>
+        <source>the frame</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>坐标系</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -4081,6 +4137,14 @@
         <source>CPU time of a cycle</source>
         <translation>每个周期的 CPU 时间</translation>
     </message>
+    <message>
+        <source>Cells of a volume along a piece of its display</source>
+        <translation>体积显示的每一块沿边的单元数</translation>
+    </message>
+    <message>
+        <source>CPU time to renew the pieces that a touch of clay changes</source>
+        <translation>更新一次塑泥所改变的显示块所需的 CPU 时间</translation>
+    </message>
 </context>
 <context>
     <name>FidelityPanel</name>
@@ -4400,6 +4464,10 @@
         <source>Open again</source>
         <translation>重新打开</translation>
     </message>
+    <message>
+        <source>Simulated hand with torque</source>
+        <translation>带力矩的模拟手</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
@@ -4513,21 +4581,6 @@
     </message>
 </context>
 <context>
-    <name>LatheReadout</name>
-    <message>
-        <source>Kosilova</source>
-        <translation>Kosilova</translation>
-    </message>
-    <message>
-        <source>Kienzle</source>
-        <translation>Kienzle</translation>
-    </message>
-    <message>
-        <source>Network</source>
-        <translation>神经网络</translation>
-    </message>
-</context>
-<context>
     <name>LathePart</name>
     <message>
         <source>Cutting edge</source>
@@ -4604,6 +4657,21 @@
     <message>
         <source>The cut needed more power than the motor has.</source>
         <translation>切削所需功率超过了电机的功率。</translation>
+    </message>
+</context>
+<context>
+    <name>LatheReadout</name>
+    <message>
+        <source>Kosilova</source>
+        <translation>Kosilova</translation>
+    </message>
+    <message>
+        <source>Kienzle</source>
+        <translation>Kienzle</translation>
+    </message>
+    <message>
+        <source>Network</source>
+        <translation>神经网络</translation>
     </message>
 </context>
 <context>
@@ -4768,109 +4836,6 @@
     <message>
         <source>Wheel</source>
         <translation>滚轮</translation>
-    </message>
-</context>
-<context>
-    <name>Suggestions</name>
-    <message numerus="yes">
-        <source>%Ln hole(s) found.</source>
-        <translation>
-            <numerusform>发现 %Ln 个孔洞。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 stays open: %2.</source>
-        <translation>%1 未填补：%2。</translation>
-    </message>
-    <message numerus="yes">
-        <source>…and %Ln more, see the list.</source>
-        <translation>
-            <numerusform>…还有 %Ln 个，见列表。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No holes. This is an open sheet.</source>
-        <translation>没有孔洞。这是一张开放曲面。</translation>
-    </message>
-    <message>
-        <source>Saved as %1.</source>
-        <translation>已保存为 %1。</translation>
-    </message>
-    <message>
-        <source>There is nothing to repair.</source>
-        <translation>没有需要修复的内容。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln hole(s) could not be filled.</source>
-        <translation>
-            <numerusform>%Ln 个孔洞无法填补。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No holes remain except those kept open.</source>
-        <translation>除保持开放的以外，已无孔洞。</translation>
-    </message>
-    <message>
-        <source>Some defects remain.</source>
-        <translation>仍有一些缺陷。</translation>
-    </message>
-    <message>
-        <source>No holes.</source>
-        <translation>没有孔。</translation>
-    </message>
-    <message numerus="yes">
-        <source>No holes. These are %Ln open sheet(s).</source>
-        <translation>
-            <numerusform>没有孔。这是 %Ln 个开放片体。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>No holes. %Ln open sheet(s) among %1 pieces.</source>
-        <translation>
-            <numerusform>没有孔。%1 个部分中有 %Ln 个开放片体。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln open sheet(s).</source>
-        <translation>
-            <numerusform>%Ln 个开放片体。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The self-intersections stay: %1.</source>
-        <translation>自相交仍然存在：%1。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s) reversed on opening.</source>
-        <translation>
-            <numerusform>打开时翻转了 %Ln 个三角形。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Closed. Looking for self-intersections…</source>
-        <translation>封闭。正在查找自相交…</translation>
-    </message>
-    <message numerus="yes">
-        <source>…and %Ln more, see the log.</source>
-        <translation>
-            <numerusform>…还有 %Ln 个，见日志。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln hole(s) left.</source>
-        <translation>
-            <numerusform>还剩 %Ln 个孔洞。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Outer boundaries of open sheets that the repair changed and that look like holes now: %1. Another repair tries to fill them.</source>
-        <translation>修复改动过、现在看起来像孔洞的开放片外边界：%1 个。再次修复会尝试填补它们。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln body(ies) inside another: “Unite bodies” removes what lies inside.</source>
-        <translation>
-            <numerusform>%Ln 个体位于另一个体内：“合并实体”会移除内部部分。</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -5378,6 +5343,26 @@
     <message>
         <source>The part in section, with the outline of the target. Blue: material left over the target. Red: cut too deep.</source>
         <translation>零件剖面及目标轮廓。蓝色：超出目标的余料。红色：切削过深。</translation>
+    </message>
+    <message>
+        <source>Rounded to the numbers of this format, %1 more triangles have no area. 3MF, PLY, OBJ and OFF keep all digits; or move the part to the origin.</source>
+        <translation>按此格式的数字舍入后，又有 %1 个三角形没有面积。3MF、PLY、OBJ 和 OFF 保留所有位数；或者将零件移到原点。</translation>
+    </message>
+    <message>
+        <source>The hole in section along the planned path. Grey: material that is left. Light blue: drilled. Red: drilled beside the planned hole or in the forbidden region, which is pink. Green: the planned path, with its tolerance. Black: the path of the tip.</source>
+        <translation>沿计划路径的孔剖面。灰色：剩余材料。浅蓝色：已钻。红色：钻在计划孔之外或禁区内，禁区为粉色。绿色：计划路径及其公差。黑色：钻尖的路径。</translation>
+    </message>
+    <message>
+        <source>after %1 s; too heavy a cut: the lathe takes %2 N</source>
+        <translation>%1 秒后；切削过重：车床可承受 %2 N</translation>
+    </message>
+    <message>
+        <source>after %1 s; too heavy a cut: the lathe has %2 kW</source>
+        <translation>%1 秒后；切削过重：车床功率为 %2 kW</translation>
+    </message>
+    <message>
+        <source>%1 of 1 point</source>
+        <translation>%1/1 分</translation>
     </message>
 </context>
 <context>
@@ -7694,6 +7679,22 @@
         <source>Time</source>
         <translation>时间</translation>
     </message>
+    <message>
+        <source>Coordinates and programs</source>
+        <translation>坐标和程序</translation>
+    </message>
+    <message>
+        <source>In the frame</source>
+        <translation>所在坐标系</translation>
+    </message>
+    <message>
+        <source>what carried it was removed</source>
+        <translation>其载体已被移除</translation>
+    </message>
+    <message>
+        <source>Volume of all bodies added up (mm³)</source>
+        <translation>所有实体体积之和 (mm³)</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -8209,6 +8210,109 @@
     <message>
         <source>A part of the surface that stood out by %1 was removed, at X %2, Y %3, Z %4.</source>
         <translation>已移除表面上突出 %1 的部分，位于 X %2、Y %3、Z %4。</translation>
+    </message>
+</context>
+<context>
+    <name>Suggestions</name>
+    <message numerus="yes">
+        <source>%Ln hole(s) found.</source>
+        <translation>
+            <numerusform>发现 %Ln 个孔洞。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 stays open: %2.</source>
+        <translation>%1 未填补：%2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>…and %Ln more, see the list.</source>
+        <translation>
+            <numerusform>…还有 %Ln 个，见列表。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes. This is an open sheet.</source>
+        <translation>没有孔洞。这是一张开放曲面。</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>已保存为 %1。</translation>
+    </message>
+    <message>
+        <source>There is nothing to repair.</source>
+        <translation>没有需要修复的内容。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) could not be filled.</source>
+        <translation>
+            <numerusform>%Ln 个孔洞无法填补。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes remain except those kept open.</source>
+        <translation>除保持开放的以外，已无孔洞。</translation>
+    </message>
+    <message>
+        <source>Some defects remain.</source>
+        <translation>仍有一些缺陷。</translation>
+    </message>
+    <message>
+        <source>No holes.</source>
+        <translation>没有孔。</translation>
+    </message>
+    <message numerus="yes">
+        <source>No holes. These are %Ln open sheet(s).</source>
+        <translation>
+            <numerusform>没有孔。这是 %Ln 个开放片体。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No holes. %Ln open sheet(s) among %1 pieces.</source>
+        <translation>
+            <numerusform>没有孔。%1 个部分中有 %Ln 个开放片体。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln open sheet(s).</source>
+        <translation>
+            <numerusform>%Ln 个开放片体。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The self-intersections stay: %1.</source>
+        <translation>自相交仍然存在：%1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) reversed on opening.</source>
+        <translation>
+            <numerusform>打开时翻转了 %Ln 个三角形。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Closed. Looking for self-intersections…</source>
+        <translation>封闭。正在查找自相交…</translation>
+    </message>
+    <message numerus="yes">
+        <source>…and %Ln more, see the log.</source>
+        <translation>
+            <numerusform>…还有 %Ln 个，见日志。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) left.</source>
+        <translation>
+            <numerusform>还剩 %Ln 个孔洞。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Outer boundaries of open sheets that the repair changed and that look like holes now: %1. Another repair tries to fill them.</source>
+        <translation>修复改动过、现在看起来像孔洞的开放片外边界：%1 个。再次修复会尝试填补它们。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln body(ies) inside another: “Unite bodies” removes what lies inside.</source>
+        <translation>
+            <numerusform>%Ln 个体位于另一个体内：“合并实体”会移除内部部分。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9472,6 +9576,18 @@
         <source>go on with the feed</source>
         <translation>继续进给</translation>
     </message>
+    <message>
+        <source>Measuring the mesh</source>
+        <translation>正在测量网格</translation>
+    </message>
+    <message>
+        <source>the mesh is being measured</source>
+        <translation>正在测量网格</translation>
+    </message>
+    <message>
+        <source>Shape clay</source>
+        <translation>塑泥</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -10296,10 +10412,6 @@
         <translation>路径的两端之间没有任何位置。</translation>
     </message>
     <message>
-        <source>Select a place of a path or a target first.</source>
-        <translation>请先选择路径上的位置或目标点。</translation>
-    </message>
-    <message>
         <source>Try again in a moment.</source>
         <translation>请稍后再试。</translation>
     </message>
@@ -10352,16 +10464,8 @@
         <translation>经过关键位置重新规划路径；沿曲线的路径会按零件的当前位置跟随该曲线</translation>
     </message>
     <message>
-        <source>Remove the selected configuration, path, place, target or robot</source>
-        <translation>移除所选的位形、路径、位置、目标点或机器人</translation>
-    </message>
-    <message>
         <source>Select a robot in the list first, in a cell with several.</source>
         <translation>在含多个机器人的单元中，请先在列表中选择一个机器人。</translation>
-    </message>
-    <message>
-        <source>Select a configuration, a path, a place, a target or a robot first.</source>
-        <translation>请先选择位形、路径、位置、目标点或机器人。</translation>
     </message>
     <message>
         <source>%1 was verified: %2</source>
@@ -10444,14 +10548,6 @@
     <message>
         <source>Remo&amp;ve from the plan</source>
         <translation>从规划中移除(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Give the selected configuration, path or target another name</source>
-        <translation>为所选的位形、路径或目标点指定其他名称</translation>
-    </message>
-    <message>
-        <source>Select a configuration, a path or a target first.</source>
-        <translation>请先选择位形、路径或目标点。</translation>
     </message>
     <message>
         <source>%1 was stored</source>
@@ -10558,16 +10654,8 @@
         <translation>以名称保存当前关节值</translation>
     </message>
     <message>
-        <source>Store the current pose of the tool as a target; on the selected body, if any, with which it moves</source>
-        <translation>将工具当前位姿保存为目标点；若选中了物体，则保存在该物体上，并随其移动</translation>
-    </message>
-    <message>
         <source>Insert the current joint values after the selected place as a critical configuration; before the goal, if that or the path is selected</source>
         <translation>将当前关节值作为关键位形插入到所选位置之后；若所选为终点或路径，则插入到终点之前</translation>
-    </message>
-    <message>
-        <source>Replace the selected place or target by the current position of the robot</source>
-        <translation>用机器人当前位置替换所选的位置或目标点</translation>
     </message>
     <message>
         <source>Move the selected place towards the start of the path</source>
@@ -10646,6 +10734,90 @@
         <translation>
             <numerusform>保留了 %Ln 段端点未变且仍证明无碰撞的路径。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>坐标系 %1</translation>
+    </message>
+    <message>
+        <source>Work in no frame</source>
+        <translation>不在任何坐标系中工作</translation>
+    </message>
+    <message>
+        <source>Work in %1</source>
+        <translation>在 %1 中工作</translation>
+    </message>
+    <message>
+        <source>what carried it was removed</source>
+        <translation>其载体已被移除</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <translation>在 %1 上</translation>
+    </message>
+    <message>
+        <source>for coordinates and programs</source>
+        <translation>用于坐标和程序</translation>
+    </message>
+    <message>
+        <source>%1; for coordinates and programs</source>
+        <translation>%1；用于坐标和程序</translation>
+    </message>
+    <message>
+        <source>Its places are in the frame %1.</source>
+        <translation>其位置在坐标系 %1 中。</translation>
+    </message>
+    <message>
+        <source>Store a &amp;frame here</source>
+        <translation>在此存储坐标系(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Work in the frame</source>
+        <translation>在坐标系中工作(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Store the current pose of the tool as a target; on the selected body, if any, or in the chosen frame, with which it moves</source>
+        <translation>将工具的当前位姿存为目标；若选中了实体则放在其上，或放在所选坐标系中，并随之移动</translation>
+    </message>
+    <message>
+        <source>Store the current pose of the tool as a frame for targets and programs; on the selected body, if any, with which it moves</source>
+        <translation>将工具的当前位姿存为用于目标和程序的坐标系；若选中了实体则放在其上，并随之移动</translation>
+    </message>
+    <message>
+        <source>Show coordinates of targets, and write programs, in the selected frame; once more: in none</source>
+        <translation>在所选坐标系中显示目标坐标并编写程序；再次执行：不使用坐标系</translation>
+    </message>
+    <message>
+        <source>Replace the selected place, target or frame by the current position of the robot</source>
+        <translation>用机器人的当前位置替换所选位置、目标或坐标系</translation>
+    </message>
+    <message>
+        <source>Give the selected configuration, path, target or frame another name</source>
+        <translation>为所选构型、路径、目标或坐标系重命名</translation>
+    </message>
+    <message>
+        <source>Remove the selected configuration, path, place, target, frame or robot</source>
+        <translation>移除所选构型、路径、位置、目标、坐标系或机器人</translation>
+    </message>
+    <message>
+        <source>Select a frame in the list first.</source>
+        <translation>请先在列表中选择一个坐标系。</translation>
+    </message>
+    <message>
+        <source>Select a place of a path, a target or a frame first.</source>
+        <translation>请先选择路径的一个位置、一个目标或一个坐标系。</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path, a target or a frame first.</source>
+        <translation>请先选择一个构型、路径、目标或坐标系。</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a path, a place, a target, a frame or a robot first.</source>
+        <translation>请先选择一个构型、路径、位置、目标、坐标系或机器人。</translation>
+    </message>
+    <message>
+        <source>Store %1 in %2</source>
+        <translation>将 %1 存储到 %2</translation>
     </message>
 </context>
 <context>
@@ -11916,6 +12088,14 @@
         <source>“Task” shows where it lies in the bar, “Criteria” what is measured.</source>
         <translation>“任务”显示它在棒料中的位置，“评分项”显示测量的项目。</translation>
     </message>
+    <message>
+        <source>Model solution</source>
+        <translation>参考解</translation>
+    </message>
+    <message>
+        <source>Model solution of %1</source>
+        <translation>%1 的参考解</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FidelityPanel</name>
@@ -12406,6 +12586,25 @@
     </message>
 </context>
 <context>
+    <name>handwheel::InstructionEditor</name>
+    <message>
+        <source>Done when these criteria are met:</source>
+        <translation>达到以下评分项时完成：</translation>
+    </message>
+    <message>
+        <source>Hints, shown one after another; double-click to change one:</source>
+        <translation>提示，依次显示；双击可更改：</translation>
+    </message>
+    <message>
+        <source>Add a hint</source>
+        <translation>添加提示</translation>
+    </message>
+    <message>
+        <source>Remove the hint</source>
+        <translation>移除提示</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::JobBar</name>
     <message>
         <source>Cancel this job</source>
@@ -12494,145 +12693,6 @@
     <message>
         <source>Collisions with the parts involved, and warnings with the rule that was broken, each with its time. A crash stops the spindle.</source>
         <translation>碰撞及相关部件、警告及所违反的规则，均附时间。碰撞会使主轴停止。</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::LatheReadout</name>
-    <message>
-        <source>Force</source>
-        <translation>力</translation>
-    </message>
-    <message>
-        <source>Power</source>
-        <translation>功率</translation>
-    </message>
-    <message>
-        <source>%1 of %2 %3</source>
-        <translation>%1 / %2 %3</translation>
-    </message>
-    <message>
-        <source>kW</source>
-        <translation>kW</translation>
-    </message>
-    <message>
-        <source>Torque</source>
-        <translation>扭矩</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>N·m</translation>
-    </message>
-    <message>
-        <source>Spindle</source>
-        <translation>主轴</translation>
-    </message>
-    <message>
-        <source>%1 r/min</source>
-        <translation>%1 r/min</translation>
-    </message>
-    <message>
-        <source>Cutting speed</source>
-        <translation>切削速度</translation>
-    </message>
-    <message>
-        <source>%1 m/min</source>
-        <translation>%1 m/min</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>切深</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Feed</source>
-        <translation>进给</translation>
-    </message>
-    <message>
-        <source>%1 mm/rev</source>
-        <translation>%1 mm/r</translation>
-    </message>
-    <message>
-        <source>Law</source>
-        <translation>定律</translation>
-    </message>
-    <message>
-        <source>Kosilova</source>
-        <translation>Kosilova</translation>
-    </message>
-    <message>
-        <source>Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the material is a property of the workpiece.</source>
-        <translation>%1 的切削力定律。可在速度与精度设置中选择；材料是工件的属性。</translation>
-    </message>
-    <message>
-        <source>Ra here</source>
-        <translation>此处 Ra</translation>
-    </message>
-    <message>
-        <source>%1 µm</source>
-        <translation>%1 µm</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>N</translation>
-    </message>
-    <message>
-        <source>Resultant of the three components of the cutting force, and the limit of the exercise</source>
-        <translation>切削力三个分量的合力，以及练习的限值</translation>
-    </message>
-    <message>
-        <source>Power taken from the motor, and its rated power</source>
-        <translation>电机输出的功率及其额定功率</translation>
-    </message>
-    <message>
-        <source>Torque at the spindle, and the torque available</source>
-        <translation>主轴扭矩及可用扭矩</translation>
-    </message>
-    <message>
-        <source>Current spindle speed. A cut beyond the available power or torque slows it down.</source>
-        <translation>当前主轴转速。切削超出可用功率或扭矩时主轴会减速。</translation>
-    </message>
-    <message>
-        <source>Surface speed at the middle of the cut</source>
-        <translation>切削中部处的线速度</translation>
-    </message>
-    <message>
-        <source>Depth of cut, measured across the feed direction</source>
-        <translation>切深，垂直于进给方向测量</translation>
-    </message>
-    <message>
-        <source>Feed per revolution of the spindle</source>
-        <translation>主轴每转的进给量</translation>
-    </message>
-    <message>
-        <source>Roughness of the part at the tool, from feed and nose radius and from later work with file, paper or disk</source>
-        <translation>刀具所在处零件的粗糙度，由进给量和刀尖圆弧半径，以及之后用锉刀、砂纸或砂轮的加工得出</translation>
-    </message>
-    <message>
-        <source>The law of the cutting force is not valid for such a cut of %1.</source>
-        <translation>该切削力定律不适用于对 %1 的这种切削。</translation>
-    </message>
-    <message>
-        <source>%1 has no data for this material, so Kienzle is used.</source>
-        <translation>%1没有该材料的数据，因此使用 Kienzle。</translation>
-    </message>
-    <message>
-        <source>%1, unverified</source>
-        <translation>%1（未核实）</translation>
-    </message>
-    <message>
-        <source>Not all numbers of its table were compared with the handbook.</source>
-        <translation>其表中的数值并未全部与手册核对。</translation>
-    </message>
-    <message>
-        <source>Power law</source>
-        <translation>幂律</translation>
-    </message>
-    <message>
-        <source>The cut is outside the range of the network, so the power law fitted to the same data is used.</source>
-        <translation>该切削超出神经网络的范围，因此使用由相同数据拟合的幂律。</translation>
     </message>
 </context>
 <context>
@@ -12851,6 +12911,145 @@
     </message>
 </context>
 <context>
+    <name>handwheel::LatheReadout</name>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>功率</translation>
+    </message>
+    <message>
+        <source>%1 of %2 %3</source>
+        <translation>%1 / %2 %3</translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation>kW</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>扭矩</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>N·m</translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation>主轴</translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation>%1 r/min</translation>
+    </message>
+    <message>
+        <source>Cutting speed</source>
+        <translation>切削速度</translation>
+    </message>
+    <message>
+        <source>%1 m/min</source>
+        <translation>%1 m/min</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>切深</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>进给</translation>
+    </message>
+    <message>
+        <source>%1 mm/rev</source>
+        <translation>%1 mm/r</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>定律</translation>
+    </message>
+    <message>
+        <source>Kosilova</source>
+        <translation>Kosilova</translation>
+    </message>
+    <message>
+        <source>Law of the cutting force for %1. It is chosen among the settings of speed and accuracy; the material is a property of the workpiece.</source>
+        <translation>%1 的切削力定律。可在速度与精度设置中选择；材料是工件的属性。</translation>
+    </message>
+    <message>
+        <source>Ra here</source>
+        <translation>此处 Ra</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Resultant of the three components of the cutting force, and the limit of the exercise</source>
+        <translation>切削力三个分量的合力，以及练习的限值</translation>
+    </message>
+    <message>
+        <source>Power taken from the motor, and its rated power</source>
+        <translation>电机输出的功率及其额定功率</translation>
+    </message>
+    <message>
+        <source>Torque at the spindle, and the torque available</source>
+        <translation>主轴扭矩及可用扭矩</translation>
+    </message>
+    <message>
+        <source>Current spindle speed. A cut beyond the available power or torque slows it down.</source>
+        <translation>当前主轴转速。切削超出可用功率或扭矩时主轴会减速。</translation>
+    </message>
+    <message>
+        <source>Surface speed at the middle of the cut</source>
+        <translation>切削中部处的线速度</translation>
+    </message>
+    <message>
+        <source>Depth of cut, measured across the feed direction</source>
+        <translation>切深，垂直于进给方向测量</translation>
+    </message>
+    <message>
+        <source>Feed per revolution of the spindle</source>
+        <translation>主轴每转的进给量</translation>
+    </message>
+    <message>
+        <source>Roughness of the part at the tool, from feed and nose radius and from later work with file, paper or disk</source>
+        <translation>刀具所在处零件的粗糙度，由进给量和刀尖圆弧半径，以及之后用锉刀、砂纸或砂轮的加工得出</translation>
+    </message>
+    <message>
+        <source>The law of the cutting force is not valid for such a cut of %1.</source>
+        <translation>该切削力定律不适用于对 %1 的这种切削。</translation>
+    </message>
+    <message>
+        <source>%1 has no data for this material, so Kienzle is used.</source>
+        <translation>%1没有该材料的数据，因此使用 Kienzle。</translation>
+    </message>
+    <message>
+        <source>%1, unverified</source>
+        <translation>%1（未核实）</translation>
+    </message>
+    <message>
+        <source>Not all numbers of its table were compared with the handbook.</source>
+        <translation>其表中的数值并未全部与手册核对。</translation>
+    </message>
+    <message>
+        <source>Power law</source>
+        <translation>幂律</translation>
+    </message>
+    <message>
+        <source>The cut is outside the range of the network, so the power law fitted to the same data is used.</source>
+        <translation>该切削超出神经网络的范围，因此使用由相同数据拟合的幂律。</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::LatheView</name>
     <message>
         <source>Lathe</source>
@@ -13016,6 +13215,14 @@
     <message>
         <source>Let the device apply forces; without this it only points</source>
         <translation>允许设备施力；否则只用于指点</translation>
+    </message>
+    <message>
+        <source>Torque that is sent to the device, of the largest that it has</source>
+        <translation>发送到设备的力矩，与其最大力矩之比</translation>
+    </message>
+    <message>
+        <source>Torque: %1 of %2 N·mm</source>
+        <translation>力矩：%1 / %2 N·mm</translation>
     </message>
 </context>
 <context>
@@ -13479,13 +13686,6 @@
     </message>
 </context>
 <context>
-    <name>handwheel::SuggestionCard</name>
-    <message>
-        <source>Do not show this card for this document again</source>
-        <translation>不再为此文档显示此卡片</translation>
-    </message>
-</context>
-<context>
     <name>handwheel::NumberField</name>
     <message>
         <source>in %1</source>
@@ -13634,10 +13834,6 @@
         <translation>%1：关键</translation>
     </message>
     <message>
-        <source>Configurations, paths and targets</source>
-        <translation>位形、路径和目标点</translation>
-    </message>
-    <message>
         <source>Targets</source>
         <translation>目标点</translation>
     </message>
@@ -13652,6 +13848,14 @@
     <message>
         <source>of %1</source>
         <translation>属于 %1</translation>
+    </message>
+    <message>
+        <source>Configurations, paths, targets and frames</source>
+        <translation>构型、路径、目标和坐标系</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>坐标系</translation>
     </message>
 </context>
 <context>
@@ -15151,10 +15355,6 @@
         <translation>物体(&amp;B)</translation>
     </message>
     <message>
-        <source>C&amp;onfigurations and targets</source>
-        <translation>位形和目标点(&amp;O)</translation>
-    </message>
-    <message>
         <source>P&amp;aths</source>
         <translation>路径(&amp;A)</translation>
     </message>
@@ -15181,6 +15381,10 @@
     <message>
         <source>Create a cell with a robot of the library, from its manufacturer&apos;s data</source>
         <translation>用库中的机器人新建单元，采用其制造商的数据</translation>
+    </message>
+    <message>
+        <source>C&amp;onfigurations, targets and frames</source>
+        <translation>构型、目标和坐标系(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -15259,6 +15463,53 @@
     <message>
         <source>Checking the steps</source>
         <translation>正在检查步骤</translation>
+    </message>
+    <message>
+        <source>Work on %1</source>
+        <translation>%1 的作业</translation>
+    </message>
+    <message>
+        <source>Work of %1 on %2</source>
+        <translation>%1 对 %2 的作业</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ScriptExport</name>
+    <message>
+        <source>Save s&amp;teps…</source>
+        <translation>保存步骤(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Write what was done to the mesh as a file that “handwheel edit --steps” reads</source>
+        <translation>将对网格所做的操作写成“handwheel edit --steps”可读取的文件</translation>
+    </message>
+    <message>
+        <source>Save steps</source>
+        <translation>保存步骤</translation>
+    </message>
+    <message>
+        <source>Steps (%1)</source>
+        <translation>步骤 (%1)</translation>
+    </message>
+    <message>
+        <source>%1 was not written</source>
+        <translation>未写入 %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation>无法保存 %1</translation>
+    </message>
+    <message>
+        <source>Saved the steps as %1</source>
+        <translation>步骤已保存为 %1</translation>
+    </message>
+    <message>
+        <source>There is no file from which the steps reproduce the current state.</source>
+        <translation>没有可由这些步骤得到当前状态的文件。</translation>
+    </message>
+    <message>
+        <source>Save the document as *.handwheel, and continue from there.</source>
+        <translation>请将文档另存为 *.handwheel，再从那里继续。</translation>
     </message>
 </context>
 <context>
@@ -16016,61 +16267,18 @@
     </message>
 </context>
 <context>
-    <name>handwheel::InstructionEditor</name>
+    <name>handwheel::SuggestionCard</name>
     <message>
-        <source>Done when these criteria are met:</source>
-        <translation>达到以下评分项时完成：</translation>
+        <source>Do not show this card for this document again</source>
+        <translation>不再为此文档显示此卡片</translation>
     </message>
     <message>
-        <source>Hints, shown one after another; double-click to change one:</source>
-        <translation>提示，依次显示；双击可更改：</translation>
+        <source>Show the details and all actions</source>
+        <translation>显示详情和所有操作</translation>
     </message>
     <message>
-        <source>Add a hint</source>
-        <translation>添加提示</translation>
-    </message>
-    <message>
-        <source>Remove the hint</source>
-        <translation>移除提示</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::ScriptExport</name>
-    <message>
-        <source>Save s&amp;teps…</source>
-        <translation>保存步骤(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>Write what was done to the mesh as a file that “handwheel edit --steps” reads</source>
-        <translation>将对网格所做的操作写成“handwheel edit --steps”可读取的文件</translation>
-    </message>
-    <message>
-        <source>Save steps</source>
-        <translation>保存步骤</translation>
-    </message>
-    <message>
-        <source>Steps (%1)</source>
-        <translation>步骤 (%1)</translation>
-    </message>
-    <message>
-        <source>%1 was not written</source>
-        <translation>未写入 %1</translation>
-    </message>
-    <message>
-        <source>%1 could not be saved</source>
-        <translation>无法保存 %1</translation>
-    </message>
-    <message>
-        <source>Saved the steps as %1</source>
-        <translation>步骤已保存为 %1</translation>
-    </message>
-    <message>
-        <source>There is no file from which the steps reproduce the current state.</source>
-        <translation>没有可由这些步骤得到当前状态的文件。</translation>
-    </message>
-    <message>
-        <source>Save the document as *.handwheel, and continue from there.</source>
-        <translation>请将文档另存为 *.handwheel，再从那里继续。</translation>
+        <source>Fold this card to one line</source>
+        <translation>将此卡片折叠为一行</translation>
     </message>
 </context>
 <context>
