@@ -6,6 +6,9 @@
 
 namespace handwheel {
 
+namespace {
+
+// N·mm, of a spring (N·mm/rad) that turns one orientation to another by the shortest way.
 Vec3 turningTorque(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, double turning) {
   if (turning == 0.0) return Vec3::Zero();
   const Eigen::Quaterniond way = to * from.conjugate();
@@ -15,6 +18,8 @@ Vec3 turningTorque(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
   const double angle = 2.0 * std::atan2(sine, std::abs(way.w()));
   return (turning * std::copysign(angle, way.w()) / sine) * way.vec();
 }
+
+}  // namespace
 
 SpringForce::SpringForce(std::string id, std::vector<Spring> springs)
     : ForceSource(std::move(id)), m_springs(std::move(springs)) {

@@ -16,9 +16,6 @@ struct Spring {
   double turning = 0.0;                                      // N·mm/rad
 };
 
-// The torque of a spring that turns one orientation to another. By the shortest way; N·mm, for N·mm/rad.
-Vec3 turningTorque(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, double turning);
-
 // The force and the torque of springs.
 class SpringForce : public ForceSource {
  public:
