@@ -34,10 +34,10 @@ std::string roughnessGrade(double ra) {
 
 double drilledRoughness(double feed) {
   constexpr double kFinest = 1.6, kRoughest = 6.3;        // µm
-  constexpr double kLeastFeed = 0.05, kMostFeed = 0.381;  // mm
+  constexpr double kLeastRatedFeed = 0.05, kMostRatedFeed = 0.381;  // mm
   if (!(feed > 0.0)) return 0.0;
   if (!std::isfinite(feed)) return feed;  // the spindle stands
-  const double share = std::log(feed / kLeastFeed) / std::log(kMostFeed / kLeastFeed);
+  const double share = std::log(feed / kLeastRatedFeed) / std::log(kMostRatedFeed / kLeastRatedFeed);
   return kFinest * std::pow(kRoughest / kFinest, std::clamp(share, 0.0, 1.0));
 }
 

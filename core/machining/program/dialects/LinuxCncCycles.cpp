@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostSegments = 100'000;
+constexpr std::size_t kMostContourLines = 100'000;
 
 // Codes that a contour may contain; all else in it has no effect on a machine, so it is refused.
 bool isContourCode(int tenths) {
@@ -96,7 +96,7 @@ void LinuxCncRun::collect(const ProgramBlock& block) {
   give('X', 'U', m_machine.radius(1.0) / unit, [&](double x, bool isMore) { to.imag(isMore ? to.imag() + x : x); });
   give('Z', 'W', 1.0, [&](double z, bool isMore) { to.real(isMore ? to.real() + z : z); });
   if (to != m_contourEnd) {
-    if (m_contour->size() >= kMostSegments) refuse(block.place, "contour", "it has too many lines", "Divide it.");
+    if (m_contour->size() >= kMostContourLines) refuse(block.place, "contour", "it has too many lines", "Divide it.");
     ContourSegment segment;
     segment.from = m_contourEnd;
     segment.to = to;
