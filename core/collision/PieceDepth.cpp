@@ -45,6 +45,7 @@ class WayOutSearch {
     }
   }
 
+  bool hasAny() const { return m_hasAny; }
   const WayOut& best() const { return m_best; }
 
  private:
@@ -106,6 +107,8 @@ WayOut leastWayOut(const std::vector<MeetingShapes>& shapes, const Vec3& last, b
     }
     if (isRound) search.refine();
   }
+  // Triangles without area have no direction of their own.
+  for (Eigen::Index axis = 0; axis < 3 && !search.hasAny(); ++axis) search.attemptBoth(Vec3::Unit(axis));
   return search.best();
 }
 

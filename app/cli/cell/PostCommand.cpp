@@ -68,13 +68,13 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
                          {"exact_stops", written->exactStops},
                          {"other_robot", !written->otherRobot.empty()},
                          {"outdated", !checked->partMoved.empty()},
-                         {"frame", plans.workFrame.empty() ? nlohmann::json() : nlohmann::json(plans.workFrame)},
+                         {"frame", written->frame.empty() ? nlohmann::json() : nlohmann::json(written->frame)},
                          {"certified", true}}));
   }
   std::string text = output + ": " + post->title() + ", " + std::to_string(readBack.motions) +
                      " motions, read back within " + roundedText(readBack.distance, 2) + " mm and " +
                      roundedText(readBack.angle, 2) + " degrees\n";
-  if (!plans.workFrame.empty()) text += "Its places are in the frame " + plans.workFrame + ".\n";
+  if (!written->frame.empty()) text += "Its places are in the frame " + written->frame + ".\n";
   if (written->exactStops > 0)
     text +=
         std::to_string(written->exactStops) + " blends became exact stops: not every way within their zones is free\n";

@@ -37,6 +37,13 @@ Result<Pose> targetBasePose(const NamedTarget& target, const CellPlacement& cell
   return bodyInRoot(*body, cell.robot, cell.joints);
 }
 
+// A pose that could not be read again.
+Error tooFar(const std::string& name, const Pose& pose) {
+  const std::string most = shownText(kFarthestBody);
+  const std::string farthest = shownText(pose.translation().cwiseAbs().maxCoeff());
+  return {ErrorCode::ValueOutOfRange, {name, farthest, "-" + most, most}, {}, {}};
+}
+
 }  // namespace
 
 Result<Pose> poseOfFrame(const NamedFrame& frame, const CellPlacement& cell) {
@@ -76,11 +83,7 @@ Result<NamedFrame> carriedFrame(NamedFrame frame, std::uint32_t body, const std:
   frame.link = body == 0 ? link : std::string();
   frame = frameAt(std::move(frame), *pose, cell);
   if (isRigid(frame.pose)) return frame;
-  const std::string most = shownText(kFarthestBody);
-  return Error{ErrorCode::ValueOutOfRange,
-               {frame.name, shownText(frame.pose.translation().cwiseAbs().maxCoeff()), "-" + most, most},
-               {},
-               {}};
+  return tooFar(frame.name, frame.pose);
 }
 
 NamedFrame frameAt(NamedFrame frame, const Pose& pose, const CellPlacement& cell) {
@@ -119,7 +122,8 @@ Result<NamedTarget> targetInFrame(NamedTarget target, const std::string& frame, 
   target.body = 0;
   target.frame = frame;
   target.pose = base->inverse(Eigen::Isometry) * *pose;
-  return target;
+  if (isRigid(target.pose)) return target;
+  return tooFar(target.name, target.pose);
 }
 
 Pose shownPose(const NamedTarget& target, const CellPlacement& cell) {

@@ -26,7 +26,7 @@ class PlansReading {
 
   CellPlans read(const json& stored) {
     readConfigurations(listAt(stored, "configurations"));
-    for (const json& entry : listAt(stored, "frames")) readFrame(entry);
+    for (const json& entry : listAt(stored, "frames", CellPlans::kMostFrames)) readFrame(entry);
     for (const json& entry : listAt(stored, "targets")) readTarget(entry);
     for (const json& entry : listAt(stored, "paths")) readOnePath(entry);
     for (const json& pair : listAt(stored, "allowed")) {
@@ -48,13 +48,13 @@ class PlansReading {
 
  private:
   // No more than a cell can hold; that others are left out is noted.
-  std::span<const json> listAt(const json& object, const char* key) {
+  std::span<const json> listAt(const json& object, const char* key, std::size_t most = CellPlans::kMost) {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_array()) return {};
     const std::span<const json> all = found->get_ref<const json::array_t&>();
-    if (all.size() <= CellPlans::kMost) return all;
-    note({ErrorCode::FileTooLarge, {key, std::to_string(all.size()), std::to_string(CellPlans::kMost)}, {}, {}});
-    return all.first(CellPlans::kMost);
+    if (all.size() <= most) return all;
+    note({ErrorCode::FileTooLarge, {key, std::to_string(all.size()), std::to_string(most)}, {}, {}});
+    return all.first(most);
   }
 
   Pose toolFrom(const json& object, const char* key) {
@@ -96,7 +96,8 @@ class PlansReading {
     if (!pose) return;
     const std::uint32_t body = bodyIn(entry);
     const std::string link = body == 0 ? stringAt(entry, "link") : std::string();
-    m_plans.frames.push_back({m_frameNames.take(stringAt(entry, "name", "frame")), *pose, body, link});
+    const std::string name = stringAt(entry, "name");
+    m_plans.frames.push_back({m_frameNames.take(name.empty() ? "frame" : name), *pose, body, link});
   }
 
   void readTarget(const json& entry) {

@@ -25,7 +25,7 @@ Status checkCounts(const CellPlans& plans) {
   if (plans.configurations.size() > kMost) return full("configurations", plans.configurations.size(), kMost);
   if (plans.targets.size() > kMost) return full("targets", plans.targets.size(), kMost);
   if (plans.paths.size() > kMost) return full("paths", plans.paths.size(), kMost);
-  if (plans.frames.size() > kMost) return full("frames", plans.frames.size(), kMost);
+  if (plans.frames.size() > CellPlans::kMostFrames) return full("frames", plans.frames.size(), CellPlans::kMostFrames);
   if (plans.allowed.size() > kMost) return full("allowed pairs", plans.allowed.size(), kMost);
   if (places > RobotPath::kMostPlaces) return full("places of a path", places, RobotPath::kMostPlaces);
   return Done{};

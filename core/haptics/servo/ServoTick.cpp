@@ -146,12 +146,15 @@ void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {
   m_wasForceOn = isForceOn;
 }
 
-// Whether another view has changed the force by more than may be felt at once. The hand has no part in it: in the tick
-// that takes up a mapping the tip does not follow it, or has leapt.
+// Whether another view has changed force or torque by more than may be felt at once. The hand has no part in it: in the
+// tick that takes up a mapping the tip does not follow it, or has leapt.
 bool ServoTick::isMoveFelt(const DeviceForce& asked) {
-  const double change = (asked.force - m_asked).norm();
-  const bool isFelt = m_isMoved && !(change <= m_chain.settings().rampThreshold);
-  m_asked = asked.force;
+  constexpr double kFeltTurn = 0.025;  // of the largest torque, as the threshold of force is of usual devices
+  const SafetySettings& safety = m_chain.settings();
+  const double change = (asked.force - m_asked.force).norm(), turn = (asked.torque - m_asked.torque).norm();
+  const bool isTurnFelt = safety.maxTorque > 0.0 && !(turn <= kFeltTurn * safety.maxTorque);
+  const bool isFelt = m_isMoved && (isTurnFelt || !(change <= safety.rampThreshold));
+  m_asked = asked;
   m_isMoved = false;
   return isFelt;
 }

@@ -75,7 +75,7 @@ class ServoTick {
   bool m_isRestart = true;      // the tip does not come from where it was
   bool m_isMoved = false;       // the mapping is another than in the tick before, of which:
   Vec3 m_proxy = Vec3::Zero();  // mm, in the scene
-  Vec3 m_asked = Vec3::Zero();  // N, at the device
+  DeviceForce m_asked;
 };
 
 }  // namespace handwheel

@@ -151,7 +151,9 @@ Result<PostCheck> checkWritten(const PostProcessor& post, const RobotProgram& pr
             ? Pose(program.frame.inverse(Eigen::Isometry) * program.arm.tipPose(*motion.joints) * program.tool)
             : *motion.pose;
     compare(wanted, got, check);
-    if (motion.frame) compare(program.frame, *motion.frame, check);
+    if (!motion.frame) continue;
+    compare(program.frame, *motion.frame, check);
+    check.isInFrame = true;
   }
   return check;
 }

@@ -62,6 +62,7 @@ struct PostCheck {
   double distance = 0.0;  // mm, the largest
   double angle = 0.0;     // degrees
   std::size_t motions = 0;
+  bool isInFrame = false;  // some of them are read in a frame that the program has
 };
 // Reads a program back, computes where its motions end and compares these with the program (forward kinematics), and so
 // the frames that they are in, their kinds, speeds and blends: a speed is the one wanted as far as the languages can

@@ -166,13 +166,19 @@ Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion:
   return motion;
 }
 
+std::string urFunctionName(const RobotProgram& program) {
+  return identifierBeside(kUrWords, program.name, 60);
+}
+
 // Whether lines lead to poses in the frame of the cell, which is a variable of this name then. A pose has to be in the
 // controller's base, which ROS' base_link is turned by 180° against.
 bool isInUrFrame(const RobotProgram& program) {
   return program.isBaseOfController && !program.frameName.empty();
 }
+// Beside the name of the function, which takes no value.
 std::string urFrameName(const RobotProgram& program) {
-  return "frame_" + identifierOf(program.frameName, 50);
+  const std::string name = "frame_" + identifierOf(program.frameName, 50);
+  return lowerCase(name) == lowerCase(urFunctionName(program)) ? name + "_1" : name;
 }
 
 std::string urMotion(const RobotProgram& program, std::size_t i) {
@@ -295,16 +301,19 @@ ProgramRoutines urRoutines(const std::vector<ProgramStatement>& statements) {
 }  // namespace
 
 std::string UrScriptPost::write(const RobotProgram& program) const {
-  const std::string name = identifierBeside(kUrWords, program.name, 60);
+  const std::string name = urFunctionName(program);
+  RobotProgram head = program;
+  if (!isInUrFrame(program)) head.frameName.clear();
   std::string text;
-  for (const std::string& remark : headRemarks(program)) text += "# " + remark + "\n";
+  for (const std::string& remark : headRemarks(head)) text += "# " + remark + "\n";
   text += "def " + name + "():\n  set_tcp(" + urPose(program.tool) + ")\n";
   text += "  # The load is that of the installation. An assumption was: set_payload(" +
           fixedText(std::max(0.001, program.toolMass), 3) + ")\n";
   if (isInUrFrame(program))
     text += "  " + urFrameName(program) + " = " + urPose(program.frame) + "\n";
   else if (!program.frameName.empty())
-    text += "  # That frame in the base of the robot's description: " + urPose(program.frame) + "\n";
+    text += "  # The frame " + identifierOf(program.frameName, 60) +
+            " in the base of the robot's description, not used here: " + urPose(program.frame) + "\n";
   for (std::size_t i = 0; i < program.motions.size(); ++i) text += urMotion(program, i);
   return text + "end\n\n# Leave this call out where the file is sent to a port of the controller.\n" + name + "()\n";
 }

@@ -105,7 +105,8 @@ class FreeNames {
 // What is planned in a robot cell. Names are unique among configurations and targets
 // together, among paths, and among frames, and not empty.
 struct CellPlans {
-  static constexpr std::size_t kMost = 10'000;  // configurations; targets; paths; frames
+  static constexpr std::size_t kMost = 10'000;  // configurations; targets; paths
+  static constexpr std::size_t kMostFrames = 100;
 
   std::vector<NamedConfiguration> configurations;
   std::vector<NamedTarget> targets;

@@ -129,7 +129,8 @@ Status changeFrames(const OperationValues& values, const RobotCellSnapshot& cell
     if (!body) return body.error();
     carrier = (*body)->id;
   }
-  Result<NamedFrame> carried = carriedFrame(std::move(frame), carrier, values.text("link"), placementIn(cell, plans));
+  const std::string link = values.isSet("link") ? values.text("link") : std::string();
+  Result<NamedFrame> carried = carriedFrame(std::move(frame), carrier, link, placementIn(cell, plans));
   if (!carried) return carried.error();
   store(plans.frames, std::move(carried).value());
   return Done{};

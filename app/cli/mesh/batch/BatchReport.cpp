@@ -115,6 +115,16 @@ std::string row(std::string_view name, const Total& total) {
          rightAligned(std::to_string(total.filled), 15) + rightAligned(oneDecimal(total.seconds), 12) + "\n";
 }
 
+// Options of the report of an earlier version, as Arguments names and orders them now.
+void nameAsNow(std::vector<std::string>& options) {
+  constexpr std::string_view kFormer = "--rims=", kNow = "--open-sheets=";
+  for (std::string& option : options)
+    if (option.starts_with(kFormer)) option.replace(0, kFormer.size(), kNow);
+  std::stable_sort(options.begin(), options.end(), [](const std::string& a, const std::string& b) {
+    return a.substr(0, a.find('=')) < b.substr(0, b.find('='));
+  });
+}
+
 }  // namespace
 
 std::string textOf(const BatchReport& report) {
@@ -142,6 +152,7 @@ Result<std::optional<BatchReport>> readBatchReport(const std::filesystem::path& 
   BatchReport report;
   take(*json, "batch", report.program);
   take(*json, "options", report.options);
+  nameAsNow(report.options);
   take(*json, "unit", report.unit);
   for (const nlohmann::json& file : *files) {
     BatchEntry entry;

@@ -122,7 +122,7 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
     return Error{DocumentError::CheckFailed, {std::string("the ") + post.title() + " program"}, {}, output.string()};
   const Status written = writeFileAtomically(output, text, {});
   if (!written) return written.error();
-  WrittenProgram result{*check, 0, otherRobot(scene, post), plans.workFrame};
+  WrittenProgram result{*check, 0, otherRobot(scene, post), check->isInFrame ? plans.workFrame : ""};
   for (std::size_t i = 0; i < path.places.size(); ++i)
     result.exactStops += path.places[i].blend > 0.0 && checked.blends[i] == 0.0 ? 1 : 0;
   return result;

@@ -15,7 +15,7 @@ struct WrittenProgram {
   std::size_t exactStops = 0;  // places whose blend was not certified, or that the language has none for
   // The robot, if it comes with the program and the controller is known to move those of another maker; else empty.
   std::string otherRobot = {};
-  std::string frame = {};  // CellPlans::workFrame
+  std::string frame = {};  // CellPlans::workFrame, if places of the program are in it
 };
 
 // What becomes of a path that is free, but leads along a curve of a part that stands elsewhere now.

@@ -148,7 +148,7 @@ class CellPlansTest : public QObject {
     const Status full = checkCounts(plans);
     QVERIFY(!full.hasValue() && full.error().code == CellError::PlansFull);
     plans.targets.pop_back();
-    plans.frames.resize(most + 1);
+    plans.frames.resize(CellPlans::kMostFrames + 1);
     QVERIFY(!checkCounts(plans).hasValue());
     plans.frames.pop_back();
     QVERIFY(checkCounts(plans).hasValue());

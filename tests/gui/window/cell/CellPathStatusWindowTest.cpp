@@ -260,8 +260,8 @@ class CellPathStatusWindowTest : public QObject {
       if (action->menu()) groups += QString(action->text()).remove('&');
     }
     QVERIFY(entries <= 16);
-    QCOMPARE(groups,
-             QStringList({"Robots", "Bodies", "Configurations and targets", "Paths", "Verification", "Programs"}));
+    QCOMPARE(groups, QStringList({"Robots", "Bodies", "Configurations, targets and frames", "Paths", "Verification",
+                                  "Programs"}));
   }
 };
 

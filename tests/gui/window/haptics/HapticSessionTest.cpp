@@ -331,14 +331,14 @@ class HapticSessionTest : public QObject {
     };
     b.plugged.set({{"fake", "well", "Well"}});
     b.session->setWatching(true);
-    QTRY_COMPARE(b.session->found().size(), 3);
+    QTRY_COMPARE(b.session->found().size(), 4);
     b.session->setWatching(false);
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
     b.plugged.set({});
     isGone->store(true);
     QTRY_COMPARE(b.session->status(), DeviceStatus::Absent);
-    QTRY_COMPARE(b.session->found().size(), 2);
+    QTRY_COMPARE(b.session->found().size(), 3);
     QCOMPARE(b.session->chosen().address, std::string("well"));
     b.plugged.set({{"fake", "well/2", "Well"}});
     QTRY_COMPARE_WITH_TIMEOUT(b.session->chosen().address, std::string("well/2"), 20000);
@@ -357,7 +357,7 @@ class HapticSessionTest : public QObject {
     };
     b.plugged.set({{"fake", "well", "Well"}});
     b.session->setWatching(true);
-    QTRY_COMPARE(b.session->found().size(), 3);
+    QTRY_COMPARE(b.session->found().size(), 4);
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
     isGone->store(true);
@@ -372,16 +372,17 @@ class HapticSessionTest : public QObject {
 
   void whatIsPluggedInIsFound() {
     HapticSessionBench b;
-    QCOMPARE(b.session->found().size(), 2);
+    QCOMPARE(b.session->found().size(), 3);
     QCOMPARE(b.session->found()[0].driver, std::string("simulated"));
-    QCOMPARE(b.session->found()[1].driver, std::string("mouse"));
+    QCOMPARE(b.session->found()[1].address, std::string("turned-hand"));
+    QCOMPARE(b.session->found()[2].driver, std::string("mouse"));
     QSignalSpy changed(b.session.get(), &HapticSession::foundChanged);
     b.plugged.set({{"fake", "well", "Well"}});
     b.session->setWatching(true);
-    QTRY_COMPARE(b.session->found().size(), 3);
-    QCOMPARE(b.session->found()[2].name, std::string("Well"));
+    QTRY_COMPARE(b.session->found().size(), 4);
+    QCOMPARE(b.session->found()[3].name, std::string("Well"));
     b.plugged.set({});
-    QTRY_COMPARE_WITH_TIMEOUT(b.session->found().size(), 2, 20000);
+    QTRY_COMPARE_WITH_TIMEOUT(b.session->found().size(), 3, 20000);
     QCOMPARE(changed.count(), 2);
     b.session->setWatching(false);
   }
