@@ -18,7 +18,8 @@ constexpr double kMostParts = 64.0;     // of the depth, at one place
 
 }  // namespace
 
-ControlPointCut::ControlPointCut(const TurnedProfile& profile, double resolution) {
+ControlPointCut::ControlPointCut(const TurnedProfile& profile, double resolution, bool isInParts)
+    : m_isInParts(isInParts) {
   const double wanted = std::clamp(std::isfinite(resolution) ? resolution : 1.0, kLeastResolution, kLargestResolution);
   m_spans = static_cast<std::size_t>(std::max(1.0, std::ceil(profile.length() / wanted)));
   m_span = profile.length() / static_cast<double>(m_spans);
@@ -111,6 +112,7 @@ TurnedProfile::Range ControlPointCut::move(TurnedProfile& profile, TurningSide s
 // In how many parts a depth is taken at most where the nose has come to on a way from where it was free. A round nose
 // is no deeper there than that way and the flank that it has gone into; without a way it begins, at any depth.
 double ControlPointCut::mostPartsAfter(double way, double noseRadius) const {
+  if (!m_isInParts) return 1.0;
   if (way == 0.0) return kMostParts;
   return std::clamp(std::ceil(kPartsPerSpan * (way + std::sqrt(2.0 * noseRadius * way)) / m_span), 1.0, kMostParts);
 }
@@ -148,7 +150,8 @@ TurnedProfile::Range ControlPointCut::cut(TurnedProfile& profile, TurningSide si
   const double places = placesOn(profile, a, b, noseRadius);
   const double parts = mostPartsAfter((b - a).norm() / places, noseRadius);
   for (int i = 0; i <= static_cast<int>(places); ++i)
-    changed.extend(cutAt(profile, side, a + i / places * (b - a), noseRadius, i == 0 ? kMostParts : parts));
+    changed.extend(
+        cutAt(profile, side, a + i / places * (b - a), noseRadius, i == 0 ? mostPartsAfter(0.0, noseRadius) : parts));
   return changed;
 }
 
@@ -158,7 +161,7 @@ double ControlPointCut::work(const TurnedProfile& profile, const ProfilePoint& a
   if (under == 0.0) return 0.0;
   const double places = placesOn(profile, a, b, noseRadius);
   const double each = std::min(under, 2.0 * noseRadius / profile.spacing() + 1.0) + 3.0 * m_span / profile.spacing();
-  const double way = (b - a).norm() / places, first = isFree ? 1.0 : kMostParts;
+  const double way = (b - a).norm() / places, first = isFree ? 1.0 : mostPartsAfter(0.0, noseRadius);
   const double rest = way > 0.0 ? places * mostPartsAfter(way, noseRadius) : 1.0;  // at the same place it is free
   return (first + rest) * static_cast<double>(movesUnder(noseRadius) + 1) * each;
 }

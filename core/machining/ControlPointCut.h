@@ -24,8 +24,9 @@ class ControlPointCut {
  public:
   static constexpr double kLeastResolution = 0.01, kLargestResolution = 100.0;  // mm
 
-  // resolution: mm between control points; brought into these limits, and so that the length is a multiple.
-  ControlPointCut(const TurnedProfile& profile, double resolution);
+  // resolution: mm between control points; brought into these limits, and so that the length is a multiple. isInParts:
+  // whether a depth is taken in parts; programs before that took it whole, and their passes repeat so.
+  ControlPointCut(const TurnedProfile& profile, double resolution, bool isInParts = true);
 
   // Cuts with a nose of this radius (mm) whose centre moves straight from a to b, (r, z). Returns the samples that
   // changed. Points that are not finite cut nothing. O(work()).
@@ -53,6 +54,7 @@ class ControlPointCut {
 
   std::size_t m_spans;
   double m_span;  // mm, between two knots
+  bool m_isInParts;
 };
 
 }  // namespace handwheel

@@ -90,7 +90,7 @@ TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const P
   if (how.tool) return cutWithTool(profile, *how.tool, a, b).changed;
   if (how.noseRadius == 0.0) return cutByPoint(profile, how.side, a, b);
   if (how.method == TurningMethod::Poles)
-    return ControlPointCut(profile, how.resolution).cut(profile, how.side, a, b, how.noseRadius);
+    return ControlPointCut(profile, how.resolution, how.isInParts).cut(profile, how.side, a, b, how.noseRadius);
   return how.side == TurningSide::Bore ? profile.cutBore(a, b, how.noseRadius) : profile.cut(a, b, how.noseRadius);
 }
 
@@ -110,7 +110,7 @@ TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progre
 std::uint64_t samplesUnder(const TurnedProfile& profile, const TurningPass& pass) {
   constexpr double kMost = 1e18;
   if (pass.thread) return 0;
-  const ControlPointCut poles(profile, pass.resolution);
+  const ControlPointCut poles(profile, pass.resolution, pass.isInParts);
   double sum = 0.0;
   for (std::size_t i = 0; i < pass.path.size(); ++i) {
     const ProfilePoint &a = pointBefore(pass, i), &b = pass.path[i];

@@ -28,6 +28,7 @@ struct TurningPass {
   TurningSide side = TurningSide::Outside;
   TurningMethod method = TurningMethod::Trim;
   double resolution = 1.0;  // mm, between control points where these are moved
+  bool isInParts = true;    // of TurningMethod::Poles: a depth is taken in parts, as ControlPointCut has it
   // Of a lathe: its shape cuts, and the path is that of its tip. Null: the round nose alone.
   std::shared_ptr<const LatheTool> tool = {};
   // Of a thread: the pass leaves a groove (PartThreads) in the profile, which stays as it is: the envelope.

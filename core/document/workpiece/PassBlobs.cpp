@@ -25,7 +25,7 @@ constexpr const char *kRight = "right", *kLeft = "left";  // values of "hand"
 // Keys of passes and of their threads.
 constexpr const char *kNose = "nose_radius", *kPoints = "points", *kTool = "tool", *kSpindleSpeed = "spindle_speed",
                      *kHasSpeeds = "speeds", *kThread = "thread", *kSide = "side", *kMethod = "method",
-                     *kResolutionKey = "resolution", *kHand = "hand";
+                     *kResolutionKey = "resolution", *kParts = "parts", *kHand = "hand";
 constexpr std::size_t kMostPasses = 100'000;
 constexpr double kLargestSpeed = 1e5;     // r/min
 constexpr std::size_t kPointNumbers = 3;  // time, r, z
@@ -124,6 +124,7 @@ std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray
   if (const auto method = entry.find(kMethod); method != entry.end()) {
     pass.method = TurningMethod::Poles;
     pass.resolution = numberIn(entry, kResolutionKey);
+    pass.isInParts = isTrueIn(entry, kParts);  // programs that took a depth whole did not write it
     const bool isSound =
         pass.resolution >= ControlPointCut::kLeastResolution && pass.resolution <= ControlPointCut::kLargestResolution;
     if (*method != kPoles || !isSound) return std::nullopt;
@@ -177,6 +178,7 @@ nlohmann::json writePasses(const TurningPasses& passes, Container& container) {
     if (pass.method == TurningMethod::Poles) {
       entry[kMethod] = kPoles;
       entry[kResolutionKey] = pass.resolution;
+      if (pass.isInParts) entry[kParts] = true;
     }
     listed.push_back(std::move(entry));
   }

@@ -77,6 +77,44 @@ class ControlPointCutTest : public QObject {
     QVERIFY(std::abs(part.radius(at) - (20.0 - kDepth)) < 1e-9);
   }
 
+  // A pass without parts, as older programs cut it: each control point moves by the whole depth that is left, wherever
+  // that is deepest. By the definition, with a nose that is nearly three spans deep. No sample is at a knot, where two
+  // control points would be equally strong.
+  void aPassWithoutPartsTakesTheWholeDepth() {
+    constexpr double kNose = 4.0, kAt = 37.13, kResolution = 0.7;
+    constexpr int kSpans = 143, kMoves = 15;  // as many as there are poles in 8 mm, and 3 beyond
+    TurningPass pass;
+    pass.noseRadius = kNose;
+    pass.method = TurningMethod::Poles;
+    pass.resolution = kResolution;
+    pass.path = {{22.0, kAt}};
+    pass.times = {0.0};
+    TurnedProfile inParts(kShaft, 0.1), whole = inParts;
+    std::vector<double> expected(whole.size(), 20.0);
+    const auto basis = [&](int pole, std::size_t i) { return cardinal(pole, 2, whole.z(i) * kSpans / 100.0, kSpans); };
+    for (int move = 0; move < kMoves; ++move) {
+      std::size_t deepest = 0;
+      double depth = 0.0;
+      for (std::size_t i = 0; i < whole.size(); ++i) {
+        const double along = whole.z(i) - kAt;
+        if (std::abs(along) > kNose) continue;
+        const double left = expected[i] - (22.0 - std::sqrt(kNose * kNose - along * along));
+        if (left > depth) deepest = i, depth = left;
+      }
+      if (!(depth > 1e-12)) break;
+      int strongest = 0;
+      for (int k = 1; k < kSpans + 2; ++k)
+        if (basis(k, deepest) > basis(strongest, deepest)) strongest = k;
+      const double by = depth / basis(strongest, deepest);
+      for (std::size_t i = 0; i < whole.size(); ++i) expected[i] -= by * basis(strongest, i);
+    }
+    cut(inParts, pass);
+    pass.isInParts = false;
+    cut(whole, pass);
+    for (std::size_t i = 0; i < whole.size(); ++i) QVERIFY(std::abs(whole.radius(i) - expected[i]) < 1e-9);
+    QVERIFY(largestDistance(inParts, whole) > 0.1);
+  }
+
   void materialOnlyLeavesAndNothingFolds() {
     QVERIFY(rc::check("radii of both sides only go apart from the material", [] {
       TurnedProfile part(kShaft, 1.0);

@@ -36,6 +36,7 @@ TurningPass anyPass() {
   if (*rc::gen::inRange(0, 3) == 0) {
     pass.method = TurningMethod::Poles;
     pass.resolution = anyBetween(0.5, 5.0);
+    pass.isInParts = *rc::gen::inRange(0, 2) == 1;
   }
   const int count = *rc::gen::inRange(1, 20);
   for (int i = 0; i < count; ++i) {
@@ -80,6 +81,32 @@ class TurnedPartTest : public QObject {
     loaded = m_kind.load(container, damage, {});
     QVERIFY(loaded && damage.size() >= 2);
     QVERIFY(!static_cast<const WorkpieceSnapshot&>(**loaded).part);
+  }
+
+  // Programs that took a depth whole did not say how they did: their passes are cut so again.
+  void aPassThatDoesNotTellItsPartsIsCutWhole() {
+    WorkpieceSnapshot workpiece;
+    TurningPass pass;
+    pass.noseRadius = 4.0;
+    pass.method = TurningMethod::Poles;
+    pass.resolution = 0.5;
+    pass.path = {{27.0, 37.13}};  // 2 mm deep in the bar of 25 mm
+    pass.times = {0.0};
+    workpiece.part = withPass(workpiece, pass, 0.1);
+    pass.isInParts = false;
+    WorkpieceSnapshot older;
+    older.part = withPass(older, pass, 0.1);
+    QVERIFY(!(workpiece.part->profile == older.part->profile));
+    Container container;
+    m_kind.save(workpiece, container);
+    nlohmann::json& listed = (*container.manifest)["document"]["turned"]["passes"][0];
+    QCOMPARE(listed.at("parts").get<bool>(), true);
+    listed.erase("parts");
+    container.blobs.erase("workpiece/radii/0000");  // so that it is cut once more
+    std::vector<Error> damage;
+    const auto loaded = m_kind.load(container, damage, {});
+    QVERIFY(loaded && damage.size() == 1);
+    QVERIFY(isSame(static_cast<const WorkpieceSnapshot&>(**loaded), older));
   }
 
   // Of 100,000 samples in two chunks the second is lost: that many.

@@ -24,7 +24,7 @@ inline bool isSame(const WorkpieceSnapshot& a, const WorkpieceSnapshot& b) {
   for (std::size_t i = 0; i < a.part->passes.size(); ++i) {
     const TurningPass &p = *a.part->passes[i], &q = *b.part->passes[i];
     if (p.noseRadius != q.noseRadius || p.side != q.side || p.method != q.method || p.resolution != q.resolution ||
-        p.path != q.path || p.times != q.times)
+        p.isInParts != q.isInParts || p.path != q.path || p.times != q.times)
       return false;
   }
   return true;
