@@ -7,6 +7,7 @@
 #include "simulation/turning/HandPass.h"
 
 #include <sstream>
+#include <string_view>
 
 namespace handwheel {
 
@@ -43,6 +44,17 @@ std::optional<TurningPass> cuttingAfter(const std::string& event, const std::opt
   return blank;
 }
 
+// The events of one tick, which a table of a recording has in one field (RecordingCsv.cpp).
+std::vector<std::string> eventsIn(const std::string& text) {
+  constexpr std::string_view kSeparator = "; ";
+  std::vector<std::string> events;
+  std::size_t begin = 0;
+  for (std::size_t end = 0; (end = text.find(kSeparator, begin)) != text.npos; begin = end + kSeparator.size())
+    events.push_back(text.substr(begin, end - begin));
+  events.push_back(text.substr(begin));
+  return events;
+}
+
 bool isSameCutting(const std::optional<TurningPass>& one, const TurningPass& other) {
   return one && one->side == other.side && one->noseRadius == other.noseRadius && one->method == other.method &&
          one->resolution == other.resolution;
@@ -66,8 +78,10 @@ std::optional<std::vector<TurningPass>> passesOf(const Recording& recording, dou
   for (std::size_t i = 0; i < recording.size(); ++i) {
     const RecordedTick& tick = recording[i];
     for (; event != recording.events().end() && event->tick < tick.tick; ++event) {
-      if (event->text == "tool lathe") return std::nullopt;
-      cutting = cuttingAfter(event->text, cutting);
+      for (const std::string& each : eventsIn(event->text)) {
+        if (each == "tool lathe") return std::nullopt;
+        cutting = cuttingAfter(each, cutting);
+      }
     }
     const bool isHeld = (tick.tip.buttons & 1u) != 0, isPressed = isHeld && !wasHeld;
     wasHeld = isHeld;

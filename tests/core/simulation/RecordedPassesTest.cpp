@@ -48,6 +48,7 @@ struct HandAtWork {
     tool.side = blank.side;
     sources.push_back(std::make_unique<TurningForce>(channel, tool, kHandBase));
     SceneForces forces(std::move(sources));
+    recording.addEvent({ticks, "no tool"});  // as the window puts one away before another
     recording.addEvent({ticks, "tool " + recordedTurning(blank)});
     loop.setGesture(++gesture);
     channel->inputs->setDeviceGesture(gesture);
@@ -151,6 +152,13 @@ class RecordedPassesTest : public QObject {
     }
     QVERIFY(read("tool measure")->empty() && read("no tool")->empty());
     QVERIFY(!read("tool lathe"));
+    // A table has all events of a tick in one field.
+    const auto changed = read("no tool; tool turn bore nose 0.8");
+    QVERIFY(changed && changed->size() == 1 && changed->front().noseRadius == 0.8);
+    QVERIFY(changed->front().side == TurningSide::Bore);
+    const auto mapped = read("tool turn nose 0.4; mapping");
+    QVERIFY(mapped && mapped->size() == 1 && mapped->front().noseRadius == 0.4);
+    QVERIFY(read("tool turn; no tool")->empty() && !read("no tool; tool lathe"));
   }
 
   // Another nose while the button is held drops the pass, as in the window.
