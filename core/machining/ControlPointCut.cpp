@@ -11,10 +11,13 @@ namespace handwheel {
 namespace {
 
 constexpr double kPlacesPerSpan = 4.0;  // of the nose on its way, between two knots
-constexpr double kMostVisits = 1e8;     // of samples, in one step of the path: some 0.3 s
+constexpr double kMostVisits = 1e8;     // of samples, in one look at each place of a step of the path
 constexpr double kDepthLeft = 1e-12;    // mm: the nose counts as free
 constexpr double kPartsPerSpan = 4.0;   // of the depth, in as much of it as the distance of two knots
 constexpr double kMostParts = 64.0;     // of the depth, at one place
+// On its way a nose is deep beside walls only, where few control points are below it: in each part but the last, whose
+// moves make it free, it takes these.
+constexpr std::size_t kMovesOnItsWay = 2;
 
 }  // namespace
 
@@ -121,15 +124,15 @@ double ControlPointCut::mostPartsAfter(double way, double noseRadius) const {
 // much beside u: so d is a fraction of the distance of the control points, as if the nose came in straight from
 // outside.
 TurnedProfile::Range ControlPointCut::cutAt(TurnedProfile& profile, TurningSide side, const ProfilePoint& nose,
-                                            double radius, double mostParts) const {
+                                            double radius, double mostParts, std::size_t movesBefore) const {
   TurnedProfile::Range changed;
   const double depth = deepestUnder(profile, side, nose, radius).depth;
   // A depth that is whole parts but for rounding is as many.
   const double parts = std::clamp(std::ceil(kPartsPerSpan * depth / m_span - 1e-9), 1.0, mostParts);
   const double out = side == TurningSide::Bore ? -depth : depth;
-  const std::size_t moves = movesUnder(radius);
   for (double left = parts - 1.0; left >= 0.0; --left) {
     const ProfilePoint place = nose + ProfilePoint(left / parts * out, 0.0);
+    const std::size_t moves = left == 0.0 ? movesUnder(radius) : movesBefore;
     for (std::size_t k = 0; k < moves; ++k) {
       const Deepest deepest = deepestUnder(profile, side, place, radius);
       if (!(deepest.depth > kDepthLeft)) break;
@@ -149,9 +152,9 @@ TurnedProfile::Range ControlPointCut::cut(TurnedProfile& profile, TurningSide si
   if (profile.samplesUnder(a, b, noseRadius).isEmpty()) return changed;
   const double places = placesOn(profile, a, b, noseRadius);
   const double parts = mostPartsAfter((b - a).norm() / places, noseRadius);
-  for (int i = 0; i <= static_cast<int>(places); ++i)
-    changed.extend(
-        cutAt(profile, side, a + i / places * (b - a), noseRadius, i == 0 ? mostPartsAfter(0.0, noseRadius) : parts));
+  changed.extend(cutAt(profile, side, a, noseRadius, mostPartsAfter(0.0, noseRadius), movesUnder(noseRadius)));
+  for (int i = 1; i <= static_cast<int>(places); ++i)
+    changed.extend(cutAt(profile, side, a + i / places * (b - a), noseRadius, parts, kMovesOnItsWay));
   return changed;
 }
 
@@ -161,9 +164,11 @@ double ControlPointCut::work(const TurnedProfile& profile, const ProfilePoint& a
   if (under == 0.0) return 0.0;
   const double places = placesOn(profile, a, b, noseRadius);
   const double each = std::min(under, 2.0 * noseRadius / profile.spacing() + 1.0) + 3.0 * m_span / profile.spacing();
+  const auto moves = static_cast<double>(movesUnder(noseRadius));
   const double way = (b - a).norm() / places, first = isFree ? 1.0 : mostPartsAfter(0.0, noseRadius);
-  const double rest = way > 0.0 ? places * mostPartsAfter(way, noseRadius) : 1.0;  // at the same place it is free
-  return (first + rest) * static_cast<double>(movesUnder(noseRadius) + 1) * each;
+  const double parts = way > 0.0 ? mostPartsAfter(way, noseRadius) : 1.0;  // at the same place it is free
+  const double onItsWay = static_cast<double>(kMovesOnItsWay) * (parts - 1.0) + moves;
+  return (first * moves + 1.0 + places * (onItsWay + 1.0)) * each;
 }
 
 }  // namespace handwheel

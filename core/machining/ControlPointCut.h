@@ -47,7 +47,7 @@ class ControlPointCut {
   std::size_t movesUnder(double noseRadius) const;
   double mostPartsAfter(double way, double noseRadius) const;
   TurnedProfile::Range cutAt(TurnedProfile& profile, TurningSide side, const ProfilePoint& nose, double radius,
-                             double mostParts) const;
+                             double mostParts, std::size_t movesBefore) const;
   double placesOn(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b, double noseRadius) const;
   Deepest deepestUnder(const TurnedProfile& profile, TurningSide side, const ProfilePoint& nose, double radius) const;
   TurnedProfile::Range move(TurnedProfile& profile, TurningSide side, std::size_t pole, double by) const;

@@ -115,6 +115,27 @@ class ControlPointCutTest : public QObject {
     QVERIFY(largestDistance(inParts, whole) > 0.1);
   }
 
+  // Parts are few, or of few moves, where a hand goes on a hundredth of a millimetre at a time: what a review may
+  // repeat is about as long as without them.
+  void partsCostLittle() {
+    const TurnedProfile part(kShaft, 0.01);
+    TurningPass pass;
+    pass.noseRadius = 4.0;
+    pass.method = TurningMethod::Poles;
+    for (int i = 0; i < 2000; ++i) {
+      pass.path.emplace_back(22.0, 90.0 - 0.02 * i);
+      pass.times.push_back(0.002 * i);
+    }
+    for (const double resolution : {2.0, 0.5, 0.12}) {
+      pass.resolution = resolution;
+      pass.isInParts = true;
+      const auto inParts = static_cast<double>(samplesUnder(part, pass));
+      pass.isInParts = false;
+      const auto whole = static_cast<double>(samplesUnder(part, pass));
+      QVERIFY2(inParts >= whole && inParts < 1.5 * whole, qPrintable(QString::number(inParts / whole)));
+    }
+  }
+
   void materialOnlyLeavesAndNothingFolds() {
     QVERIFY(rc::check("radii of both sides only go apart from the material", [] {
       TurnedProfile part(kShaft, 1.0);
