@@ -30,6 +30,8 @@ namespace handwheel {
 namespace {
 
 constexpr const char* kTouchesNothing = "The path does not touch the part.";
+constexpr const char* kNoWorkOnALathe =
+    "This is no work on a lathe: give a workpiece, or what was handed in of an exercise of turning.";
 
 std::size_t passCount(const WorkpieceSnapshot& workpiece) {
   return workpiece.part ? workpiece.part->passes.size() : 0;
@@ -88,14 +90,19 @@ Result<OpenedFile> openInput(const TurnRequest& request, const DocumentKinds& ki
   return opened;
 }
 
-// The workpiece after the work in a document is done on it again. Errors: those of the file, Unsupported, Cancelled.
+// The workpiece after the work in a document is done on it again. source: gets that file, with its damage. unreadable:
+// a sentence, where there is no such work in it. Errors: those of the file, Cancelled.
 Result<WorkpieceSnapshot> turnByDocument(const WorkpieceSnapshot& workpiece, const TurnRequest& request,
-                                         const DocumentKinds& kinds, TurnStatistics& figures, Progress progress) {
-  const Result<OpenedFile> opened = kinds.open(request.recording, {}, progress.part(0.0, 0.2));
+                                         const DocumentKinds& kinds, TurnStatistics& figures, DocumentFile& source,
+                                         std::string& unreadable, Progress progress) {
+  Result<OpenedFile> opened = kinds.open(request.recording, {}, progress.part(0.0, 0.2));
   if (!opened) return opened.error();
+  source = std::move(opened->file);
+  source.lost.clear();  // it is not written, so nothing is not kept
   if (const auto work = turnedWorkIn(opened->content))
     return turnByWork(workpiece, *work, request, figures, progress.part(0.2, 1.0));
-  return Error{ErrorCode::Unsupported, {"a recording that is not work on a lathe"}, {}, request.recording.string()};
+  unreadable = kNoWorkOnALathe;
+  return workpiece;
 }
 
 int replay(const WorkpieceSnapshot& workpiece, bool asJson) {
@@ -144,6 +151,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   std::string unreadable;
   std::vector<std::string> remarks;
   TurnStatistics figures;
+  DocumentFile recorded;
   std::optional<Result<TargetProfile>> target;
   std::optional<Result<WorkpieceSnapshot>> turned;
   std::optional<Result<WrittenFile>> written;
@@ -154,7 +162,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
     if (!request.program.empty())
       turned = turnByProgram(*given, request, figures, remarks, cutting);
     else if (isContainerName(request.recording))
-      turned = turnByDocument(*given, request, kinds, figures, cutting);
+      turned = turnByDocument(*given, request, kinds, figures, recorded, unreadable, cutting);
     else
       turned = turnByRecording(*given, request, figures, unreadable, cutting);
     if (*turned && passCount(turned->value()) > passCount(*given))
@@ -162,6 +170,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   });
   if (target && !*target) return fail(target->error());
   if (!*turned) return fail(turned->error());
+  reportLosses(recorded);
   if (!unreadable.empty()) return refuse(request.recording.string() + ": " + unreadable);
   const WorkpieceSnapshot& after = turned->value();
   figures.removed = volumeOf(*given) - volumeOf(after);
