@@ -6,7 +6,6 @@
 #include "document/FileBytes.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "haptics/recording/RecordingCsv.h"
-#include "machining/force/WorkMaterials.h"
 #include "simulation/turning/RecordedPasses.h"
 
 #include <cmath>
@@ -72,11 +71,15 @@ Result<std::vector<TurningPass>> readPasses(const TurnRequest& request, double b
 }
 
 // The workpiece after these passes. Error: Cancelled.
-Result<WorkpieceSnapshot> turn(WorkpieceSnapshot workpiece, std::vector<TurningPass> passes, double spacing,
-                               Progress progress) {
+Result<WorkpieceSnapshot> turn(WorkpieceSnapshot workpiece, std::vector<TurningPass> passes, const TurnRequest& request,
+                               TurnStatistics& figures, Progress progress) {
   const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(passes.size()); };
   for (std::size_t i = 0; i < passes.size(); ++i) {
-    auto turned = withPass(workpiece, std::move(passes[i]), spacing, progress.part(share(i), share(i + 1)));
+    const Progress both = progress.part(share(i), share(i + 1));
+    const TurnedProfile before = partOf(workpiece, request.spacing).profile;
+    if (!addPass(figures, before, passes[i], request.material, request.spindle, both.part(0.0, 0.4)))
+      return Error{ErrorCode::Cancelled, {}, {}, {}};
+    auto turned = withPass(workpiece, std::move(passes[i]), request.spacing, both.part(0.4, 1.0));
     if (!turned) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (!turned->passes.empty()) workpiece.part = std::move(turned);  // else it is the bar still
   }
@@ -94,20 +97,9 @@ Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, co
     pass.noseRadius = request.noseRadius.value_or(pass.noseRadius);
     pass.method = request.method.value_or(pass.method);
     pass.resolution = request.resolution.value_or(pass.resolution);
-  }
-  CuttingEdge edge;
-  if (!passes->empty()) edge.noseRadius = passes->front().noseRadius;
-  const std::unique_ptr<CuttingForceModel> model = kienzleModel(request.material, edge);
-  const std::optional<ForcePeaks> peaks = forcePeaks(partOf(workpiece, request.spacing).profile, *passes,
-                                                     {request.spindle, 0.0}, *model, progress.part(0.2, 0.5));
-  if (!peaks) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  figures.force = peaks->force;
-  figures.power = peaks->power;
-  for (TurningPass& pass : *passes) {
-    figures.time += pass.times.empty() ? 0.0 : pass.times.back();
     if (pass.speeds.empty()) pass.speeds.assign(pass.path.size(), request.spindle);
   }
-  return turn(workpiece, std::move(passes.value()), request.spacing, progress.part(0.5, 1.0));
+  return turn(workpiece, std::move(passes.value()), request, figures, progress.part(0.2, 1.0));
 }
 
 }  // namespace handwheel

@@ -3,9 +3,6 @@
 #include "cli/workpiece/TurnByWork.h"
 
 #include "document/workpiece/TurnedPartEdit.h"
-#include "machining/force/WorkMaterials.h"
-
-#include <algorithm>
 
 namespace handwheel {
 
@@ -22,21 +19,6 @@ WorkpieceSnapshot sampledAs(WorkpieceSnapshot workpiece, const WorkpieceSnapshot
   return workpiece;
 }
 
-// Adds the peaks of one pass. Threads and abrasives are not of Kienzle's law. False: cancelled.
-bool addPeaks(TurnStatistics& figures, const TurnedProfile& profile, const TurningPass& pass,
-              const TurnRequest& request, Progress progress) {
-  if (pass.thread || (pass.tool && pass.tool->isAbrasive())) return true;
-  CuttingEdge edge;
-  edge.noseRadius = pass.noseRadius;
-  const std::unique_ptr<CuttingForceModel> model = kienzleModel(request.material, edge);
-  const double speed = pass.speeds.empty() ? request.spindle : pass.speeds.front();
-  const std::optional<ForcePeaks> peaks = forcePeaks(profile, {&pass, 1}, {speed, 0.0}, *model, progress);
-  if (!peaks) return false;
-  figures.force = std::max(figures.force, peaks->force);
-  figures.power = std::max(figures.power, peaks->power);
-  return true;
-}
-
 }  // namespace
 
 Result<WorkpieceSnapshot> turnByWork(WorkpieceSnapshot workpiece, const WorkpieceSnapshot& work,
@@ -50,9 +32,9 @@ Result<WorkpieceSnapshot> turnByWork(WorkpieceSnapshot workpiece, const Workpiec
       return 0.7 * static_cast<double>(n) / static_cast<double>(work.part->passes.size());
     };
     const Progress part = progress.part(share(passes.size()), share(passes.size() + 1));
-    if (!addPeaks(figures, profile, *pass, request, part)) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    if (!pass->thread) cut(profile, *pass, part);
-    figures.time += pass->times.empty() ? 0.0 : pass->times.back();
+    if (!addPass(figures, profile, *pass, request.material, request.spindle, part))
+      return Error{ErrorCode::Cancelled, {}, {}, {}};
+    cut(profile, *pass, part);
     passes.push_back(*pass);
   }
   auto made = withPasses(turned, std::move(passes), request.spacing, progress.part(0.7, 1.0));

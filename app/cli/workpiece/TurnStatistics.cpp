@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "document/FileBytes.h"
+#include "machining/force/ForcePeaks.h"
 #include "machining/refit/SampledProfile.h"
 #include "machining/target/Drawing.h"
 #include "machining/target/DxfReader.h"
@@ -34,6 +35,21 @@ std::string forceText(double newtons) {
 }
 
 }  // namespace
+
+bool addPass(TurnStatistics& figures, const TurnedProfile& profile, const TurningPass& pass,
+             const WorkMaterial& material, double spindle, Progress progress) {
+  figures.time += pass.times.empty() ? 0.0 : pass.times.back();
+  if (pass.thread || (pass.tool && pass.tool->isAbrasive())) return true;
+  CuttingEdge edge;
+  edge.noseRadius = pass.noseRadius;
+  const std::unique_ptr<CuttingForceModel> model = kienzleModel(material, edge);
+  const double speed = pass.speeds.empty() ? spindle : pass.speeds.front();
+  const std::optional<ForcePeaks> peaks = forcePeaks(profile, {&pass, 1}, {speed, 0.0}, *model, progress);
+  if (!peaks) return false;
+  figures.force = std::max(figures.force, peaks->force);
+  figures.power = std::max(figures.power, peaks->power);
+  return true;
+}
 
 std::string statisticsAsJson(const TurnStatistics& figures) {
   nlohmann::ordered_json json = {{"removed_mm3", figures.removed}, {"max_force_N", figures.force},

@@ -4,7 +4,7 @@
 
 #include "document/DocumentKind.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
-#include "machining/force/ForcePeaks.h"
+#include "machining/force/WorkMaterials.h"
 #include "machining/target/TargetProfile.h"
 
 #include <filesystem>
@@ -21,6 +21,11 @@ struct TurnStatistics {
   std::optional<double> profileError;     // mm, from a target
   nlohmann::json finish;                  // as finishJson() has it; null where nothing was cut
 };
+
+// Adds the time of a pass and its peaks on a part that has this profile before it. spindle: r/min, of a pass that does
+// not tell its own. Threads and abrasives are not of Kienzle's law: they have no force here. False: cancelled.
+bool addPass(TurnStatistics& figures, const TurnedProfile& profile, const TurningPass& pass,
+             const WorkMaterial& material, double spindle, Progress progress);
 
 // As JSON with the keys removed_mm3, max_force_N, max_power_kW, collisions, time_s, profile_error_mm, finish.
 std::string statisticsAsJson(const TurnStatistics& figures);
