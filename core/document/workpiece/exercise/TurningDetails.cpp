@@ -190,14 +190,14 @@ ReportEvent eventOf(const LatheCollision& crash, double zero) {
   return {crash.time, {kTexts[static_cast<std::size_t>(crash.cause)], place}};
 }
 
-// The heaviest cut, and an event where the lathe has not what it takes.
+// The heaviest cut, and an event where the lathe has not what it takes. limit: of the lathe; 0: it takes any.
 void addPeak(ReportDetails& details, const char* figure, const std::vector<MeasuredPart::Load>& loads,
              double MeasuredPart::Load::*which, double limit, const char* text, int digits) {
   const auto largest =
       std::max_element(loads.begin(), loads.end(), [&](const auto& a, const auto& b) { return a.*which < b.*which; });
   if (largest == loads.end()) return;
   details.figures.push_back({figure, (*largest).*which});
-  if (!((*largest).*which > limit)) return;
+  if (!(limit > 0.0 && (*largest).*which > limit)) return;
   details.events.push_back({largest->time, {text, {roundedText((*largest).*which, digits), roundedText(limit, 4)}}});
 }
 

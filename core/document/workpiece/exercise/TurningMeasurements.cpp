@@ -127,14 +127,15 @@ Measurement threadReading(const MarkingCriterion& c, const TurnedProfile& profil
            {std::to_string(reading->grooves), roundedText(reading->largestError, 3)}}};
 }
 
-// The peak of one of the loads. limit: what the lathe has; tooHeavy: that it was more.
+// The peak of one of the loads. limit: what the lathe has, 0: any; tooHeavy: that it was more.
 Measurement peak(const MarkingCriterion& c, const std::vector<MeasuredPart::Load>& loads,
                  double MeasuredPart::Load::*which, double limit, const char* tooHeavy) {
   if (loads.empty()) return {c.id, 0.0, {}};
   const auto largest =
       std::max_element(loads.begin(), loads.end(), [&](const auto& a, const auto& b) { return a.*which < b.*which; });
   const std::string time = roundedText(largest->time, 4);
-  if ((*largest).*which > limit) return {c.id, (*largest).*which, {tooHeavy, {time, roundedText(limit, 4)}}};
+  if (limit > 0.0 && (*largest).*which > limit)
+    return {c.id, (*largest).*which, {tooHeavy, {time, roundedText(limit, 4)}}};
   return {c.id, (*largest).*which, {QT_TRANSLATE_NOOP("Note", "after %1 s"), {time}}};
 }
 

@@ -104,9 +104,9 @@ std::vector<MarkingCriterion> TurningSubject::targetSizes(const ExerciseTask& ta
 
 std::optional<double> TurningSubject::usualLimit(const std::string& figure, const ExerciseTask& task) const {
   if (figure == "crashes") return 0.0;
-  if (figure == "force") return turningOf(task).forceLimit;
-  if (figure == "power") return turningOf(task).powerLimit;
-  return std::nullopt;
+  if (figure != "force" && figure != "power") return std::nullopt;
+  const double limit = figure == "force" ? turningOf(task).forceLimit : turningOf(task).powerLimit;
+  return limit > 0.0 ? std::optional(limit) : std::nullopt;
 }
 
 std::string TurningSubject::placeProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const {

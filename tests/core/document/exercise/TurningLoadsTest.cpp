@@ -62,10 +62,12 @@ class TurningLoadsTest : public QObject {
     task.powerLimit = 1.0;
     QVERIFY2(remark("force").ends_with("; too heavy a cut: the lathe takes 1000 N"), remark("force").c_str());
     QVERIFY2(remark("power").ends_with("; too heavy a cut: the lathe has 1 kW"), remark("power").c_str());
-    task.forceLimit = 2000.0;
-    task.powerLimit = 2.0;
-    for (const char* const figure : {"force", "power"})
-      QVERIFY2(remark(figure).starts_with("after ") && remark(figure).ends_with(" s"), remark(figure).c_str());
+    for (const auto& [force, power] : {std::pair(2000.0, 2.0), std::pair(0.0, 0.0)}) {  // 0: the lathe takes any
+      task.forceLimit = force;
+      task.powerLimit = power;
+      for (const char* const figure : {"force", "power"})
+        QVERIFY2(remark(figure).starts_with("after ") && remark(figure).ends_with(" s"), remark(figure).c_str());
+    }
   }
 
   // What is said of a pass, or of a program, is of that alone, whatever was cut before.
@@ -145,6 +147,7 @@ class TurningLoadsTest : public QObject {
     };
     // The law says 1173 N and 1.47 kW: forceAndPower().
     QCOMPARE(events(1300.0, 1.6), std::string());
+    QCOMPARE(events(0.0, 0.0), std::string());  // no limits
     const auto figures = loadedShoulder()->subject->details(task, *snapshot, {}).figures;
     QCOMPARE(figures.size(), std::size_t{2});
     QVERIFY(figures[0].figure == "force" && std::abs(figures[0].value / 1173.0 - 1.0) < 0.05);
@@ -165,6 +168,10 @@ class TurningLoadsTest : public QObject {
       const Marking good = markWork(scheme, *workFrom(scheme, shoulderWork()), {});
       QCOMPARE(good.find(added.id)->points, added.points);
     }
+    TurningTask unlimited = task;
+    unlimited.forceLimit = unlimited.powerLimit = 0.0;
+    for (const char* const figure : {"force", "power"})
+      QVERIFY(!loadedShoulder()->subject->usualLimit(figure, unlimited));
     const MeasurementType* const diameter = measurementType(turningMeasurementTypes(), "diameter");
     QVERIFY(!withNewCriterion(*loadedShoulder(), *diameter).exercise.criteria.back().hasLimit());
     // However often the tool strikes, no more is lost than the points of the mark.
