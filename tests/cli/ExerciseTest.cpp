@@ -291,6 +291,26 @@ class ExerciseTest : public QObject {
     QVERIFY(!bench.names().contains("x.handwheel"));
   }
 
+  // A lathe that stands has no speed for a recording, which is turned at 500 r/min then: 1 mm/s is a feed of 0.12 mm,
+  // and a nose of 1 mm leaves f²/(32 R).
+  void aRecordingOnALatheThatStands() {
+    const Bench bench;
+    QFile file(kShaft);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    nlohmann::json standing = nlohmann::json::parse(file.readAll().toStdString());
+    standing["task"]["spindle_speed"] = 0;
+    bench.put("standing.exercise.json", QByteArray::fromStdString(standing.dump()));
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,20,0,125\n65,20,0,60\n");
+    const Ran ran =
+        bench.run({"turn", "standing.exercise.json", "--recording", "p.csv", "-o", "part.handwheel", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json json = nlohmann::json::parse(ran.out.toStdString());
+    QVERIFY2(json["max_force_N"].is_number() && json["max_force_N"].get<double>() > 0.0, ran.out);
+    const nlohmann::json outside = json["finish"]["outside"];
+    QCOMPARE(outside.size(), std::size_t{1});
+    QVERIFY2(std::abs(outside[0]["roughness_um"].get<double>() - 0.45) < 1e-4, ran.out);
+  }
+
   // One point is told as one.
   void aSinglePoint() {
     const Bench bench;

@@ -210,6 +210,22 @@ class TurnTest : public QObject {
     }
   }
 
+  // Passes that are lost of the work that is repeated are told.
+  void damageOfTheRecordedWorkIsSaid() {
+    const Bench bench;
+    bench.put("p.csv", kPath);
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"turn", "bar.handwheel", "--path", "p.csv", "-o", "part.handwheel"}).code, 0);
+    const Ran whole = bench.run({"turn", "bar.handwheel", "--recording", "part.handwheel", "-o", "again.handwheel"});
+    QVERIFY2(whole.code == 0 && !whole.err.contains("missing"), whole.err);
+    QByteArray damaged = bench.content("part.handwheel");
+    damaged.replace("workpiece/path/", "workpiece/pXth/");  // in the local header and in the directory
+    bench.put("damaged.handwheel", damaged);
+    const Ran ran = bench.run({"turn", "bar.handwheel", "--recording", "damaged.handwheel", "-o", "x.handwheel"});
+    QVERIFY2(ran.code == 2 && ran.err.contains("'workpiece/path/0000' is missing"), ran.err);
+    QVERIFY(!bench.names().contains("x.handwheel"));
+  }
+
   // Units, and six digits: 25² π · 100 mm³ and 2 · 25² π + 50 π · 100 mm².
   void isInspectedWithUnits() {
     const Bench bench;
@@ -247,6 +263,11 @@ class TurnTest : public QObject {
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "bad.csv", "-o", "x.handwheel"}, "y_mm, z_mm"));
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "none.csv", "-o", "x.handwheel"}, "none.csv"));
     QVERIFY(refuses({"turn", "a.off", "--path", "p.csv", "-o", "x.handwheel"}, "not a workpiece"));
+    QCOMPARE(bench.run({"convert", "a.off", "mesh.handwheel"}).code, 0);
+    QVERIFY(refuses({"turn", "bar.handwheel", "--recording", "mesh.handwheel", "-o", "x.handwheel"},
+                    "mesh.handwheel: This is no work on a lathe: give a workpiece"));
+    QVERIFY(refuses({"turn", "bar.handwheel", "--recording", "bar.handwheel", "--spacing", "0.1", "-o", "x.handwheel"},
+                    "--spacing is not for a document"));
     QVERIFY(!bench.names().contains("x.handwheel"));
   }
 };

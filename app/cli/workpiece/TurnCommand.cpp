@@ -116,9 +116,14 @@ int replay(const WorkpieceSnapshot& workpiece, bool asJson) {
   return code == kExitDone && !isSame ? kExitSomethingLeft : code;
 }
 
+// The speed of a lathe, r/min, unless the words tell one. 0 is none that cuts.
+void useSpindle(double speed, const Arguments& arguments, TurnRequest& request) {
+  if (speed > 0.0 && !arguments.has("spindle")) request.spindle = speed;
+}
+
 // Of an exercise: its material and its speed, unless the words say otherwise. Its chuck is that of the workpiece.
 void useMachineOf(const TurningTask& task, const Arguments& arguments, TurnRequest& request) {
-  if (!arguments.has("spindle")) request.spindle = task.lathe.spindleSpeed;
+  useSpindle(task.lathe.spindleSpeed, arguments, request);
   const WorkMaterials& materials = WorkMaterials::standard();
   const WorkMaterial* const material = materials.find(task.material);
   if (material && !arguments.has("material")) request.material = *material;
@@ -146,8 +151,8 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   if (const std::string refusal = refusalToOverwrite(request.output, inputs); !refusal.empty()) return refuse(refusal);
   if (exercise)
     useMachineOf(*exercise->task, arguments, request);
-  else if (!request.bar && !arguments.has("spindle") && !request.recording.empty())
-    request.spindle = latheOf(*given).spindle.speed;
+  else if (!request.bar)
+    useSpindle(latheOf(*given).spindle.speed, arguments, request);
   std::string unreadable;
   std::vector<std::string> remarks;
   TurnStatistics figures;
@@ -232,7 +237,8 @@ std::vector<Command> workpieceCommands() {
              "the nose radius"},
             {"resolution", 0, "MM", "Distance of these control points, 0.05 to 10 (default 0.5)"},
             {"target", 0, "FILE", "A drawing (.dxf, .svg) or workpiece to compare with, upper end at upper end"},
-            {"spacing", 0, "MM", "Sample spacing of the profile, for a bar that was not cut yet"},
+            {"spacing", 0, "MM",
+             "Sample spacing of the profile, for a bar that was not cut yet; not with a document as R"},
             {"replay", 0, "", "Replay the passes of STOCK on its bar and compare the result, bit for bit"},
             {"json", 0, "", "Report as JSON"},
             {"help", 'h', "", "Show this help"},

@@ -85,6 +85,8 @@ std::string readTurnRequest(const Arguments& arguments, TurnRequest& request) {
   if (isContainerName(request.recording))
     for (const char* const each : {"nose", "method", "resolution"})
       if (arguments.has(each)) return std::string("--") + each + " is not for a document, whose passes have their own.";
+  if (isContainerName(request.recording) && arguments.has("spacing"))
+    return "--spacing is not for a document, whose part has its own.";
   if (request.isReplay && arguments.has("output")) return "--replay writes nothing: leave out -o.";
   for (const auto read : {readNose, readMethod, readDialect, readMaterial})
     if (std::string problem = read(arguments, request); !problem.empty()) return problem;
