@@ -33,8 +33,9 @@ class HybridPart {
   };
 
   // voxel: mm. O(n log n) and no voxel. Errors: those of volumeOfSurface() that do not come from voxels:
-  // MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange, VolumeErrors::TooFine, NoVoxelInside and NothingInside
-  // (of a surface that encloses nothing by its triangles), Cancelled.
+  // MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange, VolumeErrors::TooFine, NothingInside (of a surface that
+  // encloses nothing by the sum of its triangles; voxels may still find a body beside one that is inside out),
+  // Cancelled.
   static Result<HybridPart> of(const TriangleSoup& soup, double voxel, Progress progress = {});
 
   // What is left of the part, where it is made; the grid is that of volumeOfSurface().

@@ -137,6 +137,8 @@ Status drillWhole(const DrillRequest& request, const OpenedFile& opened, const P
 Result<bool> drillHybrid(const DrillRequest& request, const OpenedFile& opened, const PoseTrajectory& path, double rate,
                          DrillAnswer& done, Progress progress) {
   Result<HybridPart> part = hybridOf(opened, request.part, done.voxel, progress.part(0.0, 0.4));
+  // Bodies that are inside out can outweigh sound ones, which voxels tell.
+  if (!part && part.error().code == VolumeErrors::NothingInside) return false;
   if (!part) return part.error();
   Result<Drilled> drilled = drillAlong(*part, done.setup, path, rate, progress.part(0.4, 1.0));
   if (!drilled) return drilled.error();

@@ -6,6 +6,7 @@
 
 #include <QTest>
 #include <cmath>
+#include <utility>
 
 using namespace handwheel;
 
@@ -95,6 +96,28 @@ class DrillTest : public QObject {
     const auto figures = drillJson(ran.out);
     QVERIFY(!figures["hybrid"].get<bool>());
     QVERIFY(std::abs(figures["removed_mm3"].get<double>() / (M_PI * 4.0 * 20.0) - 1.0) < 0.015);
+  }
+
+  // A body that is inside out encloses nothing, and takes nothing from the sound one beside it, however large it is:
+  // the whole part tells. Alone it is refused.
+  void besideABodyInsideOut() {
+    const Bench bench;
+    Shape insideOut = cube(20.0);
+    for (auto& face : insideOut.faces) std::swap(face[1], face[2]);
+    bench.put("a.off", cube(5.0).add(insideOut, {10.0, 0.0, 0.0}).off());
+    bench.put("b.off", insideOut.off());
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,2.53,2.47,8\n1,2.53,2.47,-3\n");
+    const QStringList words{"--path", "p.csv", "--tool", "ball:3", "--voxel", "0.125", "--rate", "200", "--json"};
+    const Ran ran = bench.run(QStringList{"drill", "a.off"} + words);
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto figures = drillJson(ran.out);
+    QVERIFY(!figures["hybrid"].get<bool>());
+    const double exact = M_PI * 1.5 * 1.5 * 5.0;
+    QVERIFY(std::abs(figures["removed_mm3"].get<double>() / exact - 1.0) < 0.03);  // by voxels on the border
+    const Ran alone = bench.run(QStringList{"drill", "b.off"} + words);
+    QCOMPARE(alone.code, 1);
+    QVERIFY(alone.out.isEmpty() && alone.err.contains("b.off"));
   }
 };
 
