@@ -194,8 +194,9 @@ void VolumeUi::followFidelity() {
 void VolumeUi::begin(const QString&) {
   Job job;
   job.name = tr("Making the skull");
-  job.work = [this](Progress) {
-    OpenedFile opened{&m_kind, {}, skullContent(m_kind.pieceCells())};
+  // This may be gone while the worker runs: its thread has the kind, which outlives the window.
+  job.work = [this, &kind = m_kind](Progress) {
+    OpenedFile opened{&kind, {}, skullContent(kind.pieceCells())};
     opened.file.id = newDocumentId();
     return Job::Finish([this, opened]() mutable { parts().openDocument(std::move(opened)); });
   };
