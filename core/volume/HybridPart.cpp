@@ -78,6 +78,7 @@ Result<HybridPart> HybridPart::of(const TriangleSoup& soup, double voxel, Progre
   const Result<ClosedSurfaceInVoxels> prepared =
       closedInGrid(soup, voxel, WindingNumberFill::kWide, {}, progress.part(0.0, 0.5));
   if (!prepared) return prepared.error();
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};  // then what was closed may be half of it
   if (!(prepared->enclosed() > 0.0)) return prepared->nothingInside();
   HybridPart part;
   part.m_triangles = TriangleHierarchy(prepared->closed.points, prepared->closed.triangles, progress.part(0.5, 1.0));
