@@ -141,11 +141,12 @@ SnapshotPointer VolumeKind::blank() const {
   static std::mutex mutex;
   static std::map<int, SnapshotPointer> made;
   const std::lock_guard lock(mutex);
-  SnapshotPointer& known = made[m_pieceCells];
+  const int cells = m_pieceCells;  // another thread may set it
+  SnapshotPointer& known = made[cells];
   if (known) return known;
   auto ball = std::make_shared<VolumeSnapshot>();
   ball->volume = ballOfVoxels(kRadius, kVoxel);
-  ball->surface = VolumeSurface(ball->volume, {}, m_pieceCells);
+  ball->surface = VolumeSurface(ball->volume, {}, cells);
   return known = std::move(ball);
 }
 
