@@ -34,6 +34,8 @@ std::string_view taken(std::string_view& text, char separator) {
 
 class PathReader {
  public:
+  explicit PathReader(StrokeColumn strokes) : m_read(strokes == StrokeColumn::Read ? kNames.size() : kNeeded) {}
+
   TipTrajectory read(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // some editors put it there
     while (!text.empty() && m_path.problem.empty()) {
@@ -54,7 +56,7 @@ class PathReader {
     std::string_view rest = line;
     for (std::size_t column = 0; !rest.empty(); ++column) {
       const std::string_view name = taken(rest, ',');
-      for (std::size_t k = 0; k < kNames.size(); ++k) {
+      for (std::size_t k = 0; k < m_read; ++k) {
         if (name != kNames[k]) continue;
         if (m_columns[k] != kMissing) return refuse("There are two columns " + std::string(name) + ".");
         m_columns[k] = column;
@@ -108,14 +110,15 @@ class PathReader {
 
   TipTrajectory m_path;
   std::array<std::size_t, kNames.size()> m_columns{};
+  std::size_t m_read;  // so many of kNames
   bool m_hasHeader = false;
   std::uint64_t m_line = 0;
 };
 
 }  // namespace
 
-TipTrajectory readTipTrajectory(std::string_view text) {
-  return PathReader().read(text);
+TipTrajectory readTipTrajectory(std::string_view text, StrokeColumn strokes) {
+  return PathReader(strokes).read(text);
 }
 
 }  // namespace handwheel

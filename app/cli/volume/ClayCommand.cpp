@@ -158,7 +158,7 @@ int runClay(const Arguments& arguments, const DocumentKinds& kinds) {
     error.subject = strokes.string();
     return fail(error);
   }
-  const TipTrajectory path = readTipTrajectory(*text);
+  const TipTrajectory path = readTipTrajectory(*text, StrokeColumn::Read);
   if (!path.problem.empty()) return refuse(strokes.string() + ": " + path.problem);
   ClayRequest request{arguments.operands[0], arguments.valueOf("output"), sampling.given("voxel"), strokesOf(path), {}};
   if (request.strokes.empty())

@@ -259,6 +259,10 @@ class ClayTest : public QObject {
     QTest::newRow("unsorted") << head + "1,1,2,3\n0,1,2,3\n" << out << QByteArray("Line 3: The time must not decrease");
     QTest::newRow("half a stroke") << QByteArray("t_s,x_mm,y_mm,z_mm,stroke\n0,1,2,3,0.5\n") << out
                                    << QByteArray("Line 2: The number of a stroke");
+    QTest::newRow("two columns") << QByteArray("t_s,x_mm,y_mm,z_mm,stroke,stroke\n0,1,2,3,1,1\n") << out
+                                 << QByteArray("Line 1: There are two columns stroke");
+    QTest::newRow("no number") << QByteArray("t_s,x_mm,y_mm,z_mm,stroke\n0,1,2,3,first\n") << out
+                               << QByteArray("Line 2: 'first'");
     QTest::newRow("no stroke") << QByteArray("t_s,x_mm,y_mm,z_mm,stroke\n0,1,2,3,0\n") << out
                                << QByteArray("number its strokes");
     QTest::newRow("an age") << head + "0,1,2,3\n1e9,1,2,4\n" << out << QByteArray("can be followed at this rate");

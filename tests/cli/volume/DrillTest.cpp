@@ -69,6 +69,25 @@ class DrillTest : public QObject {
     QVERIFY(figures["voxel_MB_at_most"].get<double>() < 10.0 && figures["voxels_made"].get<double>() > 0.0);
   }
 
+  // Columns that a path does not need may hold anything, also those that number the strokes of a hand elsewhere.
+  void otherColumns() {
+    const Bench bench;
+    bench.put("a.off", cube(20.0).off());
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.1,9.9,23\n1,10.1,9.9,15\n2,10.1,9.9,23\n3,10.1,9.9,15\n");
+    bench.put("q.csv",
+              "stroke,t_s,x_mm,y_mm,z_mm,stroke\n2.5,0,10.1,9.9,23,first\n,1,10.1,9.9,15,\n-1,2,10.1,9.9,23,nan\n"
+              "1,3,10.1,9.9,15\n");
+    const auto removedBy = [&](const char* path) {
+      const Ran ran = bench.run(
+          {"drill", "a.off", "--path", path, "--voxel", "0.25", "--rate", "100", "--tool", "ball:4", "--json"});
+      if (ran.code != 0) qWarning("%s", ran.err.constData());
+      return ran.code == 0 ? drillJson(ran.out)["removed_mm3"].get<double>() : -1.0;
+    };
+    const double removed = removedBy("p.csv");
+    QVERIFY(removed > 0.0);
+    QCOMPARE(removedBy("q.csv"), removed);
+  }
+
   // Beside the part nothing is drilled, and no voxel is made.
   void besideThePart() {
     const Bench bench;
