@@ -135,8 +135,11 @@ CommandSpec claySpec() {
         "none of them"}}};
   for (OptionSpec& option : optionsOf(clayOperation())) spec.options.push_back(std::move(option));
   spec.options.push_back({"output", 'o', "OUT", "The volume (.handwheel, .vdb, .nrrd), or its surface as a mesh"});
-  for (OptionSpec& option : optionsOf(voxelizeOperation(), {"method", "wall"}))
+  for (OptionSpec& option : optionsOf(voxelizeOperation(), {"method", "wall"})) {
+    if (option.name == "voxel")
+      option.help = "Edge of a voxel, for a part that is not a volume yet; default: a 256th of the largest extent";
     spec.options.push_back(std::move(option));
+  }
   spec.options.push_back(consentOption());
   spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
   spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
