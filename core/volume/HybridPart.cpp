@@ -216,12 +216,17 @@ TriangleSoup HybridPart::trianglesIn(const Box& box) const {
   return soup;
 }
 
+std::size_t HybridPart::bytes() const {
+  constexpr std::size_t kKey = sizeof(Key) + 48;  // with its node in a set
+  // The blocks that both have are counted once.
+  std::size_t sum = m_left.bytes() + m_before.bytes() - (m_before.blockCount() - m_originals) * sizeof(VolumeBlock);
+  for (const auto& [key, rows] : m_rows) sum += rows->bytes();
+  return sum + m_cut.size() * kKey;
+}
+
 void HybridPart::count() {
   m_figures.mostBlocks = std::max(m_figures.mostBlocks, blockCount());
-  // The blocks that both have are counted once.
-  std::size_t bytes = m_left.bytes() + m_before.bytes() - (m_before.blockCount() - m_originals) * sizeof(VolumeBlock);
-  for (const auto& [key, rows] : m_rows) bytes += rows->bytes();
-  m_figures.mostBytes = std::max(m_figures.mostBytes, bytes);
+  m_figures.mostBytes = std::max(m_figures.mostBytes, bytes());
 }
 
 }  // namespace handwheel

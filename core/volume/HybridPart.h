@@ -29,7 +29,7 @@ class HybridPart {
   struct Figures {
     std::size_t blocksMade = 0;  // of triangles, in all: what came back counts again
     std::size_t mostBlocks = 0;  // at once
-    std::size_t mostBytes = 0;   // of voxels and of the rows that sign them, at once
+    std::size_t mostBytes = 0;   // as bytes(), at once
   };
 
   // voxel: mm. O(n log n) and no voxel. Errors: those of volumeOfSurface() that do not come from voxels:
@@ -59,6 +59,7 @@ class HybridPart {
   bool isExact() const;
   const Figures& figures() const { return m_figures; }
   std::size_t blockCount() const { return m_left.blockCount() + m_originals; }  // at present
+  std::size_t bytes() const;  // of voxels, of what was cut and of the rows that sign them, at present; O(rows)
 
  private:
   using Key = std::array<int, 3>;  // along z, y, x

@@ -38,4 +38,11 @@ std::optional<Error> consentRefusal(double voxel, double bytes, bool isAgreed) {
   return errorOf(VolumeErrors::NeedsConsent, voxel, bytes);
 }
 
+std::optional<Error> VolumeGrowth::refusalAt(double bytes) {
+  const double growth = bytes - m_bytes;
+  if (!(growth >= kBetweenLooks)) return std::nullopt;
+  m_bytes = bytes;
+  return memoryRefusal(m_voxel, growth);
+}
+
 }  // namespace handwheel

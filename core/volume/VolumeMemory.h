@@ -19,4 +19,21 @@ bool needsConsent(double bytes);
 // is. What is predicted may be too much: whoever insists is refused only where the volume itself turns out too large.
 std::optional<Error> consentRefusal(double voxel, double bytes, bool isAgreed);
 
+// Watches a volume that grows while it is worked on, by no more than the system has left.
+class VolumeGrowth {
+ public:
+  static constexpr double kBetweenLooks = 64e6;  // bytes of growth; a look reads a file of the system
+
+  // bytes: what it takes before. voxel: mm.
+  VolumeGrowth(double voxel, double bytes) : m_voxel(voxel), m_bytes(bytes) {}
+
+  // What it takes now; to be called often. The error where the system does not have as much again left as it has grown
+  // by since the last look: VolumeErrors::TooLarge.
+  std::optional<Error> refusalAt(double bytes);
+
+ private:
+  double m_voxel;
+  double m_bytes;  // at the last look
+};
+
 }  // namespace handwheel

@@ -7,6 +7,7 @@
 #include "tools/volume/ClayTool.h"
 #include "tools/volume/VolumeOperations.h"
 #include "volume/VolumeErrors.h"
+#include "volume/VolumeMemory.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -82,14 +83,24 @@ Box boxOf(const VolumeSurface& surface) {
   return box;
 }
 
-// Leads a simulation along a stroke, and lets it finish each of its steps.
+double bytesOf(const ClayState& state) {
+  return static_cast<double>(state.volume.bytes() + state.surface.bytes() + (state.mask ? state.mask->bytes() : 0));
+}
+
+std::shared_ptr<const ClayState> stateOf(const ClaySimulation& simulation) {
+  return std::static_pointer_cast<const ClayState>(simulation.state());
+}
+
+// Leads a simulation along a stroke, and lets it finish each of its steps. It fails as VolumeGrowth does.
 class LedStroke {
  public:
-  LedStroke(ClaySimulation& simulation, double radius) : m_simulation(simulation), m_longest(kRadiiAtOnce * radius) {}
+  LedStroke(ClaySimulation& simulation, double radius, VolumeGrowth& growth)
+      : m_simulation(simulation), m_growth(growth), m_longest(kRadiiAtOnce * radius) {}
 
-  void add(const Vec3& place, double time) {
+  Status add(const Vec3& place, double time) {
     const double way = m_inputs.empty() ? 0.0 : (place - m_inputs.back().proxy).norm();
-    if (!m_inputs.empty() && (time >= m_begin + kPeriod || m_way + way > m_longest)) step();
+    if (!m_inputs.empty() && (time >= m_begin + kPeriod || m_way + way > m_longest))
+      if (const Status stepped = step(); !stepped) return stepped;
     if (m_inputs.empty()) m_begin = time;
     m_way += way;
     SimulationInput input;
@@ -97,26 +108,30 @@ class LedStroke {
     input.tip.time = time;
     input.gesture = 1;
     m_inputs.push_back(input);
+    return Done{};
   }
-  void end() {
+  Status end() {
     SimulationInput input;
     input.gesture = 1;
     input.isEnd = true;
     m_inputs.push_back(input);
-    step();
+    return step();
   }
 
  private:
   static constexpr double kPeriod = 1.0 / ClayTool::kRate;  // s
 
-  void step() {
+  Status step() {
     m_simulation.step(kPeriod, m_inputs);
     m_simulation.finish();
     m_inputs.clear();
     m_way = 0.0;
+    if (const auto refusal = m_growth.refusalAt(bytesOf(*stateOf(m_simulation)))) return *refusal;
+    return Done{};
   }
 
   ClaySimulation& m_simulation;
+  VolumeGrowth& m_growth;
   double m_longest;                       // mm, in a step
   std::vector<SimulationInput> m_inputs;  // of the next step
   double m_begin = 0.0;                   // s, of that
@@ -215,28 +230,32 @@ Result<Sculpted> sculptAlong(const std::shared_ptr<const VolumeSnapshot>& part, 
   begin->mask = part->mask;
   std::shared_ptr<const ClayState> state = std::move(begin);
   const auto channel = std::make_shared<ClayChannel>();
+  VolumeGrowth growth(part->volume.voxel(), bytesOf(*state));
   std::set<std::array<int, 3>> changed;
   Sculpted done;
   for (std::size_t s = 0; s < strokes.size(); ++s) {
     const HandStroke& stroke = strokes[s];
     if (stroke.empty()) continue;
     ClaySimulation simulation(state, brush, channel);
-    LedStroke led(simulation, brush.radius);
-    led.add(stroke.front().position, stroke.front().time);
+    LedStroke led(simulation, brush.radius, growth);
+    Status isLed = led.add(stroke.front().position, stroke.front().time);
     for (std::size_t i = 1; i < stroke.size(); ++i) {
       const HandPose &from = stroke[i - 1], &to = stroke[i];
       const double count = placesBetween(from, to, brush.radius, rate);
       for (double k = 1.0; k <= count; ++k) {
         if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
         const double share = k / count, gone = static_cast<double>(i) - 1.0 + share;
-        led.add(from.position + share * (to.position - from.position), from.time + share * (to.time - from.time));
+        isLed =
+            led.add(from.position + share * (to.position - from.position), from.time + share * (to.time - from.time));
+        if (!isLed) return isLed.error();
         progress.set((static_cast<double>(s) + gone / static_cast<double>(stroke.size() - 1)) /
                      static_cast<double>(strokes.size()));
       }
     }
-    led.end();
+    isLed = led.end();
+    if (!isLed) return isLed.error();
     done.seconds += stroke.back().time - stroke.front().time;
-    state = std::static_pointer_cast<const ClayState>(simulation.state());
+    state = stateOf(simulation);
     changed.insert(simulation.changed().begin(), simulation.changed().end());
   }
   if (state->volume.isEmpty()) return Error{VolumeErrors::NothingLeft, {}, {}, {}};

@@ -42,7 +42,8 @@ struct Sculpted {
 
 // Leads a tool along strokes, one after the other, as the simulation of the window does with a hand that it keeps up
 // with: its middle is where the hand is. rate: places a second, Hz. A stroke takes in the poses themselves, too.
-// Errors: VolumeErrors::PathTooLong (kMostPlaces), StrokesTooLong (kMostRadii), NothingLeft, Cancelled.
+// Errors: VolumeErrors::PathTooLong (kMostPlaces), StrokesTooLong (kMostRadii), TooLarge (once the volume takes more
+// memory than the system has), NothingLeft, Cancelled.
 Result<Sculpted> sculptAlong(const std::shared_ptr<const VolumeSnapshot>& part, const ClayBrush& brush,
                              const std::vector<HandStroke>& strokes, double rate, Progress progress);
 

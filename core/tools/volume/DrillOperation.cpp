@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "tools/ToolProperty.h"
 #include "volume/VolumeErrors.h"
+#include "volume/VolumeMemory.h"
 #include "volume/drilling/DrillTools.h"
 
 #include <QtGlobal>
@@ -68,7 +69,7 @@ Operation makeOperation() {
   return operation;
 }
 
-// As drillAlong(), without what is left. goesOn: whether the next cycle is to be gone.
+// As drillAlong(), without what is left. goesOn: whether the next cycle is to be gone, or why not.
 template <class GoesOn>
 Result<Drilled> drillCycles(DrillRun run, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                             GoesOn goesOn, Progress progress) {
@@ -79,7 +80,10 @@ Result<Drilled> drillCycles(DrillRun run, const DrillSetup& setup, const PoseTra
     return Error{VolumeErrors::PathTooLong, {roundedText(path.duration()), roundedText(most / rate)}, {}, {}};
   auto hole = std::make_shared<DrillRecord>();
   hole->setup = setup;
-  for (double i = 0.0; i <= cycles && !path.isEmpty() && goesOn(); ++i) {
+  for (double i = 0.0; i <= cycles && !path.isEmpty(); ++i) {
+    const Result<bool> isNext = goesOn();
+    if (!isNext) return isNext.error();
+    if (!*isNext) break;
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     const HandPose at = path.at(i / rate);
     const DrillPose pose = DrillPose::of(at.position, at.orientation * Vec3::UnitZ(), i / rate);
@@ -118,15 +122,19 @@ Result<DrillSetup> drillSetupOf(const OperationValues& values) {
 Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress) {
   Result<Drilled> done = drillCycles(
-      DrillRun(volume, setup), setup, path, rate, [] { return true; }, progress);
+      DrillRun(volume, setup), setup, path, rate, [] { return Result<bool>(true); }, progress);
   if (done) done->volume = std::move(volume);
   return done;
 }
 
 Result<Drilled> drillAlong(HybridPart& part, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress) {
-  return drillCycles(
-      DrillRun(part, setup), setup, path, rate, [&] { return part.isExact(); }, progress);
+  VolumeGrowth growth(part.left().voxel(), static_cast<double>(part.bytes()));
+  const auto goesOn = [&]() -> Result<bool> {
+    if (const auto refusal = growth.refusalAt(static_cast<double>(part.bytes()))) return *refusal;
+    return part.isExact();
+  };
+  return drillCycles(DrillRun(part, setup), setup, path, rate, goesOn, progress);
 }
 
 }  // namespace handwheel

@@ -33,7 +33,8 @@ struct Drilled {
 // VolumeErrors::PathTooLong (more poses than DrillRecord::kMostPoses), Cancelled.
 Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress);
-// The same with voxels of a part that are made where the head goes. It ends where they turn out not to be exact.
+// The same with voxels of a part that are made where the head goes. It ends where they turn out not to be exact. Error:
+// VolumeErrors::TooLarge, too, once what was cut takes more memory than the system has.
 Result<Drilled> drillAlong(HybridPart& part, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress);
 

@@ -269,8 +269,11 @@ class HybridPartTest : public QObject {
       run.move(head.place, Vec3::UnitZ(), head.time);
     const double removed = run.removed();
     QVERIFY(removed > 0.0);
-    // What is kept are the blocks along the hole: fewer than those of a box around it.
+    // What is kept are the blocks along the hole: fewer than those of a box around it. They count, and that they were
+    // cut does.
     QVERIFY(part.left().blockCount() > 0);
+    QVERIFY(part.bytes() > part.left().bytes() + part.left().blockCount() * 3 * sizeof(int));
+    QVERIFY(part.bytes() < part.figures().mostBytes);
     part.left().forEach([&](const VoxelIndex& at, const SparseVolume::Content&) {
       const Vec3 middle = part.left().centre(8 * at) + Vec3::Constant(3.5 * 0.2);
       const Vec3 away = middle - first;

@@ -39,6 +39,19 @@ class VolumeMemoryTest : public QObject {
     QVERIFY(memoryRefusal(0.1, 2.0 * left));
     QVERIFY(!memoryRefusal(0.1, 0.5 * left));
   }
+
+  // What counts is how much it has grown since it was looked at last, not what it takes in all.
+  void growthIsWatched() {
+    const auto left = static_cast<double>(systemMemory());
+    const double begin = 10.0 * left, little = 0.5 * VolumeGrowth::kBetweenLooks;
+    VolumeGrowth growth(0.1, begin);
+    for (const double bytes : {begin, begin + little, 0.0, begin + 0.6 * left, begin + 1.2 * left})
+      QVERIFY(!growth.refusalAt(bytes));
+    const auto refused = growth.refusalAt(begin + 3.2 * left);
+    QVERIFY(refused && refused->code == VolumeErrors::TooLarge);
+    QCOMPARE(refused->arguments[0], std::string("0.1"));
+    QVERIFY(!VolumeGrowth(0.1, begin).refusalAt(std::nan("")));
+  }
 };
 
 HANDWHEEL_TEST(VolumeMemoryTest)
