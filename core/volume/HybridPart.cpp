@@ -19,7 +19,6 @@ namespace handwheel {
 namespace {
 
 static_assert(HybridPart::kTile == SurfaceTile::kSide);
-constexpr int kBlocksOfTile = SurfaceTile::kBlocks * SurfaceTile::kBlocks * SurfaceTile::kBlocks;
 constexpr double kHybridFar = 2.0 * SparseVolume::kMostVoxels;  // beyond all triangles, voxels
 
 std::array<int, 3> hybridKey(const VoxelIndex& at) {
@@ -30,12 +29,6 @@ VoxelIndex hybridIndex(const std::array<int, 3>& key) {
   return {key[2], key[1], key[0]};
 }
 
-// The number of a block in a tile as a place, in blocks.
-VoxelIndex blockInTile(int i) {
-  constexpr int n = SurfaceTile::kBlocks;
-  return {i % n, i / n % n, i / n / n};
-}
-
 VoxelIndex hybridTile(const Vec3& voxel) {
   return (voxel / HybridPart::kTile).array().floor().matrix().cast<int>();
 }
@@ -43,7 +36,7 @@ VoxelIndex hybridTile(const Vec3& voxel) {
 }  // namespace
 
 struct HybridPart::Tile {
-  std::array<SparseVolume::Content, kBlocksOfTile> blocks;
+  std::array<SparseVolume::Content, SurfaceTile::kAllBlocks> blocks;
   std::size_t near = 0, lost = 0;  // as m_near and m_lost
 
   // Beside a surface that is smooth at the scale of a voxel there is a neighbour on its other side. Voxels at the
@@ -54,14 +47,14 @@ struct HybridPart::Tile {
 void HybridPart::Tile::countLost(const VoxelIndex& first) {
   constexpr int kBeside = static_cast<int>(0.75 * VolumeBlock::kUnit);
   SparseVolume own;
-  for (int b = 0; b < kBlocksOfTile; ++b)
-    own.setContent(SparseVolume::blockOf(first) + blockInTile(b), blocks[static_cast<std::size_t>(b)]);
+  for (int b = 0; b < SurfaceTile::kAllBlocks; ++b)
+    own.setContent(SparseVolume::blockOf(first) + SurfaceTile::blockAt(b), blocks[static_cast<std::size_t>(b)]);
   const VolumeReader reader(own);
-  for (int b = 0; b < kBlocksOfTile; ++b) {
+  for (int b = 0; b < SurfaceTile::kAllBlocks; ++b) {
     const SparseVolume::Block& block = blocks[static_cast<std::size_t>(b)].block;
     for (int i = 0; block && i < static_cast<int>(VolumeBlock::kCount); ++i) {
       const int depth = block->depths[static_cast<std::size_t>(i)];
-      const VoxelIndex in = VolumeBlock::kSize * blockInTile(b) + VoxelIndex(i & 7, i >> 3 & 7, i >> 6);
+      const VoxelIndex in = VolumeBlock::kSize * SurfaceTile::blockAt(b) + VoxelIndex(i & 7, i >> 3 & 7, i >> 6);
       if (std::abs(depth) > kBeside || in.minCoeff() == 0 || in.maxCoeff() == kTile - 1) continue;
       bool isOther = false;
       for (int k = 0; k < 27 && !isOther; ++k) {
@@ -134,8 +127,8 @@ void HybridPart::add(std::span<const VoxelIndex> tiles) {
   for (std::size_t i = 0; i < fresh.size(); ++i) {
     m_near += made[i].near;
     m_lost += made[i].lost;
-    for (int b = 0; b < kBlocksOfTile; ++b) {
-      const VoxelIndex block = SurfaceTile::kBlocks * fresh[i] + blockInTile(b);
+    for (int b = 0; b < SurfaceTile::kAllBlocks; ++b) {
+      const VoxelIndex block = SurfaceTile::kBlocks * fresh[i] + SurfaceTile::blockAt(b);
       const SparseVolume::Content& content = made[i].blocks[static_cast<std::size_t>(b)];
       const bool isCut = m_cut.contains(hybridKey(block));
       if (content.block) ++m_figures.blocksMade;
@@ -163,8 +156,8 @@ void HybridPart::giveBackBut(const Eigen::AlignedBox3i& kept) {
 }
 
 void HybridPart::giveBack(const VoxelIndex& tile) {
-  for (int b = 0; b < kBlocksOfTile; ++b) {
-    const VoxelIndex block = SurfaceTile::kBlocks * tile + blockInTile(b);
+  for (int b = 0; b < SurfaceTile::kAllBlocks; ++b) {
+    const VoxelIndex block = SurfaceTile::kBlocks * tile + SurfaceTile::blockAt(b);
     const bool isCut = m_cut.contains(hybridKey(block));
     if (isCut && m_before.view(block).block) --m_originals;
     m_before.setContent(block, {});
@@ -189,8 +182,8 @@ HybridPart::Tile HybridPart::madeTile(const VoxelIndex& tile) const {
   SurfaceTile distances(first);
   for (const Triangle& t : near.triangles) distances.add({near, t});
   Tile made;
-  for (int b = 0; b < kBlocksOfTile; ++b) {
-    const VoxelIndex inTile = VolumeBlock::kSize * blockInTile(b);
+  for (int b = 0; b < SurfaceTile::kAllBlocks; ++b) {
+    const VoxelIndex inTile = VolumeBlock::kSize * SurfaceTile::blockAt(b);
     SparseVolume::Content& content = made.blocks[static_cast<std::size_t>(b)];
     if (!near.triangles.empty()) content.block = distances.signedBlock(inTile, rows);
     content.isFull = !content.block && rows.isInside(first + inTile);

@@ -54,9 +54,8 @@ Tiles tilesNear(const TriangleSoup& soup, const std::vector<bool>& isUsed, const
             near[{z, y, x}].push_back(static_cast<std::uint32_t>(i));
         }
   }
-  constexpr int kBlocks = kTile / VolumeBlock::kSize;
   for (const VoxelIndex& block : holeFill.blocks()) {
-    const auto tileOf = [](int i) { return floorOf(static_cast<double>(i) / kBlocks); };
+    const auto tileOf = [](int i) { return floorOf(static_cast<double>(i) / SurfaceTile::kBlocks); };
     near.try_emplace({tileOf(block.z()), tileOf(block.y()), tileOf(block.x())});
   }
   return {std::make_move_iterator(near.begin()), std::make_move_iterator(near.end())};
@@ -171,9 +170,8 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
     const VoxelIndex first = kTile * VoxelIndex(tile[2], tile[1], tile[0]);
     SurfaceTile distances(first);
     for (const std::uint32_t t : tiles[i].second) distances.add({closed, closed.triangles[t]});
-    constexpr int n = kTile / VolumeBlock::kSize;
-    for (int b = 0; b < n * n * n; ++b) {
-      const VoxelIndex inTile = VolumeBlock::kSize * VoxelIndex(b % n, b / n % n, b / n / n);
+    for (int b = 0; b < SurfaceTile::kAllBlocks; ++b) {
+      const VoxelIndex inTile = VolumeBlock::kSize * SurfaceTile::blockAt(b);
       const VoxelIndex block = SparseVolume::blockOf(first + inTile);
       SparseVolume::Content content = holeFill.contains(block)
                                           ? holeFillBlock(distances, inTile, holeFill.samples(block, rows))

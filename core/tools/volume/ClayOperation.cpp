@@ -77,12 +77,6 @@ Operation makeClayOperation() {
                          "Places of the hand per second between those of the strokes", "HZ")}};
 }
 
-Box boxOf(const VolumeSurface& surface) {
-  Box box;
-  for (const auto& [key, piece] : surface.pieces()) box.extend(piece->box);
-  return box;
-}
-
 double bytesOf(const ClayState& state) {
   return static_cast<double>(state.volume.bytes() + state.surface.bytes() + (state.mask ? state.mask->bytes() : 0));
 }
@@ -195,7 +189,7 @@ Limits clayRadii(const SparseVolume& volume) {
 }
 
 ClayBrush usualClayBrush(const VolumeSnapshot& part) {
-  const Box box = boxOf(part.surface);
+  const Box box = part.surface.box();
   ClayBrush brush;
   brush.radius = clayRadii(part.volume).bring(box.isEmpty() ? 0.0 : kRadiusShare * box.sizes().maxCoeff());
   if (!box.isEmpty()) brush.mirror = box.center();

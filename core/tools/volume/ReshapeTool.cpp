@@ -97,8 +97,7 @@ ReshapeTool::ReshapeTool(VolumeDocument& document, ReshapeServices services, Cha
 // By the voxels and the size of the part, whatever that is.
 void ReshapeTool::chooseUsual() {
   const double voxel = m_document.volume()->volume.voxel();
-  Box box;
-  for (const auto& [key, piece] : m_document.volume()->surface.pieces()) box.extend(piece->box);
+  const Box box = m_document.volume()->surface.box();
   const double extent = box.isEmpty() ? voxel : box.sizes().maxCoeff();
   const auto set = [&](Change change, const char* id, double value) {
     takeSetting(m_values[static_cast<std::size_t>(change)], id, twoDigits(value));

@@ -16,7 +16,8 @@ class SurfaceTile {
  public:
   static constexpr int kSide = 32;                            // voxels along an edge of a tile
   static constexpr int kBlocks = kSide / VolumeBlock::kSize;  // along it
-  static constexpr double kBand = 3.0;                        // from the surface, in which distances are exact
+  static constexpr int kAllBlocks = kBlocks * kBlocks * kBlocks;
+  static constexpr double kBand = 3.0;  // from the surface, in which distances are exact
   static constexpr float kFar = static_cast<float>(kBand * kBand);
 
   struct Corners {
@@ -40,6 +41,11 @@ class SurfaceTile {
   float squared(const VoxelIndex& inTile) const { return m_squared[index(inTile.x(), inTile.y(), inTile.z())]; }
   // The block from this voxel on, signed; null where nothing of the band is in it. rows: of all triangles.
   SparseVolume::Block signedBlock(const VoxelIndex& inTile, const ScanlineCrossings& rows) const;
+
+  // The place of a block by its number from 0 to kAllBlocks, x fastest; in blocks, counted from the first.
+  static VoxelIndex blockAt(int number) {
+    return {number % kBlocks, number / kBlocks % kBlocks, number / kBlocks / kBlocks};
+  }
 
   // A sample so far from a surface, its square in voxels.
   static std::int16_t sampleAt(float squared, bool isInside);

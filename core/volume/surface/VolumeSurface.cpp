@@ -191,6 +191,12 @@ void VolumeSurface::set(const Key& key, Piece piece) {
   }
 }
 
+Box VolumeSurface::box() const {
+  Box all;
+  for (const auto& [key, piece] : m_pieces) all.extend(piece->box);
+  return all;
+}
+
 std::size_t VolumeSurface::triangleCount() const {
   std::size_t count = 0;
   for (const auto& [key, piece] : m_pieces) count += piece->fine.count();

@@ -44,6 +44,7 @@ class VolumeSurface {
 
   int pieceCells() const { return m_pieceCells; }
   const std::map<Key, Piece>& pieces() const { return m_pieces; }
+  Box box() const;  // of all pieces, mm
   std::size_t triangleCount() const;
   std::size_t bytes() const;  // of all pieces
 

@@ -105,6 +105,9 @@ class VolumeSurfaceTest : public QObject {
   void pointsAndNormalsOfABall() {
     constexpr double kRadius = 10.0, kVoxel = 0.1;
     const VolumeSurface surface(ballOfVoxels(kRadius, kVoxel));
+    QVERIFY(VolumeSurface().box().isEmpty());
+    for (const Vec3& corner : {Vec3(-surface.box().min()), surface.box().max()})
+      QVERIFY((corner - Vec3::Constant(kRadius)).cwiseAbs().maxCoeff() < 0.05 * kVoxel);
     for (const auto& [key, piece] : surface.pieces())
       for (const bool isCoarse : {false, true}) {
         const VolumeTriangles& triangles = isCoarse ? piece->coarse : piece->fine;
