@@ -69,7 +69,9 @@ void ToolChoice::choose(const QString& id) {
 void ToolChoice::start() {
   const ToolDescriptor* chosen = offer(m_document->tool);
   for (QAction* action : m_group.actions()) action->setChecked(chosen && action->objectName() == chosen->id);
-  m_host.stop();  // first: what it commits in the end, the next one begins with
+  // First: what it commits in the end, the next one begins with; and as it ends it cancels jobs, which must not be
+  // those of the next.
+  m_host.stop();
   if (chosen) m_host.start(chosen->make(), m_document->document);
 }
 

@@ -4,7 +4,9 @@
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 #include "controls/property/PropertyList.h"
+#include "tools/ToolRunner.h"
 #include "viewport/surface/MeshLayer.h"
+#include "window/tools/ToolHost.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -121,6 +123,33 @@ class ToolsTest : public QObject {
     QCOMPARE(driver.count(DefectKind::Hole), 1);
     driver.find<QAction>("undo")->trigger();
     QVERIFY(!driver.find<QAction>("undo")->isEnabled());
+  }
+
+  // A tool that is left while its job waits does not take along what the next one has begun with.
+  void theNextToolKeepsItsJob() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHole()));
+    ToolRunner& runner = driver.window().findChild<ToolHost*>()->runner();
+    const auto canCommit = [&runner] {
+      for (const ToolAction& action : runner.tool()->actions())
+        if (action.id == "commit") return action.enabled;
+      return false;
+    };
+    driver.find<QAction>("boundaryTool")->trigger();
+    driver.clickDefect(DefectKind::Hole, 0);
+    QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/smooth")->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(driver.find<Viewport>("viewport")->isPickingReady(), kPatienceMs);
+    QVERIFY(driver.settle());
+    QVERIFY(canCommit());
+    driver.hold();
+    QCOMPARE(runner.perform("smooth"), ToolReply::Used);
+    QVERIFY(!canCommit());
+    driver.find<QAction>("volumeRepairTool")->trigger();
+    QVERIFY(runner.tool() && runner.tool()->id() == "volume-repair");
+    runner.setSetting("wall", PropertyValue(2.0));
+    QVERIFY(!canCommit());  // its walls are not measured yet
+    driver.release();
+    QTRY_VERIFY_WITH_TIMEOUT(canCommit(), kPatienceMs);
   }
 
   // The brush works on the patch of the last fill, or on all; each stroke becomes a step, also when the tool has been
