@@ -395,6 +395,11 @@ class HybridPartTest : public QObject {
     TriangleSoup nowhere = cube(5.0);
     nowhere.points[3].x() = std::numeric_limits<double>::quiet_NaN();
     QVERIFY(HybridPart::of(nowhere, 0.3).error().code == ErrorCode::NumberNotFinite);
+    // Whatever it encloses.
+    JobState state;
+    state.cancelled = true;
+    for (const TriangleSoup& soup : {cube(5.0), turnedOver(cube(5.0))})
+      QVERIFY(HybridPart::of(soup, 0.3, Progress(state)).error().code == ErrorCode::Cancelled);
   }
 };
 
