@@ -33,7 +33,7 @@ std::string roughnessGrade(double ra) {
 }
 
 double drilledRoughness(double feed) {
-  constexpr double kFinest = 1.6, kRoughest = 6.3;        // µm
+  constexpr double kFinest = 1.6, kRoughest = 6.3;                  // µm
   constexpr double kLeastRatedFeed = 0.05, kMostRatedFeed = 0.381;  // mm
   if (!(feed > 0.0)) return 0.0;
   if (!std::isfinite(feed)) return feed;  // the spindle stands
