@@ -44,7 +44,7 @@ FidelitySetting turnResolutionSetting() {
   s.least = 0.05;
   s.largest = 10.0;
   s.standard = 0.5;
-  s.presets = {0.5, 0.12, 0.05};
+  s.presets = {0.5, 0.097, 0.05};
   s.error = {translatable("Fidelity", "largest distance of the profile from the exact shape"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of cutting and of the triangles that change"), "ms"};
   s.budget = FidelityBudget::None;

@@ -72,7 +72,7 @@ FidelitySetting volumePiecesSetting() {
   s.label = translatable("Fidelity", "Cells of a volume along a piece of its display");
   setChoices(s, {"16", "32", "64", "128"});
   s.standard = 2.0;
-  s.presets = {2.0, 2.0, 2.0};
+  s.presets = {1.0, 2.0, 3.0};
   s.error = {translatable("Fidelity", "draw calls of a frame"), translatable("Fidelity", "calls")};
   s.cost = {translatable("Fidelity", "CPU time to renew the pieces that a touch of clay changes"), "ms"};
   return s;

@@ -155,7 +155,7 @@ class PostFramesTest : public QObject {
     program.isBaseOfController = false;
     const std::string unknown = postCalled("urscript")->write(program);
     QVERIFY(unknown.find("pose_trans") == unknown.npos && unknown.find("  movel([0.6") != unknown.npos);
-    QVERIFY(unknown.find("base of the robot's description: p[0.400000000,") != unknown.npos);
+    QVERIFY(unknown.find("base of the robot's description, not used here: p[0.400000000,") != unknown.npos);
   }
 
   // pose_trans(a, b) is a followed by b; a must be a pose in numbers that is given before.

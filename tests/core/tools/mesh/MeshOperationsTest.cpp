@@ -115,9 +115,12 @@ class MeshOperationsTest : public QObject {
     for (const Operation& operation : meshOperations()) {
       for (const Parameter& parameter : operation.parameters) {
         if (parameter.formerId.empty()) continue;
-        ScriptLineReader now(operation.id + " --" + parameter.id()), before(operation.id + " --" + parameter.formerId);
-        QVERIFY(now.values(operation) == before.values(operation));
-        QVERIFY(before.status());
+        const std::string value = parameter.words.empty() ? "" : " " + parameter.words.back();
+        ScriptLineReader now(operation.id + " --" + parameter.id() + value);
+        ScriptLineReader before(operation.id + " --" + parameter.formerId + value);
+        const OperationValues values = now.values(operation);
+        QVERIFY(values.isSet(parameter.id()) && values == before.values(operation));
+        QVERIFY(now.status() && before.status());
       }
     }
   }

@@ -140,7 +140,10 @@ class VolumeSurfaceTest : public QObject {
       QVERIFY(isSame(surface.pieces().at(key)->coarse, piece->coarse));
     }
     std::size_t kept = 0;
-    for (const auto& [key, piece] : before.pieces()) kept += surface.pieces().at(key) == piece;
+    for (const auto& [key, piece] : before.pieces()) {
+      const auto now = surface.pieces().find(key);  // of small ones some are cut away
+      kept += now != surface.pieces().end() && now->second == piece;
+    }
     QVERIFY(kept > before.pieces().size() / 2 && kept < before.pieces().size());
   }
 

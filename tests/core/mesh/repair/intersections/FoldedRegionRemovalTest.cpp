@@ -178,7 +178,8 @@ void FoldedRegionRemovalTest::bodiesGoUpToTheirTolerance() {
   const HalfEdgeMesh ball = tangledBall();
   TrianglePoints widest{};
   double inner = 0.0;  // radius of its inscribed circle
-  for (const HalfEdge h : upperLoops(ball).at(0).halfEdges) {
+  const BoundaryLoop loop = upperLoops(ball).at(0);
+  for (const HalfEdge h : loop.halfEdges) {
     const TrianglePoints p = ball.points(HalfEdgeMesh::face(h));
     const double around = (p[1] - p[0]).norm() + (p[2] - p[1]).norm() + (p[0] - p[2]).norm();
     const double radius = (p[1] - p[0]).cross(p[2] - p[0]).norm() / around;
