@@ -299,7 +299,7 @@ void PanelsTest::cardIsLowAndFolds() {
   card.showStep(step);
   QVERIFY(card.width() > usual);
   QVERIFY(view.rect().contains(card.geometry()));
-  QVERIFY(isShown("nextStep/first") && isShown("nextStep/second") && isShown("nextStepDetail"));
+  QTRY_VERIFY(isShown("nextStep/first") && isShown("nextStep/second") && isShown("nextStepDetail"));
 
   const int unfolded = card.height();
   auto* const fold = card.findChild<QToolButton*>("nextStepFold");
@@ -308,7 +308,7 @@ void PanelsTest::cardIsLowAndFolds() {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   QVERIFY(card.height() < unfolded / 2);
   QVERIFY(!covers.isEmpty() && covers.last()[0].toInt() < unfolded);
-  QVERIFY(isShown("nextStepTitle") && isShown("nextStep/first"));
+  QTRY_VERIFY(isShown("nextStepTitle") && isShown("nextStep/first"));  // a layout shows its widgets later
   QVERIFY(!isShown("nextStep/second") && !isShown("nextStepDetail"));
   QSignalSpy triggered(&first, &QAction::triggered);
   card.findChild<QAbstractButton*>("nextStep/first")->click();
@@ -318,9 +318,9 @@ void PanelsTest::cardIsLowAndFolds() {
   step.actions = {&second, &first};
   card.showStep(step);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-  QVERIFY(isShown("nextStep/second") && !isShown("nextStep/first") && !isShown("nextStepDetail"));
+  QTRY_VERIFY(isShown("nextStep/second") && !isShown("nextStep/first") && !isShown("nextStepDetail"));
   fold->click();
-  QVERIFY(isShown("nextStep/second") && isShown("nextStep/first") && isShown("nextStepDetail"));
+  QTRY_VERIFY(isShown("nextStep/second") && isShown("nextStep/first") && isShown("nextStepDetail"));
   card.showStep({});
   QVERIFY(!card.isVisible());
 }
