@@ -44,7 +44,12 @@ void LinuxCncRun::runStatement(std::uint32_t i, const ProgramOutline::Statement&
       return;
     case Keyword::Program:
       // The definition of a subprogram with M99 at its end.
-      if (m_frames.empty() || m_frames.back().begin != i + 1) m_isDone = true;
+      if (!m_frames.empty() && m_frames.back().begin == i + 1) return;
+      m_isDone = true;
+      if (m_path.moves.empty())  // as of a program for another control
+        note(place, "O" + statement.label +
+                        " begins a subprogram, before which the program ends without a move. Choose the dialect fanuc "
+                        "if it is meant to begin here.");
       return;
     case Keyword::Call:
       beginCall(statement, scanner, place);

@@ -187,6 +187,20 @@ class ProgramSimulationTest : public QObject {
     QVERIFY(simulated.notes.empty());
   }
 
+  // In LinuxCNC a number begins a subprogram, so that nothing moves, which is noted; in the other dialect, the program.
+  void aNumberAtTheBeginning() {
+    const std::string text = "O2004\nG21 G98 G0 X30 Z2\nG1 Z-5 F100\nM30\n";
+    ProgramSetup setup;
+    setup.reference = {120.0, 100.0};
+    const Result<ToolPath> other = runProgram(text, setup);
+    QVERIFY(other && other->moves.empty());
+    QVERIFY(other->notes.size() == 1 && other->notes[0].line == 1);
+    QVERIFY(other->notes[0].text.find("O2004") == 0 && other->notes[0].text.find("fanuc") != std::string::npos);
+    setup.dialect = ProgramDialect::Fanuc;
+    const Result<ToolPath> meant = runProgram(text, setup);
+    QVERIFY(meant && meant->moves.size() >= 2 && meant->notes.empty());
+  }
+
   // One whose body is known leaves its point of 118° at the bottom: a cone of half of that about the axis. What is
   // bored above it leaves the rest of the cone. The passes repeat it, bit for bit.
   void aDrillHasItsPoint() {
