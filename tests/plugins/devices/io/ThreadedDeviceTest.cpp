@@ -4,6 +4,7 @@
 #include "io/ThreadedDevice.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
@@ -23,6 +24,7 @@ thread_local std::size_t allocations = 0;
 struct ThreadedDeviceBoard {
   std::atomic<int> exchanges{0};
   std::atomic<double> lastForce{0.0};
+  std::atomic<double> largestForce{0.0};
   std::atomic<double> place{1.0};
   std::atomic<bool> gone{false};
   std::atomic<bool> closed{false};
@@ -38,6 +40,7 @@ class SlowSession final : public Session {
     const std::vector<int> rubbish(1000, 1);
     std::this_thread::sleep_for(std::chrono::milliseconds(rubbish.size() / 500));
     m_board.lastForce = force.force.z();
+    m_board.largestForce = std::max(m_board.largestForce.load(), force.force.z());
     ++m_board.exchanges;
     DeviceState state;
     state.status = m_board.gone ? DeviceStatus::Absent : DeviceStatus::Ready;
@@ -92,12 +95,12 @@ class ThreadedDeviceTest : public QObject {
     const std::size_t allocated = allocations - before;
     QCOMPARE(allocated, std::size_t(0));
     QVERIFY(m_board->exchanges - exchanges < 100'000);
-    QTRY_COMPARE(m_board->lastForce, 2.0);
+    QTRY_COMPARE(m_board->largestForce, 2.0);
   }
 
   void aForceEndsWithTheServoLoop() {
     m_device->write({Vec3(0, 0, 2), Vec3::Zero(), 0.0});
-    QTRY_COMPARE(m_board->lastForce, 2.0);
+    QTRY_COMPARE(m_board->largestForce, 2.0);  // the last one may be over before a busy machine looks
     QTRY_COMPARE(m_board->lastForce, 0.0);
   }
 
