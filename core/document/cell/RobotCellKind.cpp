@@ -63,20 +63,24 @@ nlohmann::json describeJoints(const RobotModel& robot, const JointValues& values
   return joints;
 }
 
+nlohmann::json withPose(nlohmann::json described, const Pose& pose) {
+  const Vec3 at = pose.translation();
+  const Eigen::Quaterniond turn(pose.linear());
+  described["position"] = {at.x(), at.y(), at.z()};
+  described["quaternion"] = {turn.w(), turn.x(), turn.y(), turn.z()};
+  return described;
+}
+
 nlohmann::json describeRobots(const RobotCellSnapshot& cell) {
   const RobotModel& robot = cell.robot->model;
   nlohmann::json list = nlohmann::json::array();
   for (const RobotArm& arm : cell.robot->arms) {
-    const Pose base = basePose(robot, arm);
-    const Vec3 at = base.translation();
-    const Eigen::Quaterniond turn(base.linear());
-    list.push_back({{"name", arm.name},
-                    {"title", arm.title},
-                    {"base", robot.links[arm.base].name},
-                    {"flange", robot.links[arm.flange].name},
-                    {"position", {at.x(), at.y(), at.z()}},
-                    {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}},
-                    {"planned", arm == activeArm(*cell.robot, *cell.plans)}});
+    list.push_back(withPose({{"name", arm.name},
+                             {"title", arm.title},
+                             {"base", robot.links[arm.base].name},
+                             {"flange", robot.links[arm.flange].name},
+                             {"planned", arm == activeArm(*cell.robot, *cell.plans)}},
+                            basePose(robot, arm)));
   }
   return list;
 }
@@ -91,11 +95,7 @@ nlohmann::json describeTool(const RobotCellSnapshot& cell) {
   const RobotModel& robot = cell.robot->model;
   const std::uint32_t link = activeArm(*cell.robot, *cell.plans).flange;
   const Pose pose = linkPoses(robot, cell.joints)[link];
-  const Vec3 at = pose.translation();
-  const Eigen::Quaterniond turn(pose.linear());
-  return {{"link", robot.links[link].name},
-          {"position", {at.x(), at.y(), at.z()}},
-          {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}}};
+  return withPose({{"link", robot.links[link].name}}, pose);
 }
 
 nlohmann::json describeConfigurations(const RobotCellSnapshot& cell) {
@@ -110,14 +110,11 @@ nlohmann::json describeConfigurations(const RobotCellSnapshot& cell) {
 nlohmann::json describeTargets(const RobotCellSnapshot& cell) {
   nlohmann::json list = nlohmann::json::array();
   for (const NamedTarget& each : cell.plans->targets) {
-    const Vec3 at = each.pose.translation();
-    const Eigen::Quaterniond turn(each.pose.linear());
     const BodyPointer body = cell.bodies.withId(each.body);
-    list.push_back({{"name", each.name},
-                    {"position", {at.x(), at.y(), at.z()}},
-                    {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}},
-                    {"body", body ? nlohmann::json(body->name) : nlohmann::json()},
-                    {"frame", each.frame.empty() ? nlohmann::json() : nlohmann::json(each.frame)}});
+    list.push_back(withPose({{"name", each.name},
+                             {"body", body ? nlohmann::json(body->name) : nlohmann::json()},
+                             {"frame", each.frame.empty() ? nlohmann::json() : nlohmann::json(each.frame)}},
+                            each.pose));
   }
   return list;
 }
@@ -126,15 +123,12 @@ nlohmann::json describeTargets(const RobotCellSnapshot& cell) {
 nlohmann::json describeFrames(const RobotCellSnapshot& cell) {
   nlohmann::json list = nlohmann::json::array();
   for (const NamedFrame& each : cell.plans->frames) {
-    const Vec3 at = each.pose.translation();
-    const Eigen::Quaterniond turn(each.pose.linear());
     const BodyPointer body = cell.bodies.withId(each.body);
-    list.push_back({{"name", each.name},
-                    {"position", {at.x(), at.y(), at.z()}},
-                    {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}},
-                    {"body", body ? nlohmann::json(body->name) : nlohmann::json()},
-                    {"link", each.link.empty() ? nlohmann::json() : nlohmann::json(each.link)},
-                    {"chosen", each.name == cell.plans->workFrame}});
+    list.push_back(withPose({{"name", each.name},
+                             {"body", body ? nlohmann::json(body->name) : nlohmann::json()},
+                             {"link", each.link.empty() ? nlohmann::json() : nlohmann::json(each.link)},
+                             {"chosen", each.name == cell.plans->workFrame}},
+                            each.pose));
   }
   return list;
 }
