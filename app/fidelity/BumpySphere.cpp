@@ -10,14 +10,14 @@
 namespace handwheel {
 namespace {
 
-constexpr double kRadius = 38.0;  // mm
-constexpr double kBumps = 0.03;   // of the radius, up and down
-constexpr double kDepth = 0.05;   // radii below the middle of the bumps
+constexpr double kSphereRadius = 38.0;  // mm
+constexpr double kBumps = 0.03;         // of the radius, up and down
+constexpr double kBumpDepth = 0.05;     // radii below the middle of the bumps
 
 ContactSurface bumpyBall() {
-  TriangleSoup soup = sphereSoup(6, kRadius);  // 81,920 faces
+  TriangleSoup soup = sphereSoup(6, kSphereRadius);  // 81,920 faces
   for (Vec3& p : soup.points) {
-    const Vec3 d = p / kRadius;
+    const Vec3 d = p / kSphereRadius;
     p *= 1.0 + kBumps * std::sin(9.0 * d.x()) * std::sin(8.0 * d.y() + 1.0) * std::sin(7.0 * d.z() + 2.0);
   }
   return ContactSurface(soup.points, soup.triangles);
@@ -32,7 +32,7 @@ BumpySphere::BumpySphere(std::uint64_t seed) : m_surface(bumpyBall()) {
 }
 
 Vec3 BumpySphere::tipAt(double way) const {
-  const double radius = (1.0 - kDepth) * kRadius, angle = way / radius;
+  const double radius = (1.0 - kBumpDepth) * kSphereRadius, angle = way / radius;
   return radius * (std::cos(angle) * m_along + std::sin(angle) * m_across);
 }
 

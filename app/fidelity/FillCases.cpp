@@ -17,7 +17,7 @@ namespace {
 constexpr int kCuts = 4;  // each triangle of a patch is sampled at the middles of kCuts² parts
 
 // Σ area · (distance / size)² over the patch and Σ area.
-struct Deviation {
+struct PatchDeviation {
   double squares = 0.0;
   double area = 0.0;
 
@@ -41,7 +41,7 @@ struct Deviation {
 
 FidelitySample fill(const CutSurface& input, const FillOptions& options, Progress progress) {
   FidelitySample sample;
-  Deviation deviation;
+  PatchDeviation deviation;
   for (const CutSurface::Hole& hole : input.holes) {
     FillAttempt attempt;
     sample.cost += cpuMilliseconds([&] { attempt = input.filler->propose(hole.loop, options, progress); });

@@ -15,7 +15,7 @@ namespace handwheel {
 namespace {
 
 constexpr mode_t kMode = 0666;  // less the umask
-constexpr int kMostNames = 100;
+constexpr int kMostDraftNames = 100;
 
 // What stands there by this name and nobody holds.
 void removeAbandoned(const std::filesystem::path& name) {
@@ -73,7 +73,7 @@ bool AtomicSaveFile::link(const std::filesystem::path& name) {
 }
 
 bool AtomicSaveFile::withHiddenName(bool (AtomicSaveFile::*make)(const std::filesystem::path&)) {
-  for (int i = 0; i < kMostNames; ++i) {
+  for (int i = 0; i < kMostDraftNames; ++i) {
     std::filesystem::path name = hiddenName(m_target, i);
     removeAbandoned(name);
     const bool isMade = (this->*make)(name);

@@ -9,7 +9,7 @@
 namespace handwheel {
 
 namespace {
-constexpr int kUnits = 4;
+constexpr int kDisplayUnits = 4;
 }
 
 void DisplayUnitEdit::exchange(Document& document) {
@@ -24,8 +24,8 @@ Property displayUnitProperty(LengthUnit present) {
   property.group = QT_TRANSLATE_NOOP("Property", "Document");
   property.label = QT_TRANSLATE_NOOP("Property", "Display unit");
   property.value = static_cast<double>(present);
-  for (int i = 0; i < kUnits; ++i) property.choices.emplace_back(symbolOf(static_cast<LengthUnit>(i)));
-  property.largest = kUnits - 1;
+  for (int i = 0; i < kDisplayUnits; ++i) property.choices.emplace_back(symbolOf(static_cast<LengthUnit>(i)));
+  property.largest = kDisplayUnits - 1;
   property.least = 0;
   return property;
 }
@@ -33,7 +33,7 @@ Property displayUnitProperty(LengthUnit present) {
 Result<std::unique_ptr<Edit>> displayUnitEdit(LengthUnit present, const PropertyValue& value) {
   const auto* number = std::get_if<double>(&value);
   if (!number) return Error{ErrorCode::ElementMalformed, {kDisplayUnitId, "a choice was expected"}, {}, {}};
-  const int index = *number >= 0 && *number < kUnits ? static_cast<int>(*number) : -1;
+  const int index = *number >= 0 && *number < kDisplayUnits ? static_cast<int>(*number) : -1;
   if (index < 0 || index != *number) {
     return Error{ErrorCode::ValueOutOfRange, {kDisplayUnitId, std::to_string(*number), "0", "3"}, {}, {}};
   }

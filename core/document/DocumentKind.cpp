@@ -7,6 +7,7 @@
 #include "document/DocumentErrors.h"
 #include "document/FileBytes.h"
 #include "document/NewerFile.h"
+#include "document/container/ContainerLayout.h"
 #include "document/container/RecordingBlobs.h"
 #include "document/container/UnknownPart.h"
 #include "mesh/structure/Weld.h"
@@ -15,7 +16,6 @@
 #include <QUuid>
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 namespace handwheel {
 
@@ -145,17 +145,6 @@ Error withSubject(Error error, const std::filesystem::path& path) {
   return error;
 }
 
-template <class Open>
-Result<OpenedFile> catchOutOfMemory(const Open& open) {
-  try {
-    return open();
-  } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::OutOfMemory, {}, {}, {}};
-  } catch (const std::length_error&) {
-    return Error{ErrorCode::OutOfMemory, {}, {}, {}};
-  }
-}
-
 }  // namespace
 
 std::string newDocumentId() {
@@ -187,7 +176,7 @@ const DocumentKind* DocumentKinds::withId(std::string_view id) const {
 Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const ReadOptions& options,
                                        Progress progress) const {
   const std::optional<FileTimestamp> stamp = timestampOf(path);
-  Result<OpenedFile> opened = catchOutOfMemory([&] { return openAny(*this, path, options, progress); });
+  Result<OpenedFile> opened = layout::catchOutOfMemory([&] { return openAny(*this, path, options, progress); });
   if (opened) {
     std::error_code ignored;
     opened->file.stamp = stamp;
@@ -201,7 +190,7 @@ Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const 
 }
 
 Result<OpenedFile> DocumentKinds::openContainer(std::string_view bytes, Progress progress) const {
-  return catchOutOfMemory([&] { return load(*this, bytes, progress); });
+  return layout::catchOutOfMemory([&] { return load(*this, bytes, progress); });
 }
 
 std::vector<std::string> DocumentKinds::readEndings() const {

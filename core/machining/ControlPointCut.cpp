@@ -10,11 +10,11 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kPlacesPerSpan = 4.0;  // of the nose on its way, between two knots
-constexpr double kMostVisits = 1e8;     // of samples, in one look at each place of a step of the path
-constexpr double kDepthLeft = 1e-12;    // mm: the nose counts as free
-constexpr double kPartsPerSpan = 4.0;   // of the depth, in as much of it as the distance of two knots
-constexpr double kMostParts = 64.0;     // of the depth, at one place
+constexpr double kPlacesPerSpan = 4.0;    // of the nose on its way, between two knots
+constexpr double kMostVisits = 1e8;       // of samples, in one look at each place of a step of the path
+constexpr double kDepthLeft = 1e-12;      // mm: the nose counts as free
+constexpr double kPartsPerSpan = 4.0;     // of the depth, in as much of it as the distance of two knots
+constexpr double kMostDepthParts = 64.0;  // of the depth, at one place
 // On its way a nose is deep beside walls only, where few control points are below it: in each part but the last, whose
 // moves make it free, it takes these.
 constexpr std::size_t kMovesOnItsWay = 2;
@@ -116,8 +116,9 @@ TurnedProfile::Range ControlPointCut::move(TurnedProfile& profile, TurningSide s
 // is no deeper there than that way and the flank that it has gone into; without a way it begins, at any depth.
 double ControlPointCut::mostPartsAfter(double way, double noseRadius) const {
   if (!m_isInParts) return 1.0;
-  if (way == 0.0) return kMostParts;
-  return std::clamp(std::ceil(kPartsPerSpan * (way + std::sqrt(2.0 * noseRadius * way)) / m_span), 1.0, kMostParts);
+  if (way == 0.0) return kMostDepthParts;
+  return std::clamp(std::ceil(kPartsPerSpan * (way + std::sqrt(2.0 * noseRadius * way)) / m_span), 1.0,
+                    kMostDepthParts);
 }
 
 // Eq. 5-9 for one place of the nose, until it is free. A control point that takes a depth d at u takes up to d / 2 too

@@ -10,13 +10,13 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 // The lower side of a disc at z; infinite beside it.
 double lowerSide(const ProfilePoint& centre, double radius, double z) {
   const double offset = z - centre.y();
   const double under = radius * radius - offset * offset;
-  return under >= 0.0 ? centre.x() - std::sqrt(under) : kNone;
+  return under >= 0.0 ? centre.x() - std::sqrt(under) : kNowhere;
 }
 
 // The lower tangent of two equal discs: a segment, rising in z.
@@ -33,7 +33,7 @@ class LowerTangent {
     if (m_from.y() > m_to.y()) std::swap(m_from, m_to);
   }
   double at(double z) const {
-    if (!(z >= m_from.y() && z <= m_to.y()) || m_from.y() == m_to.y()) return kNone;
+    if (!(z >= m_from.y() && z <= m_to.y()) || m_from.y() == m_to.y()) return kNowhere;
     const double t = (z - m_from.y()) / (m_to.y() - m_from.y());
     return m_from.x() + t * (m_to.x() - m_from.x());
   }
@@ -42,7 +42,7 @@ class LowerTangent {
   ProfilePoint m_from{0, 0}, m_to{0, 0};
 };
 
-ProfilePoint mirrored(const ProfilePoint& p) {
+ProfilePoint mirroredPoint(const ProfilePoint& p) {
   return {-p.x(), p.y()};
 }
 
@@ -50,12 +50,13 @@ ProfilePoint mirrored(const ProfilePoint& p) {
 class SweepEnvelope {
  public:
   SweepEnvelope(const ProfilePoint& a, const ProfilePoint& b, double radius)
-      : m_a(a), m_b(b), m_radius(radius), m_under(a, b, radius), m_over(mirrored(a), mirrored(b), radius) {}
+      : m_a(a), m_b(b), m_radius(radius), m_under(a, b, radius), m_over(mirroredPoint(a), mirroredPoint(b), radius) {}
   double lower(double z) const {
     return std::min({lowerSide(m_a, m_radius, z), lowerSide(m_b, m_radius, z), m_under.at(z)});
   }
   double upper(double z) const {  // the lower side of the mirror image at the axis
-    return -std::min({lowerSide(mirrored(m_a), m_radius, z), lowerSide(mirrored(m_b), m_radius, z), m_over.at(z)});
+    return -std::min(
+        {lowerSide(mirroredPoint(m_a), m_radius, z), lowerSide(mirroredPoint(m_b), m_radius, z), m_over.at(z)});
   }
 
  private:

@@ -11,19 +11,19 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::uint32_t kLeastSegments = 24, kMostSegments = 256;
-constexpr double kMostPoints = 4e6;  // of all rings, unless they are of the least segments
+constexpr std::uint32_t kLeastRingSegments = 24, kMostRingSegments = 256;
+constexpr double kMostRingPoints = 4e6;  // of all rings, unless they are of the least segments
 
 // Half of the tolerance is for the circle: R (1 - cos(pi / n)) <= chord / 2.
 std::uint32_t segmentsFor(const TurnedProfile& profile, double chord) {
   double largest = 0.0;
   for (std::size_t i = 0; i < profile.size(); ++i) largest = std::max(largest, profile.radius(i));
   const double cosine = 1.0 - 0.5 * chord / std::max(largest, 1e-300);
-  if (!(cosine > 0.0)) return kLeastSegments;
+  if (!(cosine > 0.0)) return kLeastRingSegments;
   const double needed = std::ceil(M_PI / std::acos(std::min(cosine, 1.0 - 1e-12)));
-  const double affordable = kMostPoints / static_cast<double>(profile.size());
-  const double most = std::clamp<double>(affordable, kLeastSegments, kMostSegments);
-  return static_cast<std::uint32_t>(std::clamp<double>(needed, kLeastSegments, most));
+  const double affordable = kMostRingPoints / static_cast<double>(profile.size());
+  const double most = std::clamp<double>(affordable, kLeastRingSegments, kMostRingSegments);
+  return static_cast<std::uint32_t>(std::clamp<double>(needed, kLeastRingSegments, most));
 }
 
 std::shared_ptr<const std::vector<ProfilePoint>> unitCircle(std::uint32_t segments) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planning/PartSurface.h"
 
+#include "mesh/structure/AngleBetween.h"
 #include "proximity/BoxQueries.h"
 #include "proximity/ClosestPoint.h"
 
@@ -14,14 +15,6 @@
 namespace handwheel {
 
 namespace {
-
-double distanceTo(const Vec3& place, const Vec3& a, const Vec3& b) {
-  return (place - closestOnSegment(place, a, b)).norm();
-}
-
-double angleBetween(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 // For the numbers of equal points: those of the first.
 std::vector<std::uint32_t> weldedNumbers(const std::vector<Vec3>& points) {
@@ -135,7 +128,7 @@ SurfaceTrack PartSurface::edgeNear(const Vec3& place, double farthest) const {
   std::optional<std::uint32_t> nearest;
   double least = farthest;
   for (std::uint32_t e = 0; e < m_sharp.size(); ++e) {
-    const double distance = distanceTo(place, m_points[m_sharp[e].a], m_points[m_sharp[e].b]);
+    const double distance = distanceToSegment(place, m_points[m_sharp[e].a], m_points[m_sharp[e].b]);
     if (!(distance <= least)) continue;
     least = distance;
     nearest = e;
@@ -238,7 +231,8 @@ PartSurface::Section PartSurface::sectionOf(const Vec3& onPlane, const Vec3& nor
       section.segmentsAt[end].push_back(number);
       section.pointAt.emplace(end, pointOn(end));
     }
-    const double distance = distanceTo(place, section.pointAt.at(segment.ends[0]), section.pointAt.at(segment.ends[1]));
+    const double distance =
+        distanceToSegment(place, section.pointAt.at(segment.ends[0]), section.pointAt.at(segment.ends[1]));
     if (distance < least) {
       least = distance;
       section.nearest = number;

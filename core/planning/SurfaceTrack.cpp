@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planning/SurfaceTrack.h"
 
+#include "mesh/structure/AngleBetween.h"
 #include "proximity/ClosestPoint.h"
 
 #include <algorithm>
@@ -10,17 +11,9 @@
 
 namespace handwheel {
 
-namespace {
-
-double distanceTo(const Vec3& place, const Vec3& a, const Vec3& b) {
+double distanceToSegment(const Vec3& place, const Vec3& a, const Vec3& b) {
   return (place - closestOnSegment(place, a, b)).norm();
 }
-
-double angleBetween(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-}  // namespace
 
 double SurfaceTrack::length() const {
   double sum = 0.0;
@@ -60,7 +53,7 @@ SurfaceTrack pieceFrom(const SurfaceTrack& track, const Vec3& place, double leng
   std::size_t nearest = 1;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const double distance = distanceTo(place, points[i - 1].place, points[i].place);
+    const double distance = distanceToSegment(place, points[i - 1].place, points[i].place);
     if (!(distance < least)) continue;
     least = distance;
     nearest = i;
@@ -104,7 +97,7 @@ SurfaceTrack simplified(const SurfaceTrack& track, double deviation, double angl
     double worst = 1.0;  // in units of what is allowed
     std::size_t at = first;
     for (std::size_t i = first + 1; i < last; ++i) {
-      const double off = distanceTo(points[i].place, points[first].place, points[last].place) / deviation;
+      const double off = distanceToSegment(points[i].place, points[first].place, points[last].place) / deviation;
       const double turned = std::min(angleBetween(points[i].normal, points[first].normal),
                                      angleBetween(points[i].normal, points[last].normal)) /
                             angle;

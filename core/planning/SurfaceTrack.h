@@ -23,6 +23,9 @@ struct SurfaceTrack {
   SurfaceTrack reversed() const;
 };
 
+// How far a place is from the segment between two points (mm).
+double distanceToSegment(const Vec3& place, const Vec3& a, const Vec3& b);
+
 // Sets the directions of a curve's points from their places, and makes their normals unit vectors at a right angle to
 // these. Neighbours must be apart.
 void orient(SurfaceTrack& track);

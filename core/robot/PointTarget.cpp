@@ -14,11 +14,11 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kLongestTurn = 0.3;       // rad a step: the Jacobian says nothing of what is further away
-constexpr double kLeastDamping = 1e-9;     // of (lengths / reach)²
-constexpr double kErrorDamping = 2e-3;     // the same, for each (error / reach)²
-constexpr double kStrongerDamping = 16.0;  // after a step that led away
-constexpr int kStalls = 6;                 // steps that led away, one after the other: this is as near as it gets
+constexpr double kLongestPullTurn = 0.3;    // rad a step: the Jacobian says nothing of what is further away
+constexpr double kLeastPullDamping = 1e-9;  // of (lengths / reach)²
+constexpr double kPullErrorDamping = 2e-3;  // the same, for each (error / reach)²
+constexpr double kStrongerDamping = 16.0;   // after a step that led away
+constexpr int kStalls = 6;                  // steps that led away, one after the other: this is as near as it gets
 
 // A step along the degrees of freedom that are still free. Lengths are divided by the reach, so that turning by a
 // radian and sliding by the reach weigh alike.
@@ -47,14 +47,14 @@ class Step {
     Eigen::Matrix3Xd columns = m_columns;
     Vec3 error = m_error;
     JointValues values = m_values;
-    const double lambda = damping * (kLeastDamping + kErrorDamping * m_error.squaredNorm());
+    const double lambda = damping * (kLeastPullDamping + kPullErrorDamping * m_error.squaredNorm());
     for (Eigen::Index round = 0; round <= values.size(); ++round) {
       Eigen::Matrix3d square = columns * columns.transpose();
       square.diagonal().array() += lambda;
       Eigen::VectorXd delta = columns.transpose() * square.ldlt().solve(error);
       const double longest = delta.size() == 0 ? 0.0 : delta.cwiseAbs().maxCoeff();
       if (!std::isfinite(longest)) return m_values;
-      if (longest > kLongestTurn) delta *= kLongestTurn / longest;
+      if (longest > kLongestPullTurn) delta *= kLongestPullTurn / longest;
       const JointValues wanted = values + m_units.cwiseProduct(delta);
       if (!stopAtLimits(wanted, values, columns, error)) return wanted;
     }

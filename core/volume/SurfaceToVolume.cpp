@@ -24,7 +24,7 @@ constexpr double kBand = SurfaceTile::kBand;
 constexpr double kBytesOfBlock = sizeof(VolumeBlock) + 64.0;
 // What is taken for a while beside the result, and by the triangles that its surface becomes, as shares of it;
 // measured.
-constexpr double kWhileMaking = 1.5, kTriangles = 4.0;
+constexpr double kWhileMaking = 1.5, kTriangleShare = 4.0;
 // Of one thread, for a block with its triangles: 5.3 s for 61,242 blocks (docs/adr/0041). An estimate of the least that
 // a job takes; s.
 constexpr double kSecondsOfBlock = 87e-6, kSecondsOfJob = 0.01;
@@ -225,7 +225,7 @@ double predictedVolumeBytes(double area, double voxel) {
 
 double predictedMakingBytes(double area, const Vec3& extent, double voxel) {
   const double rows = extent.y() / voxel * (extent.z() / voxel);
-  return predictedVolumeBytes(area, voxel) * (1.0 + kWhileMaking + kTriangles) +
+  return predictedVolumeBytes(area, voxel) * (1.0 + kWhileMaking + kTriangleShare) +
          rows * sizeof(std::size_t);  // their index
 }
 

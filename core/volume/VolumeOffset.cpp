@@ -20,10 +20,9 @@
 namespace handwheel {
 namespace {
 
-constexpr int kBlock = VolumeBlock::kSize;
-constexpr double kReach = 5.0;      // voxels from the surface that samples say something, and one more
-constexpr double kExact = 1.01;     // voxels: depths beside the surface, of which the others follow (redistance())
-constexpr double kRounding = 1e-3;  // voxels, of a limit of distances
+constexpr double kSampleReach = 5.0;  // voxels from the surface that samples say something, and one more
+constexpr double kExact = 1.01;       // voxels: depths beside the surface, of which the others follow (redistance())
+constexpr double kRounding = 1e-3;    // voxels, of a limit of distances
 // Bytes of the triangles of a block, their hierarchy, and what it takes to make it; measured.
 constexpr double kBytesOfTriangles = 16'000.0;
 
@@ -66,7 +65,7 @@ class Moving {
     const double voxel = m_made.voxel();
     Box box = m_surface.volume().extent();
     if (box.isEmpty()) return std::move(m_made);
-    const double grown = std::max(0.0, m_distance) + kReach;
+    const double grown = std::max(0.0, m_distance) + kSampleReach;
     box.min().array() -= grown;
     box.max().array() += grown;
     constexpr double kMost = SparseVolume::kMostVoxels - 64;
@@ -96,8 +95,8 @@ class Moving {
   std::optional<Error> find(const Box& box, Progress progress) {
     constexpr int kCubes = 8;  // along the longest axis, at first
     int side = 1;
-    while (side * kBlock * kCubes < box.sizes().maxCoeff()) side *= 2;
-    const double cube = side * kBlock;
+    while (side * VolumeBlock::kSize * kCubes < box.sizes().maxCoeff()) side *= 2;
+    const double cube = side * VolumeBlock::kSize;
     const VoxelIndex low = (box.min() / cube).array().floor().cast<int>(),
                      high = (box.max() / cube).array().floor().cast<int>();
     std::vector<Node> nodes;
@@ -109,7 +108,8 @@ class Moving {
       tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
         if (progress.cancelled()) return;
         const Node& node = nodes[i];
-        depths[i] = m_surface.depthAt(kBlock * node.block + VoxelIndex::Constant(node.side * kBlock / 2), node.limit);
+        depths[i] = m_surface.depthAt(
+            VolumeBlock::kSize * node.block + VoxelIndex::Constant(node.side * VolumeBlock::kSize / 2), node.limit);
       });
       if (const auto error = memoryRefusal(m_made.voxel(), bytesAfter(nodes, depths))) return error;
       nodes = divided(nodes, depths);
@@ -119,9 +119,9 @@ class Moving {
   }
 
   bool isNear(const Node& node, double before) const {
-    return std::abs(before + m_distance) <= farthestIn(node) + kReach;
+    return std::abs(before + m_distance) <= farthestIn(node) + kSampleReach;
   }
-  static double farthestIn(const Node& node) { return 0.5 * std::sqrt(3.0) * node.side * kBlock; }
+  static double farthestIn(const Node& node) { return 0.5 * std::sqrt(3.0) * node.side * VolumeBlock::kSize; }
 
   // What the result takes at least: a surface that comes near a cube has blocks by the square of its side, of samples,
   // windows on them, and later triangles; full cubes take a pointer for each block.
@@ -169,7 +169,7 @@ class Moving {
     tbb::parallel_for(std::size_t{0}, m_near.size(), [&](std::size_t i) {
       if (progress.cancelled()) return;
       auto block = std::make_shared<VolumeBlock>();
-      sampleCube(*block, kBlock * m_near[i], VoxelIndex::Zero(), kBlock, m_limits[i]);
+      sampleCube(*block, VolumeBlock::kSize * m_near[i], VoxelIndex::Zero(), VolumeBlock::kSize, m_limits[i]);
       made[i] = contentOf(std::move(block));
       progress.set(static_cast<double>(++done) / static_cast<double>(made.size()));
     });

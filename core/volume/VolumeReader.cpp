@@ -14,11 +14,11 @@ double mix(double a, double b, double t) {
 }
 
 // The eight samples around a place, and the shares of the way between them.
-struct Cell {
+struct SampledCell {
   std::array<double, 8> corners;  // voxels
   Vec3 share;
 
-  Cell(const VolumeReader& reader, const Vec3& at) {
+  SampledCell(const VolumeReader& reader, const Vec3& at) {
     const VoxelIndex base = at.array().floor().cast<int>();
     share = at - base.cast<double>();
     const std::array<std::int16_t, 8> samples = reader.samplesFrom(base);
@@ -67,7 +67,7 @@ VolumeReader::Depth VolumeReader::depthAt(const Vec3& p) const {
   const double voxel = m_volume.voxel();
   const Vec3 at = (p - m_volume.origin()) / voxel;
   if (!isReadable(at)) return {-voxel * VolumeBlock::kFull / VolumeBlock::kUnit, Vec3::Zero()};
-  const Cell cell(*this, at);
+  const SampledCell cell(*this, at);
   return {voxel * cell.depth(), cell.gradient()};
 }
 
@@ -76,7 +76,7 @@ Vec3 VolumeReader::normalAt(const Vec3& p) const {
   if (!isReadable(at)) return Vec3::Zero();
   Vec3 normal;
   for (int k = 0; k < 3; ++k)
-    normal[k] = Cell(*this, at - Vec3::Unit(k)).depth() - Cell(*this, at + Vec3::Unit(k)).depth();
+    normal[k] = SampledCell(*this, at - Vec3::Unit(k)).depth() - SampledCell(*this, at + Vec3::Unit(k)).depth();
   const double length = normal.norm();
   return length > 0.0 ? Vec3(normal / length) : Vec3::Zero();
 }

@@ -13,10 +13,6 @@ namespace {
 const QByteArray kRobot = R"(<robot name='r'><link name='foot'><visual><geometry><box size='0.1 0.1 0.1'/></geometry>
 </visual></link></robot>)";
 
-nlohmann::json parsed(const Ran& ran) {
-  return nlohmann::json::parse(ran.out.toStdString(), nullptr, false);
-}
-
 // A solid in STL: a corner of a cube of this size.
 QByteArray corner(double size) {
   const double points[4][3] = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
@@ -60,18 +56,18 @@ class BodyTest : public QObject {
     const Ran added = m_bench->run({"body", "r.urdf", "--add", "box:10,20,30", "--name", "vice", "--at", "100,0,15",
                                     "--turn", "0,0,90", "-o", "cell.handwheel", "--json"});
     QVERIFY2(added.code == 0, added.err);
-    const nlohmann::json json = parsed(added);
+    const nlohmann::json json = jsonOf(added);
     QCOMPARE(json["options"]["add"].get<std::string>(), "box:10,20,30");
     QCOMPARE(json["bodies"][0]["name"].get<std::string>(), "vice");
     QVERIFY(json["bodies"][0]["position"] == nlohmann::json({100.0, 0.0, 15.0}));
     QCOMPARE(m_bench->run({"set", "cell.handwheel", "body.1.x=50", "body.1.name=table", "-o", "cell.handwheel"}).code,
              0);
-    const nlohmann::json shown = parsed(m_bench->run({"inspect", "cell.handwheel", "--json"}));
+    const nlohmann::json shown = jsonOf(m_bench->run({"inspect", "cell.handwheel", "--json"}));
     QCOMPARE(shown["document"]["bodies"][0]["name"].get<std::string>(), "table");
     QCOMPARE(shown["document"]["bodies"][0]["position"][0].get<double>(), 50.0);
     const Ran removed = m_bench->run({"body", "cell.handwheel", "--remove", "table", "-o", "cell.handwheel", "--json"});
     QVERIFY2(removed.code == 0, removed.err);
-    QVERIFY(parsed(removed)["bodies"].empty());
+    QVERIFY(jsonOf(removed)["bodies"].empty());
   }
 
   void linksAreFollowed() {
@@ -79,7 +75,7 @@ class BodyTest : public QObject {
     const auto stateNow = [&](QByteArray* said = nullptr) {
       const Ran ran = m_bench->run({"inspect", "cell.handwheel", "--json"});
       if (said) *said = ran.err;
-      return parsed(ran)["document"]["bodies"][0]["link"]["state"].get<std::string>();
+      return jsonOf(ran)["document"]["bodies"][0]["link"]["state"].get<std::string>();
     };
     QCOMPARE(stateNow(), "present");
     m_bench->put("part.stl", corner(60));
@@ -90,7 +86,7 @@ class BodyTest : public QObject {
     QCOMPARE(stateNow(), "present");
     // The volume of the part and of the robot's box.
     QCOMPARE(m_bench->run({"convert", "cell.handwheel", "all.stl"}).code, 0);
-    const double volume = parsed(m_bench->run({"inspect", "all.stl", "--json"}))["volume_mm3"].get<double>();
+    const double volume = jsonOf(m_bench->run({"inspect", "all.stl", "--json"}))["volume_mm3"].get<double>();
     QVERIFY(std::abs(volume - (1e6 + 60.0 * 60 * 60 / 6)) < 1.0);
     QVERIFY(QFile::remove(m_bench->path() + "/part.stl"));
     QCOMPARE(stateNow(&said), "missing");
@@ -98,7 +94,7 @@ class BodyTest : public QObject {
     const Ran refused = m_bench->run({"body", "cell.handwheel", "--update", "1", "-o", "cell.handwheel"});
     QCOMPARE(refused.code, 1);
     QCOMPARE(m_bench->run({"body", "cell.handwheel", "--unlink", "1", "-o", "cell.handwheel"}).code, 0);
-    QVERIFY(parsed(m_bench->run({"inspect", "cell.handwheel", "--json"}))["document"]["bodies"][0]["link"].is_null());
+    QVERIFY(jsonOf(m_bench->run({"inspect", "cell.handwheel", "--json"}))["document"]["bodies"][0]["link"].is_null());
   }
 
   void aBodyIsLinkedToAnotherFile() {
@@ -110,13 +106,13 @@ class BodyTest : public QObject {
     const Ran ran = m_bench->run(
         {"body", "cell.handwheel", "--update", "vice", "--from", "other.stl", "-o", "cell.handwheel", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
-    const nlohmann::json body = parsed(ran)["bodies"][0];
+    const nlohmann::json body = jsonOf(ran)["bodies"][0];
     QCOMPARE(body["name"].get<std::string>(), "vice");
     QCOMPARE(body["position"][0].get<double>(), 7.0);
     QCOMPARE(body["link"]["state"].get<std::string>(), "present");
     QVERIFY(body["link"]["path"].get<std::string>().ends_with("other.stl"));
     QCOMPARE(m_bench->run({"convert", "cell.handwheel", "all.stl"}).code, 0);
-    const double volume = parsed(m_bench->run({"inspect", "all.stl", "--json"}))["volume_mm3"].get<double>();
+    const double volume = jsonOf(m_bench->run({"inspect", "all.stl", "--json"}))["volume_mm3"].get<double>();
     QVERIFY(std::abs(volume - (1e6 + 30.0 * 30 * 30 / 6)) < 1.0);
   }
 
@@ -130,7 +126,7 @@ class BodyTest : public QObject {
     const Ran set =
         m_bench->run({"set", "cell.handwheel", "body.Table.x=12", "body.Table.visible=no", "-o", "cell.handwheel"});
     QVERIFY2(set.code == 0, set.err);
-    const nlohmann::json shown = parsed(m_bench->run({"inspect", "cell.handwheel", "--json"}));
+    const nlohmann::json shown = jsonOf(m_bench->run({"inspect", "cell.handwheel", "--json"}));
     QCOMPARE(shown["document"]["bodies"][0]["position"][0].get<double>(), 12.0);
     const Ran converted = m_bench->run({"convert", "cell.handwheel", "all.stl"});
     QVERIFY2(converted.err.contains("1 hidden body (Table) was left out."), converted.err);
@@ -141,7 +137,7 @@ class BodyTest : public QObject {
     QCOMPARE(m_bench->run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
     const Ran added = m_bench->run({"body", "r.urdf", "--add", "bar.handwheel", "-o", "cell.handwheel", "--json"});
     QVERIFY2(added.code == 0, added.err);
-    QCOMPARE(parsed(added)["bodies"][0]["shape"].get<std::string>(), "revolution");
+    QCOMPARE(jsonOf(added)["bodies"][0]["shape"].get<std::string>(), "revolution");
   }
 
   void refuses() {

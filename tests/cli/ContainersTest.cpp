@@ -33,10 +33,6 @@ void putNewer(const Bench& bench, const QString& name, const Container& containe
   bench.put(name, QByteArray::fromStdString(*writeZip(entries, Compression::Fast)));
 }
 
-Json inspected(const Bench& bench, const QString& name) {
-  return Json::parse(bench.run({"inspect", name, "--json"}).out.toStdString(), nullptr, false);
-}
-
 int loopWith(const Json& report, int edges) {
   for (const Json& loop : report.at("loops")) {
     if (loop.at("edges") == edges) return loop.at("id");
@@ -48,7 +44,7 @@ int loopWith(const Json& report, int edges) {
 // 6 edges, a unit, and what this program does not know.
 void putDocument(const Bench& bench, const QString& name) {
   bench.put("a.off", holedBox().off());
-  const int kept = loopWith(inspected(bench, "a.off"), 6);
+  const int kept = loopWith(bench.inspected("a.off"), 6);
   bench.run({"repair", "a.off", "-o", name, "--keep-open", QString::number(kept), "--max-hole", "3"});
   bench.run({"set", name, "display_unit=in", "-o", name});
   Container container = containerIn(bench, name);
@@ -90,7 +86,7 @@ class ContainersTest : public QObject {
     QVERIFY(ran.out.startsWith("2 of 3 holes filled, 1 kept open. "));
     QVERIFY(ran.err.contains(", 6 edges) stays open: it is marked to be kept open."));
     compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
-    const Json after = inspected(bench, "b.handwheel");
+    const Json after = bench.inspected("b.handwheel");
     QCOMPARE(after.at("loops").size(), std::size_t(1));
     QCOMPARE(after.at("loops").at(0).at("edges").get<int>(), 6);
     QCOMPARE(after.at("kept_open").size(), std::size_t(1));
@@ -135,14 +131,14 @@ class ContainersTest : public QObject {
       }
     }
     put(bench, "b.handwheel", container);
-    const Json report = inspected(bench, "b.handwheel");
+    const Json report = bench.inspected("b.handwheel");
     QVERIFY(bench.run({"inspect", "b.handwheel"}).err.isEmpty());  // still a sound mesh
     QCOMPARE(bench.run({"convert", "b.handwheel", "bare.off"}).code, 0);
-    QVERIFY(loopWith(inspected(bench, "bare.off"), 8) != loopWith(report, 8));
+    QVERIFY(loopWith(bench.inspected("bare.off"), 8) != loopWith(report, 8));
     QCOMPARE(report.at("kept_open").at(0).get<int>(), loopWith(report, 6));
     const QString id = QString::number(loopWith(report, 8));
     bench.run({"repair", "b.handwheel", "-o", "c.handwheel", "--keep-open", id});
-    const Json after = inspected(bench, "c.handwheel");
+    const Json after = bench.inspected("c.handwheel");
     QCOMPARE(after.at("loops").size(), std::size_t(2));
     QVERIFY(loopWith(after, 4) == -1);
     QCOMPARE(after.at("kept_open").size(), std::size_t(2));

@@ -12,10 +12,6 @@ using namespace handwheel;
 
 namespace {
 
-nlohmann::json jsonOf(const Ran& ran) {
-  return nlohmann::json::parse(ran.out.toStdString(), nullptr, false);
-}
-
 // One revolute joint about y, 200 mm up, with a link of 300 mm along x.
 const QByteArray kArm = R"(<robot name="arm">
   <link name="base"/>

@@ -12,10 +12,10 @@ using namespace handwheel;
 
 namespace {
 
-const QString kShaft = QStringLiteral(SOURCE_SAMPLES "/exercises/shaft.exercise.json");
+const QString kShaftExercise = QStringLiteral(SOURCE_SAMPLES "/exercises/shaft.exercise.json");
 
 nlohmann::json solutionOfShaft() {
-  QFile file(kShaft);
+  QFile file(kShaftExercise);
   if (!file.open(QIODevice::ReadOnly)) qFatal("an exercise is missing");
   return nlohmann::json::parse(file.readAll().toStdString())["solution"];
 }
@@ -47,7 +47,7 @@ class ExerciseTest : public QObject {
       if (run.code != 0) qWarning("%s", run.err.constData());
       return run.code;
     };
-    QCOMPARE(ran({"exercise", kShaft, "-o", "shaft.handwheel"}), 0);
+    QCOMPARE(ran({"exercise", kShaftExercise, "-o", "shaft.handwheel"}), 0);
     QCOMPARE(ran({"exercise", "shaft.handwheel", "--student", "-o", "task.handwheel"}), 0);
     QCOMPARE(ran({"exercise", "shaft.handwheel", "--solution", "-o", "model.handwheel"}), 0);
     QCOMPARE(ran({"exercise", "task.handwheel", "--stock", "-o", "bar.handwheel"}), 0);
@@ -129,7 +129,7 @@ class ExerciseTest : public QObject {
   void aTargetInRoundSizes() {
     const Bench bench;
     const Ran run =
-        bench.run({"exercise", kShaft, "--round-target", "2", "--sharp-corners", "5", "-o", "r.exercise.json"});
+        bench.run({"exercise", kShaftExercise, "--round-target", "2", "--sharp-corners", "5", "-o", "r.exercise.json"});
     QVERIFY2(run.code == 0, run.err);
     const nlohmann::json segments =
         nlohmann::json::parse(bench.content("r.exercise.json").toStdString())["task"]["target"]["segments"];
@@ -138,9 +138,9 @@ class ExerciseTest : public QObject {
       QCOMPARE(std::remainder(segment[0].get<double>(), 1.0), 0.0);
       QCOMPARE(std::remainder(segment[1].get<double>(), 2.0), 0.0);
     }
-    QCOMPARE(bench.run({"exercise", kShaft, "--round-target", "0", "-o", "x.handwheel"}).code, 1);
-    QCOMPARE(bench.run({"exercise", kShaft, "--sharp-corners", "1", "-o", "x.handwheel"}).code, 1);
-    QCOMPARE(bench.run({"exercise", kShaft, "--student", "--round-target", "1", "-o", "x.handwheel"}).code, 1);
+    QCOMPARE(bench.run({"exercise", kShaftExercise, "--round-target", "0", "-o", "x.handwheel"}).code, 1);
+    QCOMPARE(bench.run({"exercise", kShaftExercise, "--sharp-corners", "1", "-o", "x.handwheel"}).code, 1);
+    QCOMPARE(bench.run({"exercise", kShaftExercise, "--student", "--round-target", "1", "-o", "x.handwheel"}).code, 1);
   }
 
   // Each size once: repeated, nothing is added.
@@ -149,20 +149,20 @@ class ExerciseTest : public QObject {
     const auto criteria = [&bench](const char* file) {
       return nlohmann::json::parse(bench.content(file).toStdString())["criteria"];
     };
-    QCOMPARE(bench.run({"exercise", kShaft, "-o", "as-it-is.exercise.json"}).code, 0);
-    const Ran run = bench.run({"exercise", kShaft, "--mark-sizes", "-o", "sizes.exercise.json"});
+    QCOMPARE(bench.run({"exercise", kShaftExercise, "-o", "as-it-is.exercise.json"}).code, 0);
+    const Ran run = bench.run({"exercise", kShaftExercise, "--mark-sizes", "-o", "sizes.exercise.json"});
     QVERIFY2(run.code == 0, run.err);
     QVERIFY(criteria("sizes.exercise.json").size() > criteria("as-it-is.exercise.json").size());
     QVERIFY(run.err.isEmpty());
     const Ran again = bench.run({"exercise", "sizes.exercise.json", "--mark-sizes", "-o", "again.exercise.json"});
     QVERIFY2(again.code == 0 && again.err.contains("No mark was added"), again.err);
     QCOMPARE(criteria("again.exercise.json"), criteria("sizes.exercise.json"));
-    QCOMPARE(bench.run({"exercise", kShaft, "--student", "--mark-sizes", "-o", "x.handwheel"}).code, 1);
+    QCOMPARE(bench.run({"exercise", kShaftExercise, "--student", "--mark-sizes", "-o", "x.handwheel"}).code, 1);
   }
 
   void theStudentsFileHasNoAnswers() {
     const Bench bench;
-    QCOMPARE(bench.run({"exercise", kShaft, "--student", "-o", "task.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"exercise", kShaftExercise, "--student", "-o", "task.handwheel"}).code, 0);
     const Ran inspected = bench.run({"inspect", "task.handwheel", "--json"});
     QVERIFY2(inspected.code == 0, inspected.err);
     const nlohmann::json json = nlohmann::json::parse(inspected.out.toStdString());
@@ -177,20 +177,24 @@ class ExerciseTest : public QObject {
   void theTeacherLearnsWhatIsWrongWithAFile() {
     const Bench bench;
     nlohmann::json exercise = nlohmann::json::parse([] {
-      QFile file(kShaft);
+      QFile file(kShaftExercise);
       return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
     }());
     bench.put("work.json", QByteArray::fromStdString(exercise["solution"].dump()));
-    QCOMPARE(bench.run({"exercise", kShaft, "--hand-in", "work.json", "--name", "Ada", "-o", "ada.handwheel"}).code, 0);
+    QCOMPARE(
+        bench.run({"exercise", kShaftExercise, "--hand-in", "work.json", "--name", "Ada", "-o", "ada.handwheel"}).code,
+        0);
     QByteArray bytes = bench.content("ada.handwheel");
     bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
     bench.put("broken.handwheel", bytes);
-    const Ran broken = bench.run({"mark", kShaft, "broken.handwheel"});
+    const Ran broken = bench.run({"mark", kShaftExercise, "broken.handwheel"});
     QVERIFY2(broken.out.contains("The file is damaged"), broken.out);
-    QVERIFY(!bench.run({"mark", kShaft, "ada.handwheel"}).out.contains("The file is damaged"));
+    QVERIFY(!bench.run({"mark", kShaftExercise, "ada.handwheel"}).out.contains("The file is damaged"));
     // Nobody moves twice alike.
-    QCOMPARE(bench.run({"exercise", kShaft, "--hand-in", "work.json", "--name", "Eve", "-o", "eve.handwheel"}).code, 0);
-    const QByteArray both = bench.run({"mark", kShaft, "ada.handwheel", "eve.handwheel"}).out;
+    QCOMPARE(
+        bench.run({"exercise", kShaftExercise, "--hand-in", "work.json", "--name", "Eve", "-o", "eve.handwheel"}).code,
+        0);
+    const QByteArray both = bench.run({"mark", kShaftExercise, "ada.handwheel", "eve.handwheel"}).out;
     QVERIFY2(both.contains("the same as that of Ada (ada.handwheel)") && both.contains("that of Eve (eve."), both);
     exercise["criteria"][0]["lower"] = 1.0;
     exercise["criteria"][0]["upper"] = 99.0;
@@ -201,12 +205,13 @@ class ExerciseTest : public QObject {
   // The bar of an exercise knows its exercise, so that the window goes on with it; and the time that is counted there.
   void theBarKnowsItsExercise() {
     const Bench bench;
-    QCOMPARE(bench.run({"exercise", kShaft, "--stock", "-o", "bar.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"exercise", kShaftExercise, "--stock", "-o", "bar.handwheel"}).code, 0);
     // It stays the bar of the exercise: only what is worked on it changes.
     QCOMPARE(bench.run({"set", "bar.handwheel", "material=brass", "-o", "bar.handwheel"}).code, 1);
-    QCOMPARE(bench.run({"exercise", kShaft, "--hand-in", "bar.handwheel", "--name", "Ada", "-o", "a.handwheel"}).code,
+    QCOMPARE(bench.run({"exercise", kShaftExercise, "--hand-in", "bar.handwheel", "--name", "Ada", "-o", "a.handwheel"})
+                 .code,
              0);
-    const Ran marked = bench.run({"mark", kShaft, "a.handwheel", "--json"});
+    const Ran marked = bench.run({"mark", kShaftExercise, "a.handwheel", "--json"});
     QCOMPARE(nlohmann::json::parse(marked.out.toStdString())["submissions"][0]["seconds"].get<double>(), 0.0);
   }
 
@@ -215,9 +220,10 @@ class ExerciseTest : public QObject {
     nlohmann::json work = solutionOfShaft();
     for (nlohmann::json& pass : work["passes"]) pass["feed"] = 0.8;
     bench.put("work.json", QByteArray::fromStdString(work.dump()));
-    QCOMPARE(bench.run({"exercise", kShaft, "--hand-in", "work.json", "--name", "Cleo", "-o", "cleo.handwheel"}).code,
+    QCOMPARE(bench.run({"exercise", kShaftExercise, "--hand-in", "work.json", "--name", "Cleo", "-o", "cleo.handwheel"})
+                 .code,
              0);
-    const Ran marked = bench.run({"mark", kShaft, "cleo.handwheel"});
+    const Ran marked = bench.run({"mark", kShaftExercise, "cleo.handwheel"});
     QVERIFY2(marked.code == 0 && marked.out.contains("Cleo") && marked.out.contains("above the upper limit"),
              marked.out);
   }
@@ -235,8 +241,8 @@ class ExerciseTest : public QObject {
         bench.run({"exercise", "bush.handwheel", "--hand-in", "stock.handwheel", "--name", "A", "-o", "a.handwheel"})
             .code,
         0);
-    const Ran marked =
-        bench.run({"mark", kShaft, "junk.handwheel", "bar.handwheel", "a.handwheel", "none.handwheel", "--json"});
+    const Ran marked = bench.run(
+        {"mark", kShaftExercise, "junk.handwheel", "bar.handwheel", "a.handwheel", "none.handwheel", "--json"});
     QCOMPARE(marked.code, 2);
     const nlohmann::json json = nlohmann::json::parse(marked.out.toStdString());
     for (const nlohmann::json& each : json["submissions"]) QVERIFY(each["problem"].is_string());
@@ -249,9 +255,9 @@ class ExerciseTest : public QObject {
     QCOMPARE(bench.run({"exercise", "bush.handwheel", "--student", "--stock", "-o", "x.handwheel"}).code, 1);
     QCOMPARE(bench.run({"exercise", "bar.handwheel", "-o", "x.handwheel"}).code, 1);
     QCOMPARE(bench.run({"exercise", "bush.handwheel"}).code, 1);
-    QCOMPARE(bench.run({"mark", kShaft}).code, 1);
-    QCOMPARE(bench.run({"mark", kShaft, "a.handwheel", "--report", "x.doc"}).code, 1);
-    QCOMPARE(bench.run({"mark", kShaft, "a.handwheel", "--sort", "Shoe size"}).code, 1);
+    QCOMPARE(bench.run({"mark", kShaftExercise}).code, 1);
+    QCOMPARE(bench.run({"mark", kShaftExercise, "a.handwheel", "--report", "x.doc"}).code, 1);
+    QCOMPARE(bench.run({"mark", kShaftExercise, "a.handwheel", "--sort", "Shoe size"}).code, 1);
     QVERIFY(!bench.names().contains("x.handwheel"));
   }
 
@@ -295,7 +301,7 @@ class ExerciseTest : public QObject {
   // and a nose of 1 mm leaves f²/(32 R).
   void aRecordingOnALatheThatStands() {
     const Bench bench;
-    QFile file(kShaft);
+    QFile file(kShaftExercise);
     QVERIFY(file.open(QIODevice::ReadOnly));
     nlohmann::json standing = nlohmann::json::parse(file.readAll().toStdString());
     standing["task"]["spindle_speed"] = 0;
@@ -316,7 +322,7 @@ class ExerciseTest : public QObject {
   // One point is told as one.
   void aSinglePoint() {
     const Bench bench;
-    QFile file(kShaft);
+    QFile file(kShaftExercise);
     QVERIFY(file.open(QIODevice::ReadOnly));
     nlohmann::json one = nlohmann::json::parse(file.readAll().toStdString());
     nlohmann::json criterion = one["criteria"][0];

@@ -19,6 +19,11 @@ struct Ran {
   QByteArray err;
 };
 
+// What the program wrote, as JSON; discarded where it is none.
+inline nlohmann::json jsonOf(const Ran& ran) {
+  return nlohmann::json::parse(ran.out.toStdString(), nullptr, false);
+}
+
 inline QProcessEnvironment environmentWith(const QString& locale) {
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   environment.insert("LC_ALL", locale);
@@ -69,6 +74,7 @@ class Bench {
   }
   QString path() const { return m_folder.path(); }
   Ran run(const QStringList& words, const QString& locale = "C") const { return runIn(path(), words, locale); }
+  nlohmann::json inspected(const QString& name) const { return jsonOf(run({"inspect", name, "--json"})); }
 
  private:
   QTemporaryDir m_folder;

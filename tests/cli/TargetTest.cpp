@@ -13,13 +13,9 @@ using namespace handwheel;
 namespace {
 
 // A shaft of 40 and 24 mm with a shoulder at 30 mm, of 80 mm: the half section in user units of 1 mm.
-const QByteArray kShaft =
+const QByteArray kShaftDrawing =
     "<svg width=\"100mm\" height=\"30mm\" viewBox=\"0 0 100 30\"><path d=\"M 0 25 V 5 H 30 V 13 H 80 V 25\"/>"
     "<line id=\"axis\" x1=\"-5\" y1=\"25\" x2=\"95\" y2=\"25\"/></svg>";
-
-nlohmann::json parsed(const Ran& ran) {
-  return nlohmann::json::parse(ran.out.toStdString());
-}
 
 }  // namespace
 
@@ -59,12 +55,12 @@ class TargetTest : public QObject {
 
   void listsDimensions() {
     const Bench bench;
-    bench.put("shaft.svg", kShaft);
+    bench.put("shaft.svg", kShaftDrawing);
     const Ran ran = bench.run({"target", "shaft.svg"});
     QVERIFY2(ran.code == 0, ran.err);
     QVERIFY2(ran.out.contains("cylinder Ø40, Z 0 to 30, length 30"), ran.out);
     QVERIFY2(ran.out.contains("cylinder Ø24, Z 30 to 80, length 50"), ran.out);
-    const nlohmann::json json = parsed(bench.run({"target", "shaft.svg", "--json"}));
+    const nlohmann::json json = jsonOf(bench.run({"target", "shaft.svg", "--json"}));
     QVERIFY(std::abs(json["volume"].get<double>() / (M_PI * (400.0 * 30.0 + 144.0 * 50.0)) - 1.0) < 1e-9);
     QCOMPARE(json["dimensions"].size(), std::size_t{5});
   }
@@ -72,12 +68,12 @@ class TargetTest : public QObject {
   // To every format and back, with the same dimensions.
   void convertsDrawings() {
     const Bench bench;
-    bench.put("shaft.svg", kShaft);
-    const nlohmann::json expected = parsed(bench.run({"target", "shaft.svg", "--json"}));
+    bench.put("shaft.svg", kShaftDrawing);
+    const nlohmann::json expected = jsonOf(bench.run({"target", "shaft.svg", "--json"}));
     for (const char* out : {"a.dxf", "a.svg", "a.handwheel"}) {
       const Ran written = bench.run({"target", "shaft.svg", "-o", out});
       QVERIFY2(written.code == 0, written.err);
-      const nlohmann::json back = parsed(bench.run({"target", out, "--json"}));
+      const nlohmann::json back = jsonOf(bench.run({"target", out, "--json"}));
       QVERIFY2(std::abs(back["volume"].get<double>() / expected["volume"].get<double>() - 1.0) < 1e-9, out);
       QCOMPARE(back["dimensions"].size(), expected["dimensions"].size());
     }
@@ -87,13 +83,13 @@ class TargetTest : public QObject {
 
   void measuresAWorkpiece() {
     const Bench bench;
-    bench.put("shaft.svg", kShaft);
+    bench.put("shaft.svg", kShaftDrawing);
     QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);  // 50 x 100 mm
     const auto over = [&bench](const QStringList& more) {
       const Ran ran = bench.run(
           QStringList{"target", "shaft.svg", "--of", "bar.handwheel", "-o", "with.handwheel", "--json"} + more);
       if (ran.code != 0) qWarning("%s", ran.err.constData());
-      const nlohmann::json json = parsed(ran);
+      const nlohmann::json json = jsonOf(ran);
       return std::pair(json["deviation"]["largest_over"]["distance"].get<double>(),
                        json["facing_allowance"].get<double>());
     };
@@ -107,7 +103,7 @@ class TargetTest : public QObject {
       QCOMPARE(bench.run({"target", "shaft.svg", "--of", "bar.handwheel", "--facing", wrong}).code, 1);
     // It can be changed afterwards.
     QCOMPARE(bench.run({"set", "with.handwheel", "facing_allowance=2.5", "-o", "set.handwheel"}).code, 0);
-    QVERIFY(std::abs(parsed(bench.run({"target", "set.handwheel", "--json"}))["lower_end"].get<double>() - 17.5) <
+    QVERIFY(std::abs(jsonOf(bench.run({"target", "set.handwheel", "--json"}))["lower_end"].get<double>() - 17.5) <
             1e-9);
     const Ran inspected = bench.run({"inspect", "with.handwheel"});
     QVERIFY2(inspected.out.contains("cylinder Ø50, Z 0 to 100, length 100"), inspected.out);

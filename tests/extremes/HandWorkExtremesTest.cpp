@@ -31,13 +31,6 @@ namespace {
 constexpr std::size_t kMostFaces = 500;  // all pairs of faces are looked at
 constexpr int kDeeds = 15;
 
-std::vector<test::ExtremeMesh> allMeshes() {
-  std::vector<test::ExtremeMesh> all = test::scaledMeshes();
-  for (const auto& more : {test::oddMeshes(), test::topologicalMeshes()})
-    all.insert(all.end(), more.begin(), more.end());
-  return all;
-}
-
 // One deed at a place that the numbers choose; true when it changed something.
 bool work(HalfEdgeMesh& mesh, int deed, std::mt19937& random) {
   const auto loops = findBoundaryLoops(mesh);
@@ -76,12 +69,13 @@ bool work(HalfEdgeMesh& mesh, int deed, std::mt19937& random) {
 
 void HandWorkExtremesTest::neverWorse_data() {
   QTest::addColumn<QString>("name");
-  for (const test::ExtremeMesh& mesh : allMeshes()) QTest::newRow(mesh.name.c_str()) << QString(mesh.name.c_str());
+  for (const test::ExtremeMesh& mesh : test::allMeshes())
+    QTest::newRow(mesh.name.c_str()) << QString(mesh.name.c_str());
 }
 
 void HandWorkExtremesTest::neverWorse() {
   QFETCH(QString, name);
-  static const std::vector<test::ExtremeMesh> all = allMeshes();
+  static const std::vector<test::ExtremeMesh> all = test::allMeshes();
   const auto own = std::find_if(all.begin(), all.end(), [&](const auto& m) { return name == m.name.c_str(); });
   HalfEdgeMesh mesh = buildMesh(own->soup()).mesh;
   std::mt19937 random(11);

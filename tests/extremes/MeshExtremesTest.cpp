@@ -29,7 +29,7 @@ std::vector<test::ExtremeMesh> meshExtremesAllMeshes() {
   return all;
 }
 
-const test::ExtremeMesh& meshNamed(const QString& name) {
+const test::ExtremeMesh& meshOfRow(const QString& name) {
   static const std::vector<test::ExtremeMesh> all = meshExtremesAllMeshes();
   const auto at = std::find_if(all.begin(), all.end(), [&](const auto& m) { return name == m.name.c_str(); });
   return *at;
@@ -102,7 +102,7 @@ class MeshExtremesTest : public QObject {
 // Every triangle becomes a face, every invariant holds.
 void MeshExtremesTest::build() {
   QFETCH(QString, name);
-  const TriangleSoup soup = meshNamed(name).soup();
+  const TriangleSoup soup = meshOfRow(name).soup();
   const BuiltMesh built = buildMesh(soup);
   QCOMPARE(QString::fromStdString(validate(built.mesh)), QString());
   QCOMPARE(built.mesh.liveFaceCount(), soup.triangles.size());
@@ -110,7 +110,7 @@ void MeshExtremesTest::build() {
 
 void MeshExtremesTest::defects() {
   QFETCH(QString, name);
-  const test::ExtremeMesh& extreme = meshNamed(name);
+  const test::ExtremeMesh& extreme = meshOfRow(name);
   const TriangleSoup soup = extreme.soup();
   const Defects found = findDefects(buildMesh(soup).mesh);
   Box box;
@@ -125,7 +125,7 @@ void MeshExtremesTest::defects() {
 
 void MeshExtremesTest::report() {
   QFETCH(QString, name);
-  const test::ExtremeMesh& extreme = meshNamed(name);
+  const test::ExtremeMesh& extreme = meshOfRow(name);
   const TriangleSoup soup = extreme.soup();
   const MeshReport report = reportOn(soup, SelfIntersections::Skip);
   QCOMPARE(report.triangles, soup.triangles.size());
@@ -141,7 +141,7 @@ void MeshExtremesTest::report() {
 // A repair ends, leaves a valid mesh, makes sound what can be made so, and never opens anything.
 void MeshExtremesTest::repairs() {
   QFETCH(QString, name);
-  const test::ExtremeMesh& extreme = meshNamed(name);
+  const test::ExtremeMesh& extreme = meshOfRow(name);
   const TriangleSoup soup = extreme.soup();
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
   RepairOptions options;
@@ -205,7 +205,7 @@ void MeshExtremesTest::distanceChangesNothing() {
 // PLY, OBJ and OFF give back every corner of every triangle bit for bit; without triangles there is no file.
 void MeshExtremesTest::filesKeepDoubles() {
   QFETCH(QString, name);
-  const TriangleSoup soup = meshNamed(name).soup();
+  const TriangleSoup soup = meshOfRow(name).soup();
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
   const QTemporaryDir folder;
   for (const char* ending : {"ply", "obj", "off"}) {
@@ -234,7 +234,7 @@ void MeshExtremesTest::filesKeepDoubles() {
 // fall together; or the file is refused where there is none.
 void MeshExtremesTest::filesRoundToSingles() {
   QFETCH(QString, name);
-  const TriangleSoup soup = meshNamed(name).soup();
+  const TriangleSoup soup = meshOfRow(name).soup();
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("a.stl").toStdString();

@@ -20,7 +20,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kWidest = 840;
+constexpr int kWidestPage = 840;
 constexpr int kPageMargin = 24;
 constexpr int kTileGap = 16;
 constexpr int kNarrowestTile = 152;
@@ -76,7 +76,7 @@ StartPage::StartPage(QWidget* parent)
 
 // Where the window is small or the letters are large.
 void StartPage::makeScrollable() {
-  m_content->setMaximumWidth(kWidest);
+  m_content->setMaximumWidth(kWidestPage);
   auto* scroll = new QScrollArea(this);
   scroll->setObjectName(QStringLiteral("startScroll"));
   scroll->setFrameShape(QFrame::NoFrame);
@@ -192,7 +192,7 @@ Tile* StartPage::recentTile(const QString& path) {
 // In as many columns as fit.
 void StartPage::arrange() {
   const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-  const int room = std::min(width(), kWidest) - 2 * kPageMargin - (width() < kWidest + bar ? bar : 0);
+  const int room = std::min(width(), kWidestPage) - 2 * kPageMargin - (width() < kWidestPage + bar ? bar : 0);
   fill(*m_tiles, m_startTiles, std::clamp((room + kTileGap) / (kNarrowestTile + kTileGap), 1, kMostColumns), true);
   fill(*m_recent, m_recentTiles, std::max(1, (room + 8) / (kRecentWidth + 8)), false);
 }

@@ -17,7 +17,7 @@ namespace handwheel {
 namespace {
 constexpr int kMargin = 16;
 constexpr int kWidth = 440;
-constexpr int kWidest = 760;  // lines of more letters are hard to read
+constexpr int kWidestCard = 760;  // lines of more letters are hard to read
 constexpr int kWiderBy = 40;
 constexpr double kCoveredShare = 0.2;  // of the height, above which the card becomes wider
 constexpr int kButtonsInRow = 3;
@@ -129,7 +129,7 @@ int SuggestionCard::widthIn(const QSize& room) const {
   const int most = room.width() - 2 * kMargin;
   int width = std::max(kWidth, layout()->minimumSize().width());
   int height = layout()->totalHeightForWidth(width);
-  for (int wider = width + kWiderBy; wider <= std::min(kWidest, most); wider += kWiderBy) {
+  for (int wider = width + kWiderBy; wider <= std::min(kWidestCard, most); wider += kWiderBy) {
     if (height <= kCoveredShare * room.height()) break;
     const int lower = layout()->totalHeightForWidth(wider);
     if (lower >= height) continue;

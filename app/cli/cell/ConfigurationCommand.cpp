@@ -39,7 +39,7 @@ Result<CellPlans> withSrdf(CellPlans plans, const std::string& path, const Robot
   return changed ? changed : named(changed.error());
 }
 
-std::string reportOf(const nlohmann::json& described, bool asJson) {
+std::string configurationsReport(const nlohmann::json& described, bool asJson) {
   if (asJson)
     return textOf({{"configurations", described["configurations"]},
                    {"targets", described["targets"]},
@@ -121,7 +121,7 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
   cell.plans = std::make_shared<const CellPlans>(std::move(changed->plans));
   cell.joints = changed->joints;
   if (const int code = saveCell(*file, cell, arguments.valueOf("output")); code != kExitDone) return code;
-  return print(reportOf(file->opened.kind->describe(cell), arguments.has("json")));
+  return print(configurationsReport(file->opened.kind->describe(cell), arguments.has("json")));
 }
 
 }  // namespace

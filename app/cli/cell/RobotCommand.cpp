@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-std::string reportOf(const nlohmann::json& robots, bool asJson) {
+std::string robotsReport(const nlohmann::json& robots, bool asJson) {
   if (asJson) return textOf({{"robots", robots}});
   std::string text;
   for (const nlohmann::json& robot : robots) {
@@ -44,7 +44,7 @@ int runRobot(const Arguments& arguments, const DocumentKinds& kinds) {
   const Result<RobotCellSnapshot> changed = withRobotsChanged(values, *file->cell, added);
   if (!changed) return fail(changed.error());
   if (const int code = saveCell(*file, *changed, arguments.valueOf("output")); code != kExitDone) return code;
-  return print(reportOf(file->opened.kind->describe(*changed)["robots"], arguments.has("json")));
+  return print(robotsReport(file->opened.kind->describe(*changed)["robots"], arguments.has("json")));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Segment {
+struct SegmentAnswer {
   Segmented segmented;
   Vec3 spacing;
   std::vector<std::string> warnings;
@@ -34,14 +34,14 @@ Error about(const fs::path& path, Error error) {
   return error;
 }
 
-Result<Segment> segmentFile(const fs::path& input, const fs::path& output, const OperationValues& values,
-                            const DocumentKinds& kinds, MemoryNotice& notice, Progress progress) {
+Result<SegmentAnswer> segmentFile(const fs::path& input, const fs::path& output, const OperationValues& values,
+                                  const DocumentKinds& kinds, MemoryNotice& notice, Progress progress) {
   const DocumentKind& kind = *kinds.withId("volume");
   if (const auto endings = writtenEndings(kind.formats()); !hasOneOf(output, endings))
     return unknownEnding(output, endings);
   const Result<ImageFile> file = readImageFile(input, progress.part(0.0, 0.4));
   if (!file) return about(input, file.error());
-  Segment done{{}, file->image.grid().spacing(), {}};
+  SegmentAnswer done{{}, file->image.grid().spacing(), {}};
   for (const Note& note : notesOn(file->remarks)) done.warnings.push_back(noteText(note).toStdString());
   Result<Segmented> segmented = segment(file->image, values, progress.part(0.4, 0.7), [&](double voxel, double bytes) {
     return notice.begin(voxel, bytes, std::nullopt);
@@ -55,7 +55,7 @@ Result<Segment> segmentFile(const fs::path& input, const fs::path& output, const
   return done;
 }
 
-nlohmann::ordered_json reportOf(const Segment& done, const MemoryNotice& notice) {
+nlohmann::ordered_json reportOf(const SegmentAnswer& done, const MemoryNotice& notice) {
   const SparseVolume& volume = done.segmented.volume;
   const auto end = [](double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); };
   nlohmann::ordered_json report = {{"voxels", std::llround(volume.material() / std::pow(volume.voxel(), 3))},
@@ -70,7 +70,7 @@ nlohmann::ordered_json reportOf(const Segment& done, const MemoryNotice& notice)
   return report;
 }
 
-std::string textOf(const Segment& done, const fs::path& output) {
+std::string textOf(const SegmentAnswer& done, const fs::path& output) {
   const SparseVolume& volume = done.segmented.volume;
   std::string text = output.string() + ": values ";
   if (std::isfinite(done.segmented.range.least)) text += "from " + roundedText(done.segmented.range.least) + " ";
@@ -91,12 +91,12 @@ int runSegment(const Arguments& arguments, const DocumentKinds& kinds) {
   const fs::path input = arguments.operands[0], output = arguments.valueOf("output");
   if (const std::string refusal = refusalToOverwrite(output, {input}); !refusal.empty()) return refuse(refusal);
   MemoryNotice notice(arguments);
-  std::optional<Result<Segment>> result;
+  std::optional<Result<SegmentAnswer>> result;
   runInterruptible("Segmenting", [&](CommandJob& job) {
     result = segmentFile(input, output, values, kinds, notice.during(job), job.progress());
   });
   if (!*result) return fail(result->error());
-  const Segment& done = result->value();
+  const SegmentAnswer& done = result->value();
   for (const std::string& warning : done.warnings) complain(warning);
   return print(arguments.has("json") ? reportOf(done, notice).dump() + "\n" : textOf(done, output));
 }

@@ -5,11 +5,11 @@
 namespace handwheel {
 
 namespace {
-constexpr int kFrameMs = 16;  // 60 a second
+constexpr int kPlaybackFrameMs = 16;  // 60 a second
 }
 
 Playback::Playback(ServoClock& clock, QObject* parent) : QObject(parent), m_clock(clock) {
-  m_timer.setInterval(kFrameMs);
+  m_timer.setInterval(kPlaybackFrameMs);
   m_timer.setTimerType(Qt::PreciseTimer);
   connect(&m_timer, &QTimer::timeout, this, &Playback::follow);
 }

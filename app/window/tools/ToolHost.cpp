@@ -20,7 +20,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kFrameMs = 16;                  // of a live preview
+constexpr int kPreviewFrameMs = 16;           // of a live preview
 constexpr int kFramesToFigures = 8;           // how often numbers that change by themselves are shown anew
 constexpr std::string_view kLeaves = "done";  // effect of Esc in a tool that has nothing to revert
 
@@ -105,7 +105,7 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, ServiceRegistry& needs,
   connect(&m_viewport, &Viewport::cameraChanged, this, [this] {
     if (m_label->isVisible()) showSoon();
   });
-  m_frames.setInterval(kFrameMs);
+  m_frames.setInterval(kPreviewFrameMs);
   connect(&m_frames, &QTimer::timeout, this, [this] {
     m_runner.resume();
     if (!m_runner.tool()) return;

@@ -52,9 +52,9 @@ std::vector<Property> placeProperties(const RobotPath& path, std::size_t place) 
 }
 
 std::optional<PlaceField> placeOfProperty(const CellPlans& plans, std::string_view id) {
-  constexpr std::string_view kPrefix = "path.";
-  if (!id.starts_with(kPrefix)) return std::nullopt;
-  id.remove_prefix(kPrefix.size());
+  constexpr std::string_view kPathPrefix = "path.";
+  if (!id.starts_with(kPathPrefix)) return std::nullopt;
+  id.remove_prefix(kPathPrefix.size());
   const std::size_t last = id.rfind('.');
   const std::size_t before = last == id.npos || last == 0 ? id.npos : id.rfind('.', last - 1);
   if (before == id.npos) return std::nullopt;

@@ -13,7 +13,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kHeaderSize = 30;
-constexpr std::size_t kLongestName = 1000;
+constexpr std::size_t kLongestEntryName = 1000;
 constexpr std::uint16_t kStored = 0, kDeflated = 8;
 constexpr std::uint16_t kEncryptedFlag = 1, kStreamedFlag = 8;
 constexpr std::size_t kSearchBlock = 256 * 1024;
@@ -44,7 +44,7 @@ Header parseHeader(std::string_view archive, std::size_t at) {
   entry.isDeflated = method == kDeflated;
   entry.isStreamed = (flags & kStreamedFlag) != 0;
   entry.data = at + kHeaderSize + nameLength + extraLength;
-  if (entry.data > archive.size() || nameLength == 0 || nameLength > kLongestName) return header;
+  if (entry.data > archive.size() || nameLength == 0 || nameLength > kLongestEntryName) return header;
   entry.name = archive.substr(at + kHeaderSize, nameLength);
   // Stored data of unknown length has no end that one could find.
   const bool hasEnd = entry.isDeflated || !entry.isStreamed;

@@ -12,12 +12,12 @@ namespace handwheel {
 
 namespace {
 
-constexpr const char *kStamp = "stamp", *kBytes = "bytes", *kModified = "modified_ns", *kPartial = "partial";
+constexpr const char *kStamp = "stamp", *kFileBytes = "bytes", *kModified = "modified_ns", *kPartial = "partial";
 
 std::optional<FileTimestamp> stampIn(const nlohmann::json& info) {
   const auto found = info.find(kStamp);
   if (found == info.end() || !found->is_object()) return {};
-  const auto bytes = found->find(kBytes), modified = found->find(kModified);
+  const auto bytes = found->find(kFileBytes), modified = found->find(kModified);
   if (bytes == found->end() || !bytes->is_number_unsigned()) return {};
   if (modified == found->end() || !modified->is_number_integer()) return {};
   return FileTimestamp{bytes->get<std::uintmax_t>(), modified->get<std::int64_t>()};
@@ -59,7 +59,7 @@ std::string infoText(const AutosaveInfo& info) {
   // A path need not be UTF-8; JSON must.
   const std::string path = QByteArray::fromStdString(info.path).toPercentEncoding("/ ").toStdString();
   nlohmann::json text = {{"id", info.documentId}, {"path", path}, {"name", info.name}, {"kind", info.kind}};
-  if (info.stamp) text[kStamp] = {{kBytes, info.stamp->bytes}, {kModified, info.stamp->modifiedNs}};
+  if (info.stamp) text[kStamp] = {{kFileBytes, info.stamp->bytes}, {kModified, info.stamp->modifiedNs}};
   if (info.isPartial) text[kPartial] = true;
   return text.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

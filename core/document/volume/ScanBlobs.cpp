@@ -34,7 +34,7 @@ std::string groupName(std::size_t group) {
   return kSegment + digits;
 }
 
-Error malformed(const char* what, std::string why) {
+Error malformedScan(const char* what, std::string why) {
   return {ErrorCode::ElementMalformed, {what, std::move(why)}, {}, {}};
 }
 
@@ -96,7 +96,7 @@ std::vector<Segment::Brick> readBricks(const Container& container, const std::ar
       ++found;
     }
   }
-  if (found != painted) damage.push_back(malformed("document.scan", "part of what was painted is lost"));
+  if (found != painted) damage.push_back(malformedScan("document.scan", "part of what was painted is lost"));
   if (found == 0) bricks.clear();
   return bricks;
 }
@@ -124,7 +124,7 @@ std::optional<ImageGrid> gridIn(const Json& scan, std::vector<Error>& damage) {
     grid.size[k] = size[k].get<int>();
     grid.steps.col(static_cast<Eigen::Index>(k)) = step;
   }
-  const Status status = isSound ? checkGrid(grid) : Status(malformed("document.scan", "it is no grid of samples"));
+  const Status status = isSound ? checkGrid(grid) : Status(malformedScan("document.scan", "it is no grid of samples"));
   if (status) return grid;
   damage.push_back(status.error());
   return {};
@@ -145,11 +145,11 @@ std::optional<ImageVolume> samplesIn(const Container& container, const ImageGrid
   for (const IndexRange& gap : read.lost)
     if (gap.begin < read.values.size()) there -= std::min(gap.end, read.values.size()) - gap.begin;
   if (there == 0 || grid.count() / kMostLost > there) {
-    damage.push_back(malformed("document.scan", "its samples are lost"));
+    damage.push_back(malformedScan("document.scan", "its samples are lost"));
     return {};
   }
   if (!read.lost.empty() && grid.count() > systemMemory() / sizeof(Sample)) {
-    damage.push_back(malformed("document.scan", "its samples need more memory than there is"));
+    damage.push_back(malformedScan("document.scan", "its samples need more memory than there is"));
     return {};
   }
   std::vector<Sample>& samples = read.values;
@@ -174,7 +174,7 @@ std::optional<ImageVolume> samplesIn(const Container& container, const ImageGrid
     sample = least;
     ++lost;
   }
-  damage.push_back(malformed("document.scan", std::to_string(lost) + " of its samples are lost"));
+  damage.push_back(malformedScan("document.scan", std::to_string(lost) + " of its samples are lost"));
   return ImageVolume(grid, std::move(samples));
 }
 
@@ -201,7 +201,7 @@ std::optional<StoredScan> readScan(const Container& container, std::vector<Error
   if (!grid) return {};
   const std::string type = stringAt(scan, kType);
   if (type != kWhole && type != kReal) {
-    damage.push_back(malformed("document.scan.type", "it is not known"));
+    damage.push_back(malformedScan("document.scan.type", "it is not known"));
     return {};
   }
   std::optional<ImageVolume> image =
@@ -218,7 +218,7 @@ std::optional<StoredScan> readScan(const Container& container, std::vector<Error
   if (isRange && ends[1].is_number()) range.largest = ends[1].get<double>();
   isRange = isRange && range.least <= range.largest;
   if (!isRange) {
-    damage.push_back(malformed("document.scan.range", "it is no range of values"));
+    damage.push_back(malformedScan("document.scan.range", "it is no range of values"));
     return stored;
   }
   stored.segment = Segment(range, grid->size, readBricks(container, grid->size, countAt(scan, kPainted), damage));

@@ -27,7 +27,7 @@ constexpr const char *kNose = "nose_radius", *kPoints = "points", *kTool = "tool
                      *kHasSpeeds = "speeds", *kThread = "thread", *kSide = "side", *kMethod = "method",
                      *kResolutionKey = "resolution", *kParts = "parts", *kHand = "hand";
 constexpr std::size_t kMostPasses = 100'000;
-constexpr double kLargestSpeed = 1e5;     // r/min
+constexpr double kFastestSpindle = 1e5;   // r/min
 constexpr std::size_t kPointNumbers = 3;  // time, r, z
 
 double numberIn(const nlohmann::json& object, const char* key) {
@@ -54,7 +54,7 @@ bool isWhole(const ReadArray<double>& path, std::uint64_t begin, std::uint64_t e
 }
 
 bool isSpeed(double speed) {
-  return speed >= 0.0 && speed <= kLargestSpeed;  // false for NaN
+  return speed >= 0.0 && speed <= kFastestSpindle;  // false for NaN
 }
 
 // Whether the speed of each point of a listed pass stands in the array of speeds.

@@ -16,7 +16,7 @@ namespace handwheel {
 namespace {
 
 constexpr const char* kRadii = "workpiece/radii";
-constexpr const char* kInner = "workpiece/inner";
+constexpr const char* kInnerBlob = "workpiece/inner";
 // Keys of a turned part.
 constexpr const char *kTurned = "turned", *kSamples = "samples", *kBored = "bored", *kPasses = "passes",
                      *kFinish = "finish";
@@ -64,7 +64,7 @@ void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container) {
   writeArray<double>(container, kRadii, radii);
   if (profile.isBored()) {
     for (std::size_t i = 0; i < profile.size(); ++i) radii[i] = profile.inner(i);
-    writeArray<double>(container, kInner, radii);
+    writeArray<double>(container, kInnerBlob, radii);
   }
   turned = {{kSamples, profile.size()}, {kPasses, writePasses(workpiece.part->passes, container)}};
   if (profile.isBored()) turned[kBored] = true;
@@ -94,7 +94,7 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
 
   const bool isBored = turned->value(kBored, nlohmann::json()) == true;
   const ReadArray<double> radii = readArray<double>(container, kRadii, samples);
-  const ReadArray<double> inner = isBored ? readArray<double>(container, kInner, samples) : ReadArray<double>();
+  const ReadArray<double> inner = isBored ? readArray<double>(container, kInnerBlob, samples) : ReadArray<double>();
   const StockCylinder& stock = workpiece.stock;
   const std::uint64_t sound = soundSamples(radii, inner, isBored, samples, stock);
   std::optional<TurnedProfile> profile;

@@ -9,17 +9,17 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kText = 3.5;                   // mm, height
-constexpr double kGap = 1.0;                    // mm, between lines and texts
-constexpr double kOverrun = 2.0;                // mm, of extension lines
-constexpr double kArrowRoom = 8.0;              // mm: arrows are inside of what is longer
-constexpr double kArrowOutside = 6.0;           // mm, of the line behind arrows that are outside
-constexpr double kRow = 8.0;                    // mm, between rows
-constexpr double kNoteRow = 7.0;                // mm
-constexpr double kLeader = 9.0;                 // mm
-constexpr double kSign = 4.5;                   // mm, wide: of roughness
-constexpr double kColumn = kText + 3.0 * kGap;  // mm, of a text that runs up
-constexpr std::size_t kMostRows = 7;            // more lengths are running dimensions
+constexpr double kText = 3.5;                       // mm, height
+constexpr double kTextGap = 1.0;                    // mm, between lines and texts
+constexpr double kOverrun = 2.0;                    // mm, of extension lines
+constexpr double kArrowRoom = 8.0;                  // mm: arrows are inside of what is longer
+constexpr double kArrowOutside = 6.0;               // mm, of the line behind arrows that are outside
+constexpr double kRow = 8.0;                        // mm, between rows
+constexpr double kNoteRow = 7.0;                    // mm
+constexpr double kLeader = 9.0;                     // mm
+constexpr double kSign = 4.5;                       // mm, wide: of roughness
+constexpr double kColumn = kText + 3.0 * kTextGap;  // mm, of a text that runs up
+constexpr std::size_t kMostRows = 7;                // more lengths are running dimensions
 
 const ProfilePoint kUp(0, 1), kRight(1, 0);
 
@@ -61,7 +61,7 @@ void DimensionLines::add(const PartDimensions& dimensions) {
 void DimensionLines::addDiameters(const PartDimensions& dimensions, Notes& notes) {
   std::vector<double> taken;  // x of lines
   for (const PartDimensions::Diameter& d : dimensions.diameters) {
-    const double from = m_place.at(0.0, d.low).x() + kText + kGap, to = m_place.at(0.0, d.high).x() - kGap;
+    const double from = m_place.at(0.0, d.low).x() + kText + kTextGap, to = m_place.at(0.0, d.high).x() - kTextGap;
     const auto isFree = [&](double at) {
       return std::none_of(taken.begin(), taken.end(), [&](double t) { return std::abs(t - at) < kColumn; });
     };
@@ -85,13 +85,13 @@ void DimensionLines::addDiameter(const PartDimensions::Diameter& d, double x) {
   const double axis = m_place.origin.y(), high = axis + 0.5 * m_place.scale * d.value;
   const double low = 2.0 * axis - high, width = widthOf(d.text, kText);
   const bool isInside = high - low > 2.0 * kArrowRoom;
-  double text = d.isInner ? axis - width - 2.0 * kGap : low + 4.0, bottom = d.isInner ? text - kGap : low;
-  const bool hasRoom = d.isInner || (isInside && text + width + kGap < axis);
-  if (!hasRoom) text = low - width - kArrowRoom, bottom = text - kGap;
+  double text = d.isInner ? axis - width - 2.0 * kTextGap : low + 4.0, bottom = d.isInner ? text - kTextGap : low;
+  const bool hasRoom = d.isInner || (isInside && text + width + kTextGap < axis);
+  if (!hasRoom) text = low - width - kArrowRoom, bottom = text - kTextGap;
   m_sheet.line({x, isInside ? high : high + kArrowOutside}, {x, bottom});
   m_sheet.arrow({x, high}, isInside ? kUp : ProfilePoint(-kUp));
   if (!d.isInner) m_sheet.arrow({x, low}, isInside ? ProfilePoint(-kUp) : kUp);
-  m_sheet.texts.push_back({{x - kGap, text}, d.text, kText, Sheet::Align::Left, true});
+  m_sheet.texts.push_back({{x - kTextGap, text}, d.text, kText, Sheet::Align::Left, true});
 }
 
 // From the surface to a line of dimensions.
@@ -99,21 +99,21 @@ void DimensionLines::extend(double z, double y, bool isAbove) {
   const auto extent = m_part.extentAt(z);
   const double r = extent ? extent->outer : 0.0;
   const ProfilePoint start = m_place.at(isAbove ? r : -r, z);
-  m_sheet.line({start.x(), start.y() + (isAbove ? kGap : -kGap)}, {start.x(), y});
+  m_sheet.line({start.x(), start.y() + (isAbove ? kTextGap : -kTextGap)}, {start.x(), y});
 }
 
 void DimensionLines::addLength(const PartDimensions::Length& length, double y, bool isAbove) {
   const double a = m_place.at(0.0, length.from).x(), b = m_place.at(0.0, length.to).x();
   const double width = widthOf(length.text, kText);
-  const bool isInside = b - a > 2.0 * kArrowRoom, hasRoom = b - a > width + 2.0 * kGap + (isInside ? 6.0 : 0.0);
+  const bool isInside = b - a > 2.0 * kArrowRoom, hasRoom = b - a > width + 2.0 * kTextGap + (isInside ? 6.0 : 0.0);
   for (const double z : {length.from, length.to}) extend(z, y + (isAbove ? kOverrun : -kOverrun), isAbove);
   const double outside = isInside ? 0.0 : kArrowOutside;
   // What has no room stands to the right, where no extension line goes further out.
-  m_sheet.line({a - outside, y}, {b + outside + (hasRoom ? 0.0 : width + 2.0 * kGap), y});
+  m_sheet.line({a - outside, y}, {b + outside + (hasRoom ? 0.0 : width + 2.0 * kTextGap), y});
   m_sheet.arrow({a, y}, isInside ? ProfilePoint(-kRight) : kRight);
   m_sheet.arrow({b, y}, isInside ? kRight : ProfilePoint(-kRight));
-  if (hasRoom) return m_sheet.text({0.5 * (a + b), y + kGap}, length.text);
-  m_sheet.text({b + outside + kGap, y + kGap}, length.text, Sheet::Align::Left);
+  if (hasRoom) return m_sheet.text({0.5 * (a + b), y + kTextGap}, length.text);
+  m_sheet.text({b + outside + kTextGap, y + kTextGap}, length.text, Sheet::Align::Left);
 }
 
 double DimensionLines::addLengths(std::vector<double> heights, const std::vector<PartDimensions::Length>& spans,
@@ -150,12 +150,12 @@ double DimensionLines::addRunning(const std::vector<double>& heights, bool isAbo
   for (const double half : {M_PI, 2.0 * M_PI})
     m_sheet.strokes.push_back({arcAround({origin, start}, 1.0, half - M_PI, half), Sheet::Line::Narrow});
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    extend(heights[i], start + out * kGap, isAbove);
+    extend(heights[i], start + out * kTextGap, isAbove);
     if (i + 1 < heights.size()) m_sheet.arrow({wanted[i], start}, ProfilePoint(-kRight));
     const ProfilePoint kink(places[i], start + out * kKink);
-    m_sheet.line({wanted[i], start + out * kGap}, kink);
-    m_sheet.line(kink, {kink.x(), kink.y() + out * (longest + kGap)});
-    m_sheet.texts.push_back({{kink.x() - kGap, isAbove ? kink.y() + kGap : kink.y() - kGap},
+    m_sheet.line({wanted[i], start + out * kTextGap}, kink);
+    m_sheet.line(kink, {kink.x(), kink.y() + out * (longest + kTextGap)});
+    m_sheet.texts.push_back({{kink.x() - kTextGap, isAbove ? kink.y() + kTextGap : kink.y() - kTextGap},
                              texts[i],
                              kText,
                              isAbove ? Sheet::Align::Left : Sheet::Align::Right,
@@ -171,12 +171,12 @@ void DimensionLines::addNotes(Notes notes, double first) {
   std::vector<double> rowStarts;  // x from which on each row is taken
   for (const PartDimensions::Note& note : notes) {
     const double x = m_place.at(note.at).x() + kLeader;
-    const double width = widthOf(note.text, kText) + (note.isRoughness ? kSign : 0.0) + 2.0 * kGap;
+    const double width = widthOf(note.text, kText) + (note.isRoughness ? kSign : 0.0) + 2.0 * kTextGap;
     std::size_t row = 0;
-    while (row < rowStarts.size() && x + width + kGap > rowStarts[row]) ++row;
+    while (row < rowStarts.size() && x + width + kTextGap > rowStarts[row]) ++row;
     if (row == rowStarts.size()) rowStarts.push_back(0.0);
     rowStarts[row] = x;
-    addNote(note, {x, first + kGap + kNoteRow * static_cast<double>(row)}, width);
+    addNote(note, {x, first + kTextGap + kNoteRow * static_cast<double>(row)}, width);
   }
 }
 
@@ -185,7 +185,7 @@ void DimensionLines::addNote(const PartDimensions::Note& note, const ProfilePoin
   m_sheet.line(tip, elbow);
   m_sheet.line(elbow, {elbow.x() + width, elbow.y()});
   m_sheet.arrow(tip, tip - elbow);
-  ProfilePoint text(elbow.x() + kGap, elbow.y() + kGap);
+  ProfilePoint text(elbow.x() + kTextGap, elbow.y() + kTextGap);
   if (note.isRoughness) {
     // The sign of ISO 21920-1 for a surface from which material is to be removed.
     const double left = 0.3 * kSign, right = 0.7 * kSign, low = elbow.y(), middle = low + 2.0, high = low + 4.0;

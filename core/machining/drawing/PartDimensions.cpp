@@ -11,9 +11,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kSame = 0.005;          // mm: sizes that a drawing shows alike
-constexpr double kLargestChamfer = 5.0;  // mm
-constexpr double kSamePlace = 0.51;      // mm: a surface that a tolerance is for
+constexpr double kSameSize = 0.005;        // mm: sizes that a drawing shows alike
+constexpr double kLargestChamfer = 5.0;    // mm
+constexpr double kTolerancedPlace = 0.51;  // mm: a surface that a tolerance is for
 
 bool isChamfer(const ProfileFeature& f) {
   return f.kind == ProfileFeature::Kind::Taper && std::abs(f.value - M_PI / 4) < 0.01 && f.length() < kLargestChamfer;
@@ -21,7 +21,7 @@ bool isChamfer(const ProfileFeature& f) {
 
 void addHeight(std::vector<double>& heights, double z, double least) {
   for (const double known : heights)
-    if (std::abs(known - z) < std::max(kSame, least)) return;
+    if (std::abs(known - z) < std::max(kSameSize, least)) return;
   heights.push_back(z);
 }
 
@@ -120,9 +120,9 @@ void addDiameters(const std::vector<ProfileFeature>& features, const DrawingTitl
     for (const ProfilePoint& end : {f.low, f.high}) {
       const double d = 2.0 * end.x();
       const bool isKnown = std::any_of(all.diameters.begin(), all.diameters.end(), [&](const auto& known) {
-        return known.isInner == f.isInner && std::abs(known.value - d) < kSame;
+        return known.isInner == f.isInner && std::abs(known.value - d) < kSameSize;
       });
-      if (!isKnown && d > kSame) all.diameters.push_back({d, end.y(), end.y(), f.isInner, "Ø" + sizeText(d)});
+      if (!isKnown && d > kSameSize) all.diameters.push_back({d, end.y(), end.y(), f.isInner, "Ø" + sizeText(d)});
     }
   }
 }
@@ -134,7 +134,7 @@ void addAsked(const TargetProfile& part, const DrawingTitle& title, PartDimensio
     if (!(t.high > t.low) || (!isInner && t.of != DrawnTolerance::Of::Diameter)) continue;
     const auto extent = part.extentAt(0.5 * (t.low + t.high));
     const double value = extent ? 2.0 * (isInner ? extent->inner : extent->outer) : 0.0;
-    if (std::abs(value - t.size) >= kSamePlace) continue;
+    if (std::abs(value - t.size) >= kTolerancedPlace) continue;
     const std::string text = toleratedText(title, t.of, value, t.low, t.high, "Ø");
     const bool isShown =
         std::any_of(all.diameters.begin(), all.diameters.end(), [&](const auto& d) { return d.text == text; });
@@ -165,11 +165,12 @@ void addRoughness(const std::vector<ProfileFeature>& features, const DrawingTitl
 void addSpans(const DrawingTitle& title, double upperEnd, PartDimensions& all) {
   const auto heightAt = [&](double z) -> std::optional<double> {
     for (const double height : all.outerHeights)
-      if (std::abs(height - z) < kSamePlace) return height;
+      if (std::abs(height - z) < kTolerancedPlace) return height;
     return std::nullopt;
   };
   for (const DrawnTolerance& t : title.tolerances) {
-    if (t.of != DrawnTolerance::Of::Length || !(t.high > t.low) || std::abs(t.high - upperEnd) < kSamePlace) continue;
+    if (t.of != DrawnTolerance::Of::Length || !(t.high > t.low) || std::abs(t.high - upperEnd) < kTolerancedPlace)
+      continue;
     const auto from = heightAt(t.low), to = heightAt(t.high);
     if (from && to && *to > *from)
       all.spans.push_back({*from, *to, toleratedText(title, t.of, *to - *from, *from, *to, {})});
@@ -183,9 +184,9 @@ std::string toleratedText(const DrawingTitle& title, DrawnTolerance::Of of, doub
   constexpr double kNominal = 0.051;  // mm: a part is not exactly what was asked
   for (const DrawnTolerance& t : title.tolerances) {
     const bool isPlaced = t.high > t.low, isLength = of == DrawnTolerance::Of::Length;
-    if (t.of != of || std::abs(t.size - value) >= (isPlaced ? kSamePlace : kNominal)) continue;
+    if (t.of != of || std::abs(t.size - value) >= (isPlaced ? kTolerancedPlace : kNominal)) continue;
     const bool isHere =
-        isLength ? std::abs(low - t.low) < kSamePlace && std::abs(high - t.high) < kSamePlace
+        isLength ? std::abs(low - t.low) < kTolerancedPlace && std::abs(high - t.high) < kTolerancedPlace
                  : std::min(high, t.high) - std::max(low, t.low) > 0.5 * std::min(high - low, t.high - t.low);
     if (!isPlaced || isHere) return prefix + sizeText(t.size) + " " + t.text;
   }

@@ -12,12 +12,12 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kMargin = 5.0;                   // mm, between the frame and what is drawn
-constexpr double kBeyondAxis = 5.0;               // mm, of the centre line
-constexpr double kSmallText = 2.5;                // mm
-constexpr std::size_t kMost = 40, kCrowded = 12;  // dimensions of a drawing; of one that wants a larger sheet
-constexpr int kSmoothings = 6;                    // of them; then the part is taken as it is
-constexpr int kDoublings = 40;                    // of what is too small to be shown
+constexpr double kFrameMargin = 5.0;                        // mm, between the frame and what is drawn
+constexpr double kBeyondAxis = 5.0;                         // mm, of the centre line
+constexpr double kSmallText = 2.5;                          // mm
+constexpr std::size_t kMostDimensions = 40, kCrowded = 12;  // dimensions of a drawing; of one that wants a larger sheet
+constexpr int kSmoothings = 6;                              // of them; then the part is taken as it is
+constexpr int kDoublings = 40;                              // of what is too small to be shown
 
 bool hasBore(const TargetProfile& part) {
   const auto all = part.segments();
@@ -111,8 +111,8 @@ std::optional<Sheet> viewOn(double width, double height, double scale, const Dra
   addView(sheet, place, drawn.part, drawn.measured, drawn.title.threads);
   DimensionLines(sheet, place, drawn.measured, drawn.title).add(drawn.dimensions);
   const ProfileBox box = sheet.box();
-  const ProfilePoint low(kFrameLeft + kMargin, kFrame + kTitleHeight + kMargin);
-  const ProfilePoint high(width - kFrame - kMargin, height - kFrame - kMargin);
+  const ProfilePoint low(kFrameLeft + kFrameMargin, kFrame + kTitleHeight + kFrameMargin);
+  const ProfilePoint high(width - kFrame - kFrameMargin, height - kFrame - kFrameMargin);
   if ((box.sizes().array() > (high - low).array()).any()) return std::nullopt;
   sheet.move(0.5 * (low + high) - box.center());
   return sheet;
@@ -166,7 +166,7 @@ bool tryDimensions(const TargetProfile& part, const DrawingTitle& title, Use use
     const TargetProfile& measured = smooth ? *smooth : part;
     const double tolerance = smooth ? std::max(title.tolerance, 0.5 * least) : title.tolerance;
     const PartDimensions dimensions = dimensionsOf(measured, title, tolerance, least, smooth.has_value());
-    if (dimensions.count() <= kMost && use(measured, dimensions, isWhole ? 0.0 : least)) return true;
+    if (dimensions.count() <= kMostDimensions && use(measured, dimensions, isWhole ? 0.0 : least)) return true;
   }
   return false;
 }

@@ -12,8 +12,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kMicrometres = 1e3;  // in a mm
-constexpr double kHeightOfRa = 4.0;   // crest above valley, in Ra: f²/(8 R) by f²/(32 R)
+constexpr double kMicrometresPerMm = 1e3;  // in a mm
+constexpr double kHeightOfRa = 4.0;        // crest above valley, in Ra: f²/(8 R) by f²/(32 R)
 
 double radiusOf(const TurnedProfile& profile, TurningSide side, std::size_t i) {
   return side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
@@ -104,7 +104,7 @@ FinishMark FinishMeter::markOf(const TurningPass& pass, std::size_t i, const Fin
   const bool isSpeedKnown = !pass.speeds.empty() || m_usualSpeed > 0.0;
   if (isSpeedKnown) mark.feed = static_cast<float>(m_feed);
   if (pass.tool && pass.tool->isAbrasive()) {
-    const double left = before.roughness - kMicrometres * removed / kHeightOfRa;
+    const double left = before.roughness - kMicrometresPerMm * removed / kHeightOfRa;
     mark.roughness =
         before.roughness < 0.0f ? before.roughness : static_cast<float>(std::max(pass.tool->leastRoughness, left));
     return mark;

@@ -14,14 +14,14 @@ namespace handwheel {
 
 namespace {
 
-bool isBefore(const CutConditions& a, const CutConditions& b) {
+bool isLighterCut(const CutConditions& a, const CutConditions& b) {
   return std::tie(a.depth, a.feed, a.speed) < std::tie(b.depth, b.feed, b.speed);
 }
 
 std::vector<CutConditions> conditionsOf(std::span<const ForceSample> samples) {
   std::vector<CutConditions> conditions;
   for (const ForceSample& sample : samples) conditions.push_back(sample.cut);
-  std::sort(conditions.begin(), conditions.end(), isBefore);
+  std::sort(conditions.begin(), conditions.end(), isLighterCut);
   conditions.erase(std::unique(conditions.begin(), conditions.end()), conditions.end());
   return conditions;
 }
@@ -40,10 +40,10 @@ SplitSamples splitByConditions(std::span<const ForceSample> samples, std::size_t
   std::mt19937_64 random(seed);
   for (std::size_t i = all.size(); i > 1; --i) std::swap(all[i - 1], all[random() % i]);
   for (std::size_t i = fold; i < all.size() && all.size() > 1; i += folds) conditions.push_back(all[i]);
-  std::sort(conditions.begin(), conditions.end(), isBefore);
+  std::sort(conditions.begin(), conditions.end(), isLighterCut);
   SplitSamples split;
   for (const ForceSample& sample : samples) {
-    const bool isHeld = std::binary_search(conditions.begin(), conditions.end(), sample.cut, isBefore);
+    const bool isHeld = std::binary_search(conditions.begin(), conditions.end(), sample.cut, isLighterCut);
     (isHeld ? split.heldOut : split.training).push_back(sample);
   }
   return split;

@@ -11,7 +11,7 @@ namespace handwheel {
 
 namespace {
 
-bool isBefore(const ProfilePoint& a, const ProfilePoint& b) {
+bool isLower(const ProfilePoint& a, const ProfilePoint& b) {
   return a.y() < b.y() || (a.y() == b.y() && a.x() < b.x());
 }
 
@@ -49,7 +49,7 @@ RoundedSection::RoundedSection(std::span<const ProfilePoint> corners, double rad
   std::array<ProfilePoint, kMostCorners> sorted{};
   std::copy(corners.begin(), corners.end(), sorted.begin());
   const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(corners.size());
-  std::sort(sorted.begin(), end, isBefore);
+  std::sort(sorted.begin(), end, isLower);
   const auto last = std::unique(sorted.begin(), end);
   std::array<ProfilePoint, kMostCorners + 1> hull{};
   m_count = hullOf({sorted.begin(), last}, hull);
@@ -102,7 +102,7 @@ SectionSweep::SectionSweep(const RoundedSection& section, const ProfilePoint& fr
     points[count++] = p + from;
     points[count++] = p + to;
   }
-  std::sort(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count), isBefore);
+  std::sort(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count), isLower);
   for (std::size_t i = 0; i < count; ++i) {
     m_lower.add(points[i]);
     m_upper.add({-points[i].x(), points[i].y()});

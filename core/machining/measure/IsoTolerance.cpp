@@ -10,11 +10,11 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kSteps = 8;
-using Row = std::array<int, kSteps>;  // micrometres
+constexpr std::size_t kSizeSteps = 8;
+using Row = std::array<int, kSizeSteps>;  // micrometres
 
 // The last size of each step, mm.
-constexpr std::array<double, kSteps> kStepEnds = {3, 6, 10, 18, 30, 50, 80, kLargestToleratedSize};
+constexpr std::array<double, kSizeSteps> kStepEnds = {3, 6, 10, 18, 30, 50, 80, kLargestToleratedSize};
 
 // ISO 286-1, table 1.
 constexpr int kFirstGrade = 5;
@@ -51,7 +51,7 @@ constexpr double kMicrometre = 1e-3;  // mm
 
 std::optional<std::size_t> stepOf(double nominal) {
   if (!(nominal > 0.0)) return std::nullopt;
-  for (std::size_t i = 0; i < kSteps; ++i) {
+  for (std::size_t i = 0; i < kSizeSteps; ++i) {
     if (nominal <= kStepEnds[i]) return i;
   }
   return std::nullopt;

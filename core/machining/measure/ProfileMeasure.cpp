@@ -10,7 +10,7 @@ namespace handwheel {
 namespace {
 
 // Rounding of positions that users type, mm.
-constexpr double kSamePlace = 1e-9;
+constexpr double kTypedPlace = 1e-9;
 
 double sideAt(const TurnedProfile& profile, TurningSide side, std::size_t i) {
   return side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
@@ -23,8 +23,8 @@ bool isThere(const TurnedProfile& profile, TurningSide side, std::size_t i) {
 // The samples of a range; empty for one that is not finite or has none.
 TurnedProfile::Range samplesIn(const TurnedProfile& profile, AxisRange range) {
   const double spacing = profile.spacing(), last = static_cast<double>(profile.size() - 1);
-  const double from = std::ceil((range.from - kSamePlace) / spacing),
-               to = std::floor((range.to + kSamePlace) / spacing);
+  const double from = std::ceil((range.from - kTypedPlace) / spacing),
+               to = std::floor((range.to + kTypedPlace) / spacing);
   if (!(from <= to) || !(to >= 0.0) || !(from <= last)) return {};
   return {static_cast<std::size_t>(std::max(from, 0.0)), static_cast<std::size_t>(std::min(to, last)) + 1};
 }

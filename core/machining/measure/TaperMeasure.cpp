@@ -19,7 +19,7 @@ constexpr double kFaceSlope = 6.0;    // of r over z, between two samples: steep
 constexpr double kOtherShare = 0.5, kOtherSlope = 0.00873;
 // A side that is within this of a line has ends only where the other lines leave almost nothing of the distances: not
 // for feed marks, but for the cylinder of a few samples beside a shallow taper.
-constexpr double kStraight = 2e-3, kExact = 1e-7;  // mm, root mean square; kExact is rounding
+constexpr double kStraight = 2e-3, kExactTaper = 1e-7;  // mm, root mean square; kExactTaper is rounding
 constexpr double kClearlyBetter = 0.01;
 
 // Samples [first, last) of a line.
@@ -102,7 +102,7 @@ Piece taperOf(Points points, double spacing) {
   const auto isWithin = [&](double distance) {
     return whole.squares <= distance * distance * static_cast<double>(whole.size());
   };
-  if (isWithin(kExact)) return whole;
+  if (isWithin(kExactTaper)) return whole;
   const Pieces pieces = bestLines(sums, points.size());
   if (isWithin(kStraight) && squaresOf(pieces) > kClearlyBetter * whole.squares) return whole;
   const auto steepest = std::max_element(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {

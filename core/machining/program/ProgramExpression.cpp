@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/program/ProgramExpression.h"
 
+#include "base/Units.h"
+
 #include <cmath>
 #include <cstdint>
 
@@ -9,7 +11,6 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kEqual = 1e-4;  // LinuxCNC's TOLERANCE_EQUAL
 
 struct Operator {
@@ -66,17 +67,17 @@ double apply(const std::string& op, const ProgramValue& left, const ProgramValue
 
 double functionOf(const std::string& name, double x, bool isFanuc) {
   if (name == "ABS") return std::abs(x);
-  if (name == "ACOS") return std::acos(x) / kDegree;
-  if (name == "ASIN") return std::asin(x) / kDegree;
-  if (name == "COS") return std::cos(x * kDegree);
+  if (name == "ACOS") return std::acos(x) / kRadiansPerDegree;
+  if (name == "ASIN") return std::asin(x) / kRadiansPerDegree;
+  if (name == "COS") return std::cos(x * kRadiansPerDegree);
   if (name == "EXP") return std::exp(x);
   if (name == "FIX") return isFanuc ? std::trunc(x) : std::floor(x);
   if (name == "FUP") return !isFanuc || x > 0.0 ? std::ceil(x) : std::floor(x);
   if (name == "LN") return std::log(x);
   if (name == "ROUND") return std::round(x);
-  if (name == "SIN") return std::sin(x * kDegree);
+  if (name == "SIN") return std::sin(x * kRadiansPerDegree);
   if (name == "SQRT") return std::sqrt(x);
-  return std::tan(x * kDegree);
+  return std::tan(x * kRadiansPerDegree);
 }
 
 }  // namespace
@@ -144,7 +145,7 @@ double ProgramExpression::function(const std::string& name, const ProgramPlace& 
   const double x = bracketed();
   if (name != "ATAN") return finite(functionOf(name, x, m_dialect == ProgramDialect::Fanuc), place, name);
   m_scanner.expect('/', "Write ATAN[y]/[x].");
-  return std::atan2(x, bracketed()) / kDegree;
+  return std::atan2(x, bracketed()) / kRadiansPerDegree;
 }
 
 int ProgramExpression::variableNumber() {

@@ -14,17 +14,17 @@ namespace {
 constexpr double kSameLength = 1e-6;  // mm
 
 // What a pass of a thread takes in a section along the axis, between two turns.
-struct ThreadChip {
+struct TurnChip {
   double area = 0.0;   // mm²
   double width = 0.0;  // mm, of the edge that cuts
 };
 
 // Beside the grooves that are there already, where the part has this radius (mm); by the midpoint rule.
-ThreadChip chipOf(const ThreadGroove& groove, const PartThreads* before, double middle, double surface) {
+TurnChip chipOf(const ThreadGroove& groove, const PartThreads* before, double middle, double surface) {
   constexpr int kParts = 256;
   const double out = groove.side() == TurningSide::Bore ? -1.0 : 1.0;
   const double step = groove.cut().pitch / kParts, begin = middle - 0.5 * groove.cut().pitch;
-  ThreadChip chip;
+  TurnChip chip;
   for (int i = 0; i < kParts; ++i) {
     const double z = begin + step * (i + 0.5);
     double left = out * surface;  // of the material
@@ -97,7 +97,7 @@ void ProgramSimulation::meetThread(const ToolMove& move, const TurningPass& pass
   const double at = std::clamp(middle / m_part.spacing(), 0.0, static_cast<double>(m_part.size() - 1));
   const auto sample = static_cast<std::size_t>(at);
   const double surface = groove.side() == TurningSide::Bore ? m_part.inner(sample) : m_part.radius(sample);
-  const ThreadChip chip = chipOf(groove, m_state.threads.get(), middle, surface);
+  const TurnChip chip = chipOf(groove, m_state.threads.get(), middle, surface);
   if (chip.width > 0.0) meterOf(move).addChip(chip.width, chip.area / chip.width, move.time, surface);
   m_state.threads = PartThreads::with(m_state.threads, pass);
 }

@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kExact = 1e-6;  // mm, of the lines and arcs of a curve
+constexpr double kExactCurve = 1e-6;  // mm, of the lines and arcs of a curve
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Result<TargetProfile> sectionOf(const ProfileCurve& curve, double tolerance) {
       outline.push_back({arc.start(), arc.end(), 0.0});
       continue;
     }
-    const auto pieces = fitSegments([&](double t) { return arc.derivatives(t)[0]; }, std::min(tolerance, kExact));
+    const auto pieces = fitSegments([&](double t) { return arc.derivatives(t)[0]; }, std::min(tolerance, kExactCurve));
     outline.insert(outline.end(), pieces.begin(), pieces.end());
   }
   return TargetProfile::make(std::move(outline));

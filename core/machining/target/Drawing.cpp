@@ -17,7 +17,7 @@ ProfileSegment exchanged(const ProfileSegment& s) {
   return {{s.from.y(), s.from.x()}, {s.to.y(), s.to.x()}, -s.bulge};
 }
 
-ProfileSegment mirrored(const ProfileSegment& s) {
+ProfileSegment mirroredSegment(const ProfileSegment& s) {
   return {{-s.from.x(), s.from.y()}, {-s.to.x(), s.to.y()}, -s.bulge};
 }
 
@@ -39,7 +39,7 @@ std::vector<ProfileSegment> besideAxis(const Drawing& drawing) {
     }
     all.push_back(s);
   }
-  if (side < 0.0) std::transform(all.begin(), all.end(), all.begin(), mirrored);
+  if (side < 0.0) std::transform(all.begin(), all.end(), all.begin(), mirroredSegment);
   return all;
 }
 

@@ -11,7 +11,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kBeyondEnds = 5.0, kMargin = 5.0;  // mm: of the axis beyond the part, and of the picture around it
+constexpr double kBeyondEnds = 5.0,
+                 kPictureMargin = 5.0;  // mm: of the axis beyond the part, and of the picture around it
 
 // Appends the groups of a DXF file.
 class DxfText {
@@ -65,8 +66,8 @@ std::string dxfOf(const TargetProfile& target) {
 }
 
 std::string svgOf(const TargetProfile& target) {
-  const double left = target.lowerEnd() - kMargin, top = -target.largestRadius() - kMargin;
-  const double width = target.length() + 2.0 * kMargin, height = target.largestRadius() + 2.0 * kMargin;
+  const double left = target.lowerEnd() - kPictureMargin, top = -target.largestRadius() - kPictureMargin;
+  const double width = target.length() + 2.0 * kPictureMargin, height = target.largestRadius() + 2.0 * kPictureMargin;
   std::string path;
   for (const ProfileSegment& s : drawingOf(target).curves) {
     if (path.empty()) path = "M " + pair(s.from.x(), -s.from.y());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/target/DxfEntities.h"
 
+#include "base/Units.h"
 #include "machining/target/CurveFit.h"
 
 #include <algorithm>
@@ -15,7 +16,6 @@ using Segments = std::vector<ProfileSegment>;
 
 constexpr int kClosed = 1, kInSpace = 8 | 16 | 64;  // flags of polylines
 constexpr int kFrameVertex = 16;
-constexpr double kDegree = M_PI / 180.0;
 
 std::string lowered(std::string_view text) {
   std::string low(text);
@@ -98,7 +98,7 @@ Status DxfEntity::take(const DxfPair& pair) {
   if (pair.code == 21) second.y() = *number;
   if (pair.code == 40) size = *number;
   if (pair.code == 41 || (pair.code == 42 && !vertex)) span[pair.code == 41 ? 0 : 1] = *number;
-  if (pair.code == 50 || pair.code == 51) span[pair.code == 50 ? 0 : 1] = *number * kDegree;
+  if (pair.code == 50 || pair.code == 51) span[pair.code == 50 ? 0 : 1] = *number * kRadiansPerDegree;
   if (pair.code == 210) tilt.x() = *number;
   if (pair.code == 220) tilt.y() = *number;
   if (pair.code == 230) normalZ = *number;

@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kLibrary = "Open CASCADE";
 constexpr double kTolerance = 1e-4;  // mm, of arcs in place of other curves
 constexpr double kEdgeGap = 2e-3;    // mm: faces meet within the tolerance of their file
-constexpr std::size_t kMostPoints = 1'000'000;
+constexpr std::size_t kMostStepPoints = 1'000'000;
 constexpr std::array kKinds{"plane", "cylinder", "cone", "sphere", "torus", "spline", "extrusion", "surface"};
 
 Error nonsense() {
@@ -116,7 +116,7 @@ Result<TurnedStep> turnedStepIn(std::string_view text, Progress progress) {
   if (word == "solids" && answer.count(count)) return Error{TargetError::NotOneSolid, {std::to_string(count)}, {}, {}};
   if (word != "turned" || !answer.count(count)) return nonsense();
   std::vector<ProfileSegment> all;
-  std::size_t left = kMostPoints;
+  std::size_t left = kMostStepPoints;
   while (!answer.isAtEnd()) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (!addMeridian(answer, left, all)) return nonsense();

@@ -10,7 +10,7 @@
 namespace handwheel {
 namespace {
 
-using Vec2 = PickRayPlane::Vec2;
+using Vec2 = Eigen::Vector2d;
 
 // The loops around one line of sight, which appears at (0, 0).
 class LoopsInSight {

@@ -19,7 +19,7 @@ constexpr double kLeastSpread = 0.1;
 // Below this the direction is hardly behind the planes; what a file rounds would be on their other side.
 constexpr double kLeastMargin = 1e-3;
 // Each step comes nearer to the origin; so many are never taken but for rounding.
-constexpr int kMostSteps = 200;
+constexpr int kMostSimplexSteps = 200;
 // Of squared lengths of at most 1, the rounding of their computation.
 constexpr double kRounding = 1e-14;
 
@@ -73,7 +73,7 @@ DirectionBehind widestBehind(std::vector<Vec3> normals) {
   Simplex simplex;
   simplex.add(normals.front());
   Vec3 nearest = normals.front();
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMostSimplexSteps; ++i) {
     const Vec3& farthest = *std::min_element(
         normals.begin(), normals.end(), [&](const Vec3& a, const Vec3& b) { return a.dot(nearest) < b.dot(nearest); });
     if (farthest.dot(nearest) >= nearest.squaredNorm() - kRounding) break;

@@ -14,7 +14,7 @@ namespace {
 
 // Around a vertex with more faces than these, only those beside one another look at each other: so time stays in
 // proportion to the faces.
-constexpr std::size_t kLargestFan = 32;
+constexpr std::size_t kLargestSmoothedFan = 32;
 
 class NoiseFilter {
  public:
@@ -117,7 +117,7 @@ class NoiseFilter {
       if (!f.isFiltered) continue;
       // A face that shares an edge is met at both of its ends, and so counts twice.
       for (const std::uint32_t c : f.corners) {
-        if (m_vertices[c].faces.size() > kLargestFan) continue;
+        if (m_vertices[c].faces.size() > kLargestSmoothedFan) continue;
         for (const std::uint32_t j : m_vertices[c].faces) add(j);
       }
       sum.stableNormalize();

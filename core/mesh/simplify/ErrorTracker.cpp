@@ -12,7 +12,7 @@
 namespace handwheel {
 namespace {
 
-constexpr double kMostSteps = 24.0;  // along the edges of a face: 300 points
+constexpr double kMostEdgeSteps = 24.0;  // along the edges of a face: 300 points
 
 double longestEdge(const TrianglePoints& t) {
   return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
@@ -47,7 +47,7 @@ void ErrorTracker::hang(Face f, const Vec3& p) {
 
 // The middle; where a face is longer than others, points on it that are as dense as the vertices elsewhere.
 void ErrorTracker::hangInner(Face f, const TrianglePoints& t) {
-  const int steps = static_cast<int>(std::min(kMostSteps, std::ceil(longestEdge(t) / m_spacing)));
+  const int steps = static_cast<int>(std::min(kMostEdgeSteps, std::ceil(longestEdge(t) / m_spacing)));
   if (steps <= 2) return hang(f, (t[0] + t[1] + t[2]) / 3.0);
   for (int i = 0; i < steps; ++i) {
     for (int j = 0; j < steps - i; ++j) {
@@ -57,7 +57,7 @@ void ErrorTracker::hangInner(Face f, const TrianglePoints& t) {
 }
 
 bool ErrorTracker::isNear(const TrianglePoints& t) const {
-  const int steps = static_cast<int>(std::min(kMostSteps, std::max(1.0, std::ceil(longestEdge(t) / m_spacing))));
+  const int steps = static_cast<int>(std::min(kMostEdgeSteps, std::max(1.0, std::ceil(longestEdge(t) / m_spacing))));
   for (int i = 0; i < steps; ++i) {
     for (int j = 0; j <= i; ++j) {
       const Vec3 p = t[0] + double(i - j) / steps * (t[1] - t[0]) + double(j) / steps * (t[2] - t[0]);

@@ -18,8 +18,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr const char* kVerbs[] = {"add",        "remove",        "go",        "remove-path",
-                                  "add-target", "remove-target", "add-frame", "remove-frame"};
+constexpr const char* kConfigurationVerbs[] = {"add",        "remove",        "go",        "remove-path",
+                                               "add-target", "remove-target", "add-frame", "remove-frame"};
 
 Parameter nameParameter(const char* id, std::string meaning, const char* word = "NAME") {
   return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
@@ -123,7 +123,7 @@ const Operation& configurationOperation() {
 
 std::string problemOfConfigurationValues(const OperationValues& values) {
   const auto isSet = [&](const char* id) { return values.isSet(id); };
-  if (std::count_if(std::begin(kVerbs), std::end(kVerbs), isSet) > 1)
+  if (std::count_if(std::begin(kConfigurationVerbs), std::end(kConfigurationVerbs), isSet) > 1)
     return "only one of add, remove, go, remove-path, add-target, remove-target, add-frame and remove-frame can be "
            "done "
            "at a time";

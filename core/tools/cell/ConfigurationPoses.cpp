@@ -8,17 +8,13 @@
 #include "document/scene/BodyErrors.h"
 #include "scene/RigidPose.h"
 #include "tools/scene/BodyOperation.h"
+#include "tools/scene/PlaceParameters.h"
 
 #include <algorithm>
 
 namespace handwheel {
 
 namespace {
-
-Vec3 vectorOf(const OperationValues& values, const char* id) {
-  const std::vector<double> numbers = values.numbers(id);
-  return {numbers[0], numbers[1], numbers[2]};
-}
 
 const NamedTarget* targetToGoTo(const OperationValues& values, const CellPlans& plans) {
   return values.isSet("go") && !plans.configuration(values.text("go")) ? plans.target(values.text("go")) : nullptr;
@@ -58,8 +54,8 @@ Result<Pose> givenPose(const OperationValues& values, const RobotCellSnapshot& c
   if (const NamedTarget* const target = targetToGoTo(values, *cell.plans))
     return poseOfTarget(*target, placementIn(cell, *cell.plans));
   Pose pose = toolPose(*cell.robot, *cell.plans, cell.joints);
-  if (values.isSet("turn")) pose = poseOf(pose.translation(), vectorOf(values, "turn"));
-  if (values.isSet("at")) pose.translation() = vectorOf(values, "at");
+  if (values.isSet("turn")) pose = poseOf(pose.translation(), vectorIn(values, "turn"));
+  if (values.isSet("at")) pose.translation() = vectorIn(values, "at");
   return pose;
 }
 

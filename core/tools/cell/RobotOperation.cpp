@@ -16,13 +16,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr const char* kVerbs[] = {"add", "remove", "choose"};
+constexpr const char* kRobotVerbs[] = {"add", "remove", "choose"};
 constexpr const char* kOfAdding[] = {"name", "at", "turn"};
-
-Vec3 vectorOf(const OperationValues& values, const char* id) {
-  const std::vector<double> numbers = values.numbers(id);
-  return {numbers[0], numbers[1], numbers[2]};
-}
 
 }  // namespace
 
@@ -46,7 +41,8 @@ const Operation& robotOperation() {
 
 std::string problemOfRobotValues(const OperationValues& values) {
   const auto isSet = [&](const char* id) { return values.isSet(id); };
-  if (std::count_if(std::begin(kVerbs), std::end(kVerbs), isSet) != 1) return "one of add, remove and choose is needed";
+  if (std::count_if(std::begin(kRobotVerbs), std::end(kRobotVerbs), isSet) != 1)
+    return "one of add, remove and choose is needed";
   if (!isSet("add") && std::any_of(std::begin(kOfAdding), std::end(kOfAdding), isSet))
     return "name, at and turn need add";
   return {};
@@ -56,7 +52,7 @@ Result<RobotCellSnapshot> withRobotsChanged(const OperationValues& values, const
                                             const std::shared_ptr<const RobotCellSnapshot>& added) {
   if (added) {
     const std::string name = values.isSet("name") ? values.text("name") : std::string();
-    return withRobotAdded(cell, {added, name, poseOf(vectorOf(values, "at"), vectorOf(values, "turn"))});
+    return withRobotAdded(cell, {added, name, poseOf(vectorIn(values, "at"), vectorIn(values, "turn"))});
   }
   const std::string name = values.text(values.isSet("remove") ? "remove" : "choose");
   const auto number = name.empty() ? std::nullopt : armNumber(*cell.robot, name);

@@ -44,11 +44,6 @@ Result<Body> primitiveFrom(const PrimitiveDescription& primitive, std::string_vi
   return Body{.name = primitive.id, .geometry = std::move(geometry).value()};
 }
 
-Vec3 vectorOf(const OperationValues& values, std::string_view id) {
-  const std::vector<double> numbers = values.numbers(id);
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
 Result<ReadBody> bodyToAdd(const OperationValues& values, const DocumentKinds& kinds, Progress progress) {
   const std::string what = values.text("add");
   const PrimitiveDescription* primitive = primitiveNamed(what);
@@ -61,7 +56,7 @@ Result<ReadBody> bodyToAdd(const OperationValues& values, const DocumentKinds& k
 Result<BodyChange> adding(const OperationValues& values, const BodySet& bodies, ReadBody read) {
   Body& body = read.body;
   body.name = values.isSet("name") ? values.text("name") : freeBodyName(bodies, body.name);
-  body.pose = poseOf(vectorOf(values, "at"), vectorOf(values, "turn"));
+  body.pose = poseOf(vectorIn(values, "at"), vectorIn(values, "turn"));
   std::string name = body.name;
   Result<std::unique_ptr<Edit>> edit = addBodyEdit(bodies, std::move(body));
   if (!edit) return edit.error();

@@ -24,4 +24,9 @@ Parameter threeNumbers(const char* id, const char* word, std::string meaning, Qu
           .parts = {{"x"}, {"y"}, {"z"}}};
 }
 
+Vec3 vectorIn(const OperationValues& values, std::string_view id) {
+  const std::vector<double> numbers = values.numbers(id);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
 }  // namespace handwheel

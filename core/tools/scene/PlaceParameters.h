@@ -12,5 +12,7 @@ namespace handwheel {
 Parameter wordParameter(const char* id, const char* word, std::string meaning);
 // Three numbers between -largest and largest, 0 by default; mm, or rad.
 Parameter threeNumbers(const char* id, const char* word, std::string meaning, Quantity quantity, double largest);
+// The value of such a parameter.
+Vec3 vectorIn(const OperationValues& values, std::string_view id);
 
 }  // namespace handwheel

@@ -12,12 +12,11 @@
 namespace handwheel {
 namespace {
 
-constexpr double kNear = 6.1;                     // voxels, from the middle of a block to its farthest samples
-constexpr double kDepths = DepthWindow::kMargin;  // voxels from the surface that depths reach
-constexpr double kMostRadius = 500.0;             // voxels
-constexpr std::size_t kFewBlocks = 200;           // to wake other threads for would take longer
-constexpr double kWideHead = 256.0;               // voxels, of a head that is looked for where there is material alone
-constexpr double kTwistStep = 0.25;               // voxels, between the places of a head that is not swept exactly
+constexpr double kNear = 6.1;            // voxels, from the middle of a block to its farthest samples
+constexpr double kMostRadius = 500.0;    // voxels
+constexpr std::size_t kFewBlocks = 200;  // to wake other threads for would take longer
+constexpr double kWideHead = 256.0;      // voxels, of a head that is looked for where there is material alone
+constexpr double kTwistStep = 0.25;      // voxels, between the places of a head that is not swept exactly
 
 // The share of a voxel that is below the surface.
 double share(std::int16_t depth) {
@@ -63,7 +62,7 @@ class HeadSweep {
   // Of a box around all of it.
   Box box() const {
     Box box(m_from.cwiseMin(m_to), m_from.cwiseMax(m_to));
-    const double out = std::max(m_head.radius(), m_head.reach()) + kDepths;
+    const double out = std::max(m_head.radius(), m_head.reach()) + DepthWindow::kMargin;
     const Vec3 shank = m_head.shape == DrillShape::Twist ? Vec3(m_head.length * m_axis) : Vec3(Vec3::Zero());
     Box all(box.min() - Vec3::Constant(out), box.max() + Vec3::Constant(out));
     all.extend(all.min() + shank.cwiseMin(0.0));
@@ -95,7 +94,7 @@ std::vector<VoxelIndex> cubesNear(const HeadSweep& head, const Box& box, int edg
       for (int x = low.x(); x <= high.x(); ++x) {
         const VoxelIndex cube(x, y, z);
         const Vec3 middle = edge * cube.cast<double>() + Vec3::Constant(0.5 * (edge - 1));
-        if (matters(cube) && head.inside(middle) > -kDepths - kNear - inCube) cubes.push_back(cube);
+        if (matters(cube) && head.inside(middle) > -DepthWindow::kMargin - kNear - inCube) cubes.push_back(cube);
       }
   return cubes;
 }

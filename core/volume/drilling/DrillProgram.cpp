@@ -21,7 +21,7 @@ struct Word {
   std::string text;  // as it stands in the program
 };
 
-constexpr double kLargest = 1e6;  // mm, s, mm/min, of any number
+constexpr double kLargestNumber = 1e6;  // mm, s, mm/min, of any number
 
 bool isSpace(char c) {
   return c == ' ' || c == '\t' || c == '\r';
@@ -84,7 +84,7 @@ class Reader {
       double value = 0.0;
       const char* const first = word.data() + (word.size() > 1 && word[1] == '+' ? 2 : 1);
       const auto [last, problem] = std::from_chars(first, word.data() + word.size(), value);
-      if (problem != std::errc() || last != word.data() + word.size() || !(std::abs(value) <= kLargest))
+      if (problem != std::errc() || last != word.data() + word.size() || !(std::abs(value) <= kLargestNumber))
         return at(ErrorCode::NumberMalformed, {word});
       words.push_back({letter, value, word});
       i = end;

@@ -8,12 +8,12 @@
 namespace handwheel {
 namespace {
 
-constexpr double kMost = 9e15;  // up to there doubles hold all whole numbers
+constexpr double kMostWhole = 9e15;  // up to there doubles hold all whole numbers
 
-// Whole, from least to kMost; 0 for what is no number.
+// Whole, from least to kMostWhole; 0 for what is no number.
 std::int64_t nearest(double value, double least) {
   if (std::isnan(value)) return 0;
-  return static_cast<std::int64_t>(std::clamp(std::round(value), least, kMost));
+  return static_cast<std::int64_t>(std::clamp(std::round(value), least, kMostWhole));
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ DrillPose DrillPose::of(const Vec3& place, const Vec3& axis, double seconds) {
   pose.micros = static_cast<std::uint64_t>(nearest(1e6 * seconds, 0.0));
   for (std::size_t k = 0; k < 3; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    pose.at[k] = nearest(place[i] / kStep, -kMost);
+    pose.at[k] = nearest(place[i] / kStep, -kMostWhole);
     pose.axis[k] = static_cast<float>(axis[i]);
   }
   return pose;

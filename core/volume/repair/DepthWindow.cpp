@@ -9,7 +9,7 @@
 namespace handwheel {
 namespace {
 
-constexpr std::array<int, 3> kSteps{1, DepthWindow::kSide, DepthWindow::kSide* DepthWindow::kSide};
+constexpr std::array<int, 3> kAxisSteps{1, DepthWindow::kSide, DepthWindow::kSide* DepthWindow::kSide};
 
 // The distance at a place whose neighbours along the axes have these distances: |gradient| = 1, by the axes whose
 // neighbours are nearer (Rouy, Tourin 1992).
@@ -62,7 +62,7 @@ void DepthWindow::average(int reach) {
         for (int x = low[0]; x < high[0]; ++x) {
           const auto place = static_cast<int>(index(x, y, z));
           float sum = 0.0f;
-          for (int k = -reach; k <= reach; ++k) sum += before[static_cast<std::size_t>(place + k * kSteps[axis])];
+          for (int k = -reach; k <= reach; ++k) sum += before[static_cast<std::size_t>(place + k * kAxisSteps[axis])];
           m_depths[static_cast<std::size_t>(place)] = share * sum;
         }
   }
@@ -93,7 +93,7 @@ class Marching {
     while (!m_layer.empty()) {
       m_next.clear();
       for (const std::uint16_t place : m_layer)
-        for (const int step : kSteps)
+        for (const int step : kAxisSteps)
           for (const int to : {place - step, place + step})
             if (m_state[static_cast<std::size_t>(to)] == kFree) {
               m_state[static_cast<std::size_t>(to)] = kKnown;
@@ -120,7 +120,7 @@ class Marching {
     const float depth = m_depths[place];
     const bool isInside = depth > 0.0f;
     bool isBeside = false;  // of most it is not: that is found out first, without a branch
-    for (const int step : kSteps) {
+    for (const int step : kAxisSteps) {
       isBeside |= (m_depths[place - static_cast<std::size_t>(step)] > 0.0f) != isInside;
       isBeside |= (m_depths[place + static_cast<std::size_t>(step)] > 0.0f) != isInside;
     }
@@ -135,7 +135,7 @@ class Marching {
   float slopeAt(std::size_t place) const {
     const float depth = m_depths[place];
     float squares = 0.0f;
-    for (const int step : kSteps) {
+    for (const int step : kAxisSteps) {
       const float a = m_depths[place - static_cast<std::size_t>(step)],
                   b = m_depths[place + static_cast<std::size_t>(step)];
       const bool crossesA = (a > 0.0f) != (depth > 0.0f), crossesB = (b > 0.0f) != (depth > 0.0f);
@@ -150,7 +150,7 @@ class Marching {
   std::array<float, 3> nearest(std::size_t place) const {
     std::array<float, 3> least;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto step = static_cast<std::size_t>(kSteps[k]);
+      const auto step = static_cast<std::size_t>(kAxisSteps[k]);
       least[k] = std::min(m_distances[place - step], m_distances[place + step]);
     }
     return least;

@@ -9,7 +9,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::uint32_t kLeaf = 8;
-constexpr double kFar = 3.0;  // radii of a group beyond which its expansion is taken
+constexpr double kFarGroup = 3.0;  // radii of a group beyond which its expansion is taken
 constexpr int kMostDepth = 64;
 
 Vec3 middleOf(const std::array<Vec3, 3>& t) {
@@ -74,7 +74,7 @@ double SolidAngleTree::turns(const Vec3& p) const {
     const Node& node = m_nodes[at];
     const Vec3 r = node.centre - p;
     const double squared = r.squaredNorm();
-    if (squared > kFar * kFar * node.radius * node.radius) {
+    if (squared > kFarGroup * kFarGroup * node.radius * node.radius) {
       const double cubed = squared * std::sqrt(squared);
       const double second = node.moment.trace() - 3.0 * r.dot(node.moment * r) / squared;
       half += 0.5 * (node.area.dot(r) + second) / cubed;

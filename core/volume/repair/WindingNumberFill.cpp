@@ -11,8 +11,8 @@ namespace handwheel {
 namespace {
 
 constexpr int kBlock = VolumeBlock::kSize;
-constexpr double kLook = 0.4;   // turns of the cones from which a block is looked at: at a half the side may differ
-constexpr double kReach = 8.0;  // voxels: half the diagonal between places that are looked at, and the band
+constexpr double kLook = 0.4;       // turns of the cones from which a block is looked at: at a half the side may differ
+constexpr double kBandReach = 8.0;  // voxels: half the diagonal between places that are looked at, and the band
 
 // The turns of the cones grow by 1 across them, which is no slope.
 double withoutJump(double difference) {
@@ -43,7 +43,7 @@ class CoarseTurns {
       if (i / 3 % 3 < 2) slope = std::max(slope, std::abs(withoutJump(m_turns[i + 3] - m_turns[i])));
       if (i / 9 < 2) slope = std::max(slope, std::abs(withoutJump(m_turns[i + 9] - m_turns[i])));
     }
-    return nearest < kReach * std::sqrt(3.0) * slope / 3.5;
+    return nearest < kBandReach * std::sqrt(3.0) * slope / 3.5;
   }
 
  private:

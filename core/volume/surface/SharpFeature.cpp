@@ -16,7 +16,7 @@ namespace {
 constexpr double kDeepest = 1.9;                     // voxels: of samples whose neighbours have distances, too
 constexpr double kSlope = 0.02;                      // what the slope of distances may differ from 1 by
 constexpr double kSharp = 0.85;                      // cosine between normals of what is no smooth surface
-constexpr double kFar = 10.0;                        // voxels, along an edge
+constexpr double kFarAlongEdge = 10.0;               // voxels, along an edge
 constexpr std::array kReaches{1.8, 1.4, 1.1, 0.85};  // voxels from the middle of a cell to places that count
 constexpr std::size_t kLeastPlanes = 6;
 constexpr double kSame = 0.999;      // cosine between normals of the same plane
@@ -66,7 +66,7 @@ bool isSmooth(const VolumeReader& reader, const VoxelIndex& cell) {
 
 // Where a line passes a cell, the middle of that part; else its place that is nearest to the centre, which is given.
 Vec3 inCell(const Vec3& nearest, const Vec3& along, const Vec3& centre) {
-  double from = -kFar, to = kFar;
+  double from = -kFarAlongEdge, to = kFarAlongEdge;
   for (int k = 0; k < 3; ++k) {
     const double off = nearest[k] - centre[k];
     if (std::abs(along[k]) < 1e-6) {

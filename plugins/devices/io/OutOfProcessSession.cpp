@@ -10,12 +10,12 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kHop = 0.0002;          // s, there and back
-constexpr double kOpeningTime = 0.05;    // s between looks whether the user has changed his mind
-constexpr double kOpeningSilence = 5.0;  // s without a word while it opens the device
-constexpr double kAnswerTime = 0.02;     // s
-constexpr double kSilence = 0.1;         // s without an answer, and it has failed
-constexpr double kClosingTime = 1.0;     // s that it may take to send zero force and go
+constexpr double kHop = 0.0002;            // s, there and back
+constexpr double kOpeningLookTime = 0.05;  // s between looks whether the user has changed his mind
+constexpr double kOpeningSilence = 5.0;    // s without a word while it opens the device
+constexpr double kAnswerTime = 0.02;       // s
+constexpr double kSilence = 0.1;           // s without an answer, and it has failed
+constexpr double kClosingTime = 1.0;       // s that it may take to send zero force and go
 
 }  // namespace
 
@@ -39,7 +39,7 @@ Result<DeviceCapabilities> OutOfProcessSession::waitForDevice(Progress progress)
   double heard = m_clock->now();
   while (m_stream && m_clock->now() - heard < kOpeningSilence) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    const std::optional<guard::Message> message = receive(m_clock->now() + kOpeningTime);
+    const std::optional<guard::Message> message = receive(m_clock->now() + kOpeningLookTime);
     if (!message) continue;
     heard = m_clock->now();
     if (const auto* opening = std::get_if<guard::Opening>(&*message)) progress.set(opening->fraction);

@@ -11,9 +11,9 @@ namespace handwheel::guard {
 
 namespace {
 
-constexpr double kOpenWait = 10.0;     // s, for the program's first word
-constexpr double kOpeningTime = 0.02;  // s between words while the device is being opened
-constexpr double kSilentTime = 0.005;  // s between zero forces in a silence
+constexpr double kOpenWait = 10.0;         // s, for the program's first word
+constexpr double kOpeningWordTime = 0.02;  // s between words while the device is being opened
+constexpr double kSilentTime = 0.005;      // s between zero forces in a silence
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void SessionHost::serve() {
 
 bool SessionHost::waitForOpen() {
   const double end = m_clock.now() + kOpenWait;
-  while (!m_open && !m_isLeft && !m_stop && m_clock.now() < end) listen(kOpeningTime);
+  while (!m_open && !m_isLeft && !m_stop && m_clock.now() < end) listen(kOpeningWordTime);
   if (!m_open || m_isLeft) return false;
   if (m_open->version == kVersion) return true;
   const auto text = [](std::uint32_t version) { return std::to_string(version); };
@@ -38,7 +38,7 @@ bool SessionHost::open() {
   auto opening = std::async(std::launch::async, [&] { return m_session.open(Progress(job)); });
   while (opening.wait_for(std::chrono::duration<double>(0.0)) != std::future_status::ready) {
     send(Opening{job.fraction});
-    listen(kOpeningTime);
+    listen(kOpeningWordTime);
     if (m_isLeft || m_stop) job.cancelled = true;
     if (m_isLeft) opening.wait();
   }

@@ -8,14 +8,6 @@
 
 using namespace handwheel;
 
-namespace {
-
-nlohmann::json inspected(const Bench& bench, const QString& file) {
-  return nlohmann::json::parse(bench.run({"inspect", file, "--json"}).out.toStdString());
-}
-
-}  // namespace
-
 // A repair by triangles and by volume, compared, of which one is written.
 class RepairBothWaysTest : public QObject {
   Q_OBJECT
@@ -37,7 +29,7 @@ class RepairBothWaysTest : public QObject {
     QCOMPARE(result["ways"][0]["triangles"].get<int>(), 12);
     QVERIFY(result["ways"][1]["sound"].get<bool>());
     QVERIFY(result["ways"][1]["scan_distance_mm"].get<double>() < 0.5);
-    QCOMPARE(inspected(bench, "b.off").at("volume_mm3").get<double>(), 1000.0);
+    QCOMPARE(bench.inspected("b.off").at("volume_mm3").get<double>(), 1000.0);
   }
 
   // Cubes through one another intersect after a repair by triangles, which cuts only when asked. By volume they are
@@ -50,14 +42,14 @@ class RepairBothWaysTest : public QObject {
     const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--by", "both", "--voxel", "0.25"}, "de_DE.UTF-8");
     QCOMPARE(ran.code, 0);
     QVERIFY2(ran.out.contains("b.stl: the repair by volume"), ran.out.constData());
-    const auto mesh = inspected(bench, "b.stl");
+    const auto mesh = bench.inspected("b.stl");
     QCOMPARE(mesh.at("components").get<int>(), 1);
     QVERIFY(std::abs(mesh.at("volume_mm3").get<double>() / 1875.0 - 1.0) < 0.02);
     // The other way can do it, too, and then it is the one that is written.
     const Ran cut = bench.run({"repair", "a.off", "-o", "c.off", "--by", "both", "--voxel", "0.25", "--cut-crossings"});
     QCOMPARE(cut.code, 0);
     QVERIFY2(cut.out.contains("c.off: the repair by triangles"), cut.out.constData());
-    QCOMPARE(inspected(bench, "c.off").at("self_intersecting_pairs").get<int>(), 0);
+    QCOMPARE(bench.inspected("c.off").at("self_intersecting_pairs").get<int>(), 0);
   }
 
   // A volume has no sheets: one beside a body is lost, so the result is that of the triangles, with the reason.
@@ -74,7 +66,7 @@ class RepairBothWaysTest : public QObject {
     QVERIFY(result["ways"][1]["sound"].get<bool>());
     // The farthest corner is 30 mm from the cube's side, at its height.
     QVERIFY(std::abs(result["lost_by_volume_mm"].get<double>() - 30.0) < 0.5);
-    QCOMPARE(inspected(bench, "b.off").at("triangles").get<int>(), 13);
+    QCOMPARE(bench.inspected("b.off").at("triangles").get<int>(), 13);
   }
 
   // What encloses nothing has no volume: the row says so, and the result is that of the triangles.

@@ -15,7 +15,7 @@ using namespace handwheel;
 
 namespace {
 
-constexpr StockCylinder kShaft{40.0, 100.0, 0.0};
+constexpr StockCylinder kCurveShaft{40.0, 100.0, 0.0};
 
 double anyOf(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
@@ -60,7 +60,7 @@ class ControlPointCutTest : public QObject {
     QFETCH(double, z);
     constexpr double kResolution = 2.0, kNoseRadius = 0.011, kDepth = 0.5;
     constexpr int kSpans = 50;
-    TurnedProfile part(kShaft, 0.02);
+    TurnedProfile part(kCurveShaft, 0.02);
     const auto at = static_cast<std::size_t>(std::lround(z / part.spacing()));
     const ProfilePoint nose(20.0 - kDepth + kNoseRadius, part.z(at));
     ControlPointCut(part, kResolution).cut(part, TurningSide::Outside, nose, nose, kNoseRadius);
@@ -89,7 +89,7 @@ class ControlPointCutTest : public QObject {
     pass.resolution = kResolution;
     pass.path = {{22.0, kAt}};
     pass.times = {0.0};
-    TurnedProfile inParts(kShaft, 0.1), whole = inParts;
+    TurnedProfile inParts(kCurveShaft, 0.1), whole = inParts;
     std::vector<double> expected(whole.size(), 20.0);
     const auto basis = [&](int pole, std::size_t i) { return cardinal(pole, 2, whole.z(i) * kSpans / 100.0, kSpans); };
     for (int move = 0; move < kMoves; ++move) {
@@ -118,7 +118,7 @@ class ControlPointCutTest : public QObject {
   // Parts are few, or of few moves, where a hand goes on a hundredth of a millimetre at a time: what a review may
   // repeat is about as long as without them.
   void partsCostLittle() {
-    const TurnedProfile part(kShaft, 0.01);
+    const TurnedProfile part(kCurveShaft, 0.01);
     TurningPass pass;
     pass.noseRadius = 4.0;
     pass.method = TurningMethod::Poles;
@@ -138,7 +138,7 @@ class ControlPointCutTest : public QObject {
 
   void materialOnlyLeavesAndNothingFolds() {
     QVERIFY(rc::check("radii of both sides only go apart from the material", [] {
-      TurnedProfile part(kShaft, 1.0);
+      TurnedProfile part(kCurveShaft, 1.0);
       const ControlPointCut poles(part, anyOf(0.5, 20.0));
       for (int step = 0; step < 12; ++step) {
         const TurnedProfile before = part;
@@ -157,12 +157,12 @@ class ControlPointCutTest : public QObject {
 
   // A long taper, which degree 2 has exactly: the finer the control points, the nearer to what the nose sweeps.
   void finerIsNearer() {
-    TurnedProfile exact(kShaft, 0.02);
+    TurnedProfile exact(kCurveShaft, 0.02);
     const ProfilePoint from(25.0, 10.0), to(18.0, 80.0);
     exact.cut(from, to, 4.0);
     double last = std::numeric_limits<double>::infinity();
     for (const double resolution : {4.0, 1.0, 0.25}) {
-      TurnedProfile part(kShaft, 0.02);
+      TurnedProfile part(kCurveShaft, 0.02);
       ControlPointCut(part, resolution).cut(part, TurningSide::Outside, from, to, 4.0);
       double largest = 0.0;
       for (std::size_t i = 0; i < part.size(); ++i) {
@@ -180,7 +180,7 @@ class ControlPointCutTest : public QObject {
   void aPassThatBeginsInTheMaterial() {
     const ProfilePoint from(22.0, 30.0), to(22.0, 38.0);
     for (const double resolution : {2.0, 1.0, 0.5, 0.25, 0.125}) {
-      TurnedProfile part(kShaft, 0.02);
+      TurnedProfile part(kCurveShaft, 0.02);
       ControlPointCut(part, resolution).cut(part, TurningSide::Outside, from, to, 4.0);
       double largest = 0.0;
       for (std::size_t i = 0; i < part.size(); ++i) {
@@ -194,7 +194,7 @@ class ControlPointCutTest : public QObject {
 
   // In a bore the mirror image of the outside.
   void boresAsItTurns() {
-    TurnedProfile outside(kShaft, 0.1), tube(kShaft, 0.1);
+    TurnedProfile outside(kCurveShaft, 0.1), tube(kCurveShaft, 0.1);
     for (std::size_t i = 0; i < tube.size(); ++i) tube.limitInner(i, 10.0);
     ControlPointCut(outside, 1.0).cut(outside, TurningSide::Outside, {20.0, 30.0}, {19.0, 60.0}, 2.0);
     ControlPointCut(tube, 1.0).cut(tube, TurningSide::Bore, {10.0, 30.0}, {11.0, 60.0}, 2.0);
@@ -205,7 +205,7 @@ class ControlPointCutTest : public QObject {
   }
 
   void nothingAndNoNumber() {
-    TurnedProfile part(kShaft, 1.0);
+    TurnedProfile part(kCurveShaft, 1.0);
     const TurnedProfile before = part;
     const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
     const ControlPointCut poles(part, nan);
@@ -232,10 +232,10 @@ class ControlPointCutTest : public QObject {
         pass.path.emplace_back(19.0 - 3.0 * std::sin(0.02 * i), 0.2 * i);
         pass.times.push_back(0.0);
       }
-      TurnedProfile once(kShaft, 0.1), again = once;
+      TurnedProfile once(kCurveShaft, 0.1), again = once;
       cut(once, pass);
       cut(again, pass);
-      QVERIFY(once == again && once.volume() < kShaft.volume());
+      QVERIFY(once == again && once.volume() < kCurveShaft.volume());
       QVERIFY(samplesUnder(once, pass) > 0);
     }
   }

@@ -15,7 +15,7 @@ using namespace handwheel;
 
 namespace {
 
-constexpr StockCylinder kBar{40.0, 100.0, 0.0};
+constexpr StockCylinder kProfileBar{40.0, 100.0, 0.0};
 
 double between(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
@@ -44,15 +44,15 @@ class TurnedProfileTest : public QObject {
 
  private slots:
   void anUncutBar() {
-    const TurnedProfile bar(kBar, 0.3);
+    const TurnedProfile bar(kProfileBar, 0.3);
     QVERIFY(bar.spacing() <= 0.3);
     QCOMPARE(bar.length(), 100.0);
-    QVERIFY(std::abs(bar.volume() / kBar.volume() - 1.0) < 1e-12);
-    QVERIFY(std::abs(bar.area() / kBar.area() - 1.0) < 1e-12);
+    QVERIFY(std::abs(bar.volume() / kProfileBar.volume() - 1.0) < 1e-12);
+    QVERIFY(std::abs(bar.area() / kProfileBar.area() - 1.0) < 1e-12);
     const TurnedProfile cone = TurnedProfile::fromRadii({3.0, 0.0}, 4.0);
     QVERIFY(std::abs(cone.volume() - M_PI * 12.0) < 1e-12 && std::abs(cone.area() - M_PI * 24.0) < 1e-12);
     // As coarse or fine as can be.
-    QCOMPARE(TurnedProfile(kBar, 1e9).size(), std::size_t{2});
+    QCOMPARE(TurnedProfile(kProfileBar, 1e9).size(), std::size_t{2});
     QCOMPARE(TurnedProfile({1.0, 1e6, 0.0}, 1e-6).size(), TurnedProfile::kMostSamples);
   }
 
@@ -76,7 +76,7 @@ class TurnedProfileTest : public QObject {
 
   // A straight pass leaves a cylinder; the removed ring and the two quarter circles of the nose are known.
   void aStraightPass() {
-    TurnedProfile part(kBar, 0.01);
+    TurnedProfile part(kProfileBar, 0.01);
     const double nose = 2.0, depth = 3.0;
     part.cut({20.0 - depth + nose, 30.0}, {20.0 - depth + nose, 60.0}, nose);
     for (const double z : {30.0, 45.0, 60.0}) {
@@ -92,12 +92,12 @@ class TurnedProfileTest : public QObject {
       const double r = std::min(20.0, 19.0 - std::sqrt(nose * nose - x * x));
       ends += 2.0 * M_PI * (400.0 - r * r) * nose / kSlices;
     }
-    QVERIFY(std::abs((kBar.volume() - part.volume()) / (ring + ends) - 1.0) < 1e-4);
+    QVERIFY(std::abs((kProfileBar.volume() - part.volume()) / (ring + ends) - 1.0) < 1e-4);
   }
 
   void cutsTheEnvelopeOfTheSweep() {
     QVERIFY(rc::check("what is left is the lower envelope of all discs", [] {
-      TurnedProfile part(kBar, 2.0);
+      TurnedProfile part(kProfileBar, 2.0);
       const ProfilePoint a = anyPlace(), b = anyPlace();
       const double nose = between(0.2, 8.0);
       const TurnedProfile before = part;
@@ -110,13 +110,13 @@ class TurnedProfileTest : public QObject {
         RC_ASSERT((part.radius(i) != before.radius(i)) ==
                   (i >= changed.first && i < changed.last && part.radius(i) < 20.0));
       }
-      RC_ASSERT(before == TurnedProfile(kBar, 2.0));  // a copy is not touched
+      RC_ASSERT(before == TurnedProfile(kProfileBar, 2.0));  // a copy is not touched
     }));
   }
 
   void materialOnlyLeaves() {
     QVERIFY(rc::check("radii never grow, never fall below zero, and a second pass removes nothing", [] {
-      TurnedProfile part(kBar, 1.0);
+      TurnedProfile part(kProfileBar, 1.0);
       TurningPass pass;
       pass.noseRadius = between(0.5, 5.0);
       for (int i = 0; i < 6; ++i) pass.path.push_back(anyPlace());
@@ -134,7 +134,7 @@ class TurnedProfileTest : public QObject {
   }
 
   void nothingOfNoNumber() {
-    TurnedProfile part(kBar, 1.0);
+    TurnedProfile part(kProfileBar, 1.0);
     const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
     for (const double bad : {nan, inf, -inf}) {
       QVERIFY(part.cut({bad, 50}, {10, 50}, 1.0).isEmpty());
@@ -143,7 +143,7 @@ class TurnedProfileTest : public QObject {
     QVERIFY(part.cut({10, 50}, {10, 60}, nan).isEmpty());
     QVERIFY(part.cut({10, 50}, {10, 60}, 0.0).isEmpty());
     QVERIFY(part.cut({10, 1e300}, {10, 1e301}, 1.0).isEmpty());
-    QVERIFY(part == TurnedProfile(kBar, 1.0));
+    QVERIFY(part == TurnedProfile(kProfileBar, 1.0));
     part.cut({-1e9, -1e9}, {-1e9, 1e9}, 1e8);  // all of it
     QCOMPARE(part.volume(), 0.0);
   }

@@ -23,7 +23,7 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kVoxel = 0.25;  // mm
+constexpr double kClayVoxel = 0.25;  // mm
 
 // The signs and, up to some voxels from the surface, the depths of all samples around the origin against a function
 // that gives the depth, mm. Returns the largest error, voxels.
@@ -70,7 +70,7 @@ class ClayDabTest : public QObject {
 
  private slots:
   void ballIsExact() {
-    const SparseVolume ball = ballOfVoxels(6.0, kVoxel);
+    const SparseVolume ball = ballOfVoxels(6.0, kClayVoxel);
     QVERIFY(isBelow(worst(
                         ball, [](const Vec3& p) { return depthOfBall(p, 6.0); }, 30),
                     1e-4));
@@ -81,7 +81,7 @@ class ClayDabTest : public QObject {
   // Union and difference of balls have the signs of the shapes, and depths that are never too large.
   void addAndCarve() {
     const Vec3 at(5.0, 1.0, -2.0);
-    SparseVolume added = ballOfVoxels(6.0, kVoxel), carved = added;
+    SparseVolume added = ballOfVoxels(6.0, kClayVoxel), carved = added;
     QVERIFY(!applyDab(added, dabOf(ClayAction::Add, at, 4.0)).empty());
     QVERIFY(!applyDab(carved, dabOf(ClayAction::Carve, at, 4.0)).empty());
     const auto two = [&](const Vec3& p) { return std::max(depthOfBall(p, 6.0), depthOfBall(p - at, 4.0)); };
@@ -96,7 +96,7 @@ class ClayDabTest : public QObject {
 
   // A ball that goes a way takes what a capsule would.
   void sweptBall() {
-    SparseVolume carved = ballOfVoxels(6.0, kVoxel);
+    SparseVolume carved = ballOfVoxels(6.0, kClayVoxel);
     ClayDab dab = dabOf(ClayAction::Carve, {4.0, 3.0, 2.0}, 1.5);
     dab.way = Vec3(5.0, 1.0, -1.0);
     QVERIFY(!applyDab(carved, dab).empty());
@@ -110,7 +110,7 @@ class ClayDabTest : public QObject {
 
   // A ball within the radius grows by half a voxel with each dab, and shrinks by as much: depths stay distances.
   void inflateOftenAndBack() {
-    SparseVolume ball = ballOfVoxels(5.0, kVoxel);
+    SparseVolume ball = ballOfVoxels(5.0, kClayVoxel);
     ClayDab dab = dabOf(ClayAction::Inflate, Vec3::Zero(), 12.0);
     for (int i = 0; i < 24; ++i) applyDab(ball, dab);
     QVERIFY(isBelow(worst(
@@ -128,7 +128,7 @@ class ClayDabTest : public QObject {
 
   // A ball goes with the tool when all of it is within the radius.
   void moveIsATranslation() {
-    SparseVolume ball = ballOfVoxels(3.0, kVoxel);
+    SparseVolume ball = ballOfVoxels(3.0, kClayVoxel);
     Vec3 centre = Vec3::Zero();
     for (int i = 0; i < 6; ++i) {
       ClayDab dab = dabOf(ClayAction::Move, centre, 9.0);
@@ -145,7 +145,7 @@ class ClayDabTest : public QObject {
   // bump there is drawn out along the way: its middle goes along, its top sinks, and its material stays, to some per
   // cent.
   void smudgeMovesABump() {
-    SparseVolume even = volumeOfSurface(moved(cube(16.0), Vec3(-8.0, -8.0, -16.0)), kVoxel)->volume, bumpy = even;
+    SparseVolume even = volumeOfSurface(moved(cube(16.0), Vec3(-8.0, -8.0, -16.0)), kClayVoxel)->volume, bumpy = even;
     const double material = even.material();
     const auto smudge = [](SparseVolume& volume, const Vec3& way) {
       ClayDab dab = dabOf(ClayAction::Smudge, {-3.0, 0.0, 0.0}, 4.0);
@@ -160,7 +160,8 @@ class ClayDabTest : public QObject {
     smudge(even, {0.0, 0.0, -0.5});
     const VolumeReader flat(even);
     for (int i = 0; i < 100; ++i)
-      QVERIFY(std::abs(flat.depthAt({6.0 * std::sin(i), 6.0 * std::cos(3.0 * i), -0.1}).depth - 0.1) < 0.1 * kVoxel);
+      QVERIFY(std::abs(flat.depthAt({6.0 * std::sin(i), 6.0 * std::cos(3.0 * i), -0.1}).depth - 0.1) <
+              0.1 * kClayVoxel);
     QVERIFY(isBelow(std::abs(even.material() / material - 1.0), 1e-4));
 
     applyDab(bumpy, dabOf(ClayAction::Add, {-2.0, 0.0, -2.4}, 3.2));  // a cap of 0.8 mm
@@ -176,8 +177,8 @@ class ClayDabTest : public QObject {
             const VoxelIndex at = zero + VoxelIndex(x, y, z);
             const Vec3 p = volume.centre(at);
             const double share = std::clamp(0.5 + volume.sample(at) / VolumeBlock::kUnit, 0.0, 1.0);
-            const double before = std::clamp(0.5 - p.z() / kVoxel, 0.0, 1.0),
-                         more = (share - before) * std::pow(kVoxel, 3);
+            const double before = std::clamp(0.5 - p.z() / kClayVoxel, 0.0, 1.0),
+                         more = (share - before) * std::pow(kClayVoxel, 3);
             bump.material += more;
             bump.middle += more * p.x();
             if (share > 0.5) bump.top = std::max(bump.top, p.z());
@@ -200,7 +201,7 @@ class ClayDabTest : public QObject {
 
   // A quarter of the way to the middle is 1 / 1.25 of the radius.
   void attractIsAScaling() {
-    SparseVolume ball = ballOfVoxels(5.0, kVoxel);
+    SparseVolume ball = ballOfVoxels(5.0, kClayVoxel);
     applyDab(ball, dabOf(ClayAction::Attract, Vec3::Zero(), 12.0));
     QVERIFY(isBelow(worst(
                         ball, [](const Vec3& p) { return depthOfBall(p, 4.0); }, 30, 1.0),
@@ -209,19 +210,19 @@ class ClayDabTest : public QObject {
 
   // Along its direction a pinch changes no size, across it is a scaling.
   void pinchIsAScalingAcross() {
-    SparseVolume ball = ballOfVoxels(5.0, kVoxel);
+    SparseVolume ball = ballOfVoxels(5.0, kClayVoxel);
     ClayDab dab = dabOf(ClayAction::Pinch, Vec3::Zero(), 12.0);
     dab.direction = Vec3::UnitX();
     applyDab(ball, dab);
     const VolumeReader reader(ball);
-    QVERIFY(isBelow(std::abs(reader.depthAt({5.0, 0.0, 0.0}).depth), 0.1 * kVoxel));
-    QVERIFY(isBelow(std::abs(reader.depthAt({0.0, 4.0, 0.0}).depth), 0.1 * kVoxel));
-    QVERIFY(isBelow(std::abs(reader.depthAt({0.0, 0.0, -4.0}).depth), 0.1 * kVoxel));
+    QVERIFY(isBelow(std::abs(reader.depthAt({5.0, 0.0, 0.0}).depth), 0.1 * kClayVoxel));
+    QVERIFY(isBelow(std::abs(reader.depthAt({0.0, 4.0, 0.0}).depth), 0.1 * kClayVoxel));
+    QVERIFY(isBelow(std::abs(reader.depthAt({0.0, 0.0, -4.0}).depth), 0.1 * kClayVoxel));
   }
 
   // A cap becomes a plane, from both sides.
   void flattenMakesAPlane() {
-    SparseVolume ball = ballOfVoxels(10.0, kVoxel);
+    SparseVolume ball = ballOfVoxels(10.0, kClayVoxel);
     ClayDab dab = dabOf(ClayAction::Flatten, {0.0, 0.0, 10.0}, 3.0);
     for (int i = 0; i < 12; ++i) applyDab(ball, dab);
     const VolumeReader reader(ball);
@@ -229,13 +230,14 @@ class ClayDabTest : public QObject {
     for (const Vec3& at : {Vec3(1.0, 0.0, 20.0), Vec3(-0.7, 0.7, 20.0), Vec3(0.0, -1.5, 20.0)}) {
       const auto hit = firstHit(ball, at, -Vec3::UnitZ());
       QVERIFY(hit);
-      QVERIFY2(std::abs(hit->point.z() - middle) < 0.1 * kVoxel, qPrintable(QString::number(hit->point.z() - middle)));
+      QVERIFY2(std::abs(hit->point.z() - middle) < 0.1 * kClayVoxel,
+               qPrintable(QString::number(hit->point.z() - middle)));
     }
   }
 
   // Bumps go, and the ball stays.
   void smoothTakesBumps() {
-    SparseVolume ball = ballOfVoxels(8.0, kVoxel);
+    SparseVolume ball = ballOfVoxels(8.0, kClayVoxel);
     for (int i = 0; i < 40; ++i) {
       const Vec3 way(std::sin(3.0 * i), std::cos(5.0 * i), std::sin(7.0 * i + 1.0));
       applyDab(ball, dabOf(i % 2 ? ClayAction::Add : ClayAction::Carve, 8.0 * way.normalized(), 0.6));
@@ -260,7 +262,7 @@ class ClayDabTest : public QObject {
   // said to have changed are those that did.
   void anyDabs() {
     QVERIFY(rc::check([] {
-      SparseVolume volume = ballOfVoxels(1.5, kVoxel);
+      SparseVolume volume = ballOfVoxels(1.5, kClayVoxel);
       const auto number = [](double most) { return *rc::gen::inRange(-1000, 1001) / 1000.0 * most; };
       for (int i = 0; i < 6; ++i) {
         ClayDab dab;
@@ -281,7 +283,7 @@ class ClayDabTest : public QObject {
               ++different;
               RC_ASSERT(std::find(changed.begin(), changed.end(), block) != changed.end());
               const Vec3 low = volume.centre(8 * block), high = volume.centre(8 * block + VoxelIndex::Constant(7));
-              RC_ASSERT(Box(low, high).exteriorDistance(dab.centre) <= dab.radius + dab.way.norm() + 11.0 * kVoxel);
+              RC_ASSERT(Box(low, high).exteriorDistance(dab.centre) <= dab.radius + dab.way.norm() + 11.0 * kClayVoxel);
             }
         RC_ASSERT(different == changed.size());
       }
@@ -295,7 +297,7 @@ class ClayDabTest : public QObject {
   void mirrorImage() {
     const auto reversed = [](const Vec3& p) { return Vec3(-p.x(), p.y(), p.z()); };
     for (int action = 0; action < static_cast<int>(ClayAction::Mask); ++action) {
-      SparseVolume one = ballOfVoxels(4.0, kVoxel), other = one;
+      SparseVolume one = ballOfVoxels(4.0, kClayVoxel), other = one;
       ClayDab dab = dabOf(static_cast<ClayAction>(action), {3.0, 1.0, 1.5}, 2.0);
       dab.way = Vec3(0.3, 0.2, -0.1);
       dab.direction = Vec3(1.0, 2.0, -2.0) / 3.0;
@@ -310,7 +312,7 @@ class ClayDabTest : public QObject {
   }
 
   void whatMakesNoSense() {
-    SparseVolume volume = ballOfVoxels(3.0, kVoxel);
+    SparseVolume volume = ballOfVoxels(3.0, kClayVoxel);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {nan, std::numeric_limits<double>::infinity(), -1.0, 0.0, 1e9}) {
       QVERIFY(applyDab(volume, dabOf(ClayAction::Carve, Vec3::Zero(), bad)).empty());

@@ -29,7 +29,7 @@ float encoded(double linear) {
   return static_cast<float>(std::clamp(c, 0.0, 1.0));
 }
 
-QColor toColour(const Lab& lab) {
+QColor labColour(const Lab& lab) {
   const double fy = (lab.lightness + 16.0) / 116.0;
   const double x = kWhite[0] * unfolded(fy + lab.a / 500.0), y = kWhite[1] * unfolded(fy),
                z = kWhite[2] * unfolded(fy - lab.b / 200.0);
@@ -41,10 +41,10 @@ QColor toColour(const Lab& lab) {
 }  // namespace
 
 QColor ColourScale::at(double value) const {
-  if (std::isnan(value)) return toColour({70.0, 0.0, 0.0});
+  if (std::isnan(value)) return labColour({70.0, 0.0, 0.0});
   const double t = std::min(std::abs(value) / range, 1.0);
   const Lab& end = value < 0.0 ? kLow : kHigh;
-  return toColour({std::lerp(kNeutral.lightness, end.lightness, t), t * end.a, t * end.b});
+  return labColour({std::lerp(kNeutral.lightness, end.lightness, t), t * end.a, t * end.b});
 }
 
 }  // namespace handwheel

@@ -125,7 +125,7 @@ Property textProperty(const char* id, const char* group, const char* label, std:
   return p;
 }
 
-Error malformed(const std::string& id, const char* what) {
+Error malformedTask(const std::string& id, const char* what) {
   return {ErrorCode::ElementMalformed, {id, what}, {}, {}};
 }
 
@@ -139,7 +139,7 @@ Error outOfRange(const TaskNumber& number, double value) {
 Result<DrillingTask> withText(DrillingTask task, const std::string& id, const std::string& text) {
   if (id == kDrill) {
     const std::optional<DrillTool> tool = drillIn(text);
-    if (!tool) return malformed(id, "a drill was expected, such as ball:6, burr:4 or twist:3");
+    if (!tool) return malformedTask(id, "a drill was expected, such as ball:6, burr:4 or twist:3");
     task.tool = *tool;
     return task;
   }
@@ -148,18 +148,18 @@ Result<DrillingTask> withText(DrillingTask task, const std::string& id, const st
   const std::vector<double> first = rows.size() == 1 ? rows.front() : std::vector<double>();
   if (id == kEntry) {
     const std::optional<Vec3> place = placeIn(first);
-    if (!isSound || !place) return malformed(id, "three lengths were expected, with “;” between them");
+    if (!isSound || !place) return malformedTask(id, "three lengths were expected, with “;” between them");
     task.plan.entry = *place;
   } else if (id == kDirection) {
     const std::optional<Vec3> direction = directionIn(first);
-    if (!isSound || !direction) return malformed(id, "three numbers were expected, with “;” between them");
+    if (!isSound || !direction) return malformedTask(id, "three numbers were expected, with “;” between them");
     task.plan.direction = *direction;
   } else {
     task.plan.forbidden.clear();
     for (const std::vector<double>& row : rows) {
       const std::optional<SolidBall> ball = ballIn(row);
       if (!isSound || !ball || task.plan.forbidden.size() == DrillingTask::kMostForbidden)
-        return malformed(id, "balls were expected: x; y; z; radius, with “|” between them");
+        return malformedTask(id, "balls were expected: x; y; z; radius, with “|” between them");
       task.plan.forbidden.push_back(*ball);
     }
   }
@@ -176,7 +176,7 @@ std::shared_ptr<const DrillingStock> stockIn(const Json& json, std::vector<Error
 }
 
 void readPlan(DrillingTask& task, const Json& json, std::vector<Error>& damage) {
-  const auto fail = [&](const char* key) { damage.push_back(malformed(key, "it is impossible")); };
+  const auto fail = [&](const char* key) { damage.push_back(malformedTask(key, "it is impossible")); };
   if (json.contains(kEntry)) {
     const auto entry = placeIn(numbersAt(json, kEntry, 4));
     entry ? void(task.plan.entry = *entry) : fail(kEntry);
@@ -232,7 +232,7 @@ Json toJson(const DrillingTask& task) {
 DrillingTask drillingTaskFrom(const Json& json, std::vector<Error>& damage) {
   DrillingTask task = DrillingTask::ofSkull();
   if (!json.is_object()) {
-    damage.push_back(malformed("task", "it is missing"));
+    damage.push_back(malformedTask("task", "it is missing"));
     return task;
   }
   for (const TaskNumber& number : kNumbers) {
@@ -250,12 +250,12 @@ DrillingTask drillingTaskFrom(const Json& json, std::vector<Error>& damage) {
   if (const std::string id = stringAt(json, kMaterial, task.material); drillMaterial(id)) {
     task.material = id;
   } else {
-    damage.push_back(malformed(kMaterial, "it is not known"));
+    damage.push_back(malformedTask(kMaterial, "it is not known"));
   }
   if (const auto tool = drillIn(stringAt(json, kDrill, drillWordOf(task.tool)))) {
     task.tool = *tool;
   } else {
-    damage.push_back(malformed(kDrill, "it is no drill"));
+    damage.push_back(malformedTask(kDrill, "it is no drill"));
   }
   return task;
 }
@@ -300,18 +300,18 @@ std::vector<Property> propertiesOf(const DrillingTask& task) {
 Result<DrillingTask> withTaskProperty(DrillingTask task, const std::string& id, const PropertyValue& value) {
   if (id == kEntry || id == kDirection || id == kForbidden || id == kDrill) {
     const auto* const text = std::get_if<std::string>(&value);
-    return text ? withText(std::move(task), id, *text) : Result<DrillingTask>(malformed(id, "a text was expected"));
+    return text ? withText(std::move(task), id, *text) : Result<DrillingTask>(malformedTask(id, "a text was expected"));
   }
   const auto* const number = std::get_if<double>(&value);
   if (id == kMaterial) {
     if (!number || !(*number >= 0.0 && *number < static_cast<double>(drillMaterials().size())))
-      return malformed(id, "there is no such choice");
+      return malformedTask(id, "there is no such choice");
     task.material = drillMaterials()[static_cast<std::size_t>(*number)].id;
     return task;
   }
   for (const TaskNumber& each : kNumbers) {
     if (id != each.id) continue;
-    if (!number) return malformed(id, "a number was expected");
+    if (!number) return malformedTask(id, "a number was expected");
     if (!(*number >= each.least && *number <= each.largest)) return outOfRange(each, *number);
     each.at(task) = *number;
     return task;

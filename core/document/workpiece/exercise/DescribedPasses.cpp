@@ -97,7 +97,7 @@ std::optional<double> feedOf(const TurningPass& pass, double spindleSpeed) {
   return nlohmann::json::parse(text.str()).get<double>();
 }
 
-nlohmann::json threadJson(const ThreadCut& thread) {
+nlohmann::json describedThread(const ThreadCut& thread) {
   nlohmann::json json = {{"pitch", thread.pitch}};
   if (thread.starts != 1) json["starts"] = thread.starts;
   if (thread.isLeft) json["hand"] = "left";
@@ -116,7 +116,7 @@ nlohmann::json passJson(const TurningPass& pass, double spindleSpeed) {
   json["side"] = pass.side == TurningSide::Bore ? "bore" : "outside";
   nlohmann::json& points = json["points"] = nlohmann::json::array();
   for (const ProfilePoint& p : pass.path) points.push_back({p.x(), p.y()});
-  if (pass.thread) json["thread"] = threadJson(*pass.thread);
+  if (pass.thread) json["thread"] = describedThread(*pass.thread);
   return json;
 }
 

@@ -16,12 +16,12 @@ namespace {
 
 using Of = DrawnTolerance::Of;
 
-std::string mmText(double value) {
+std::string drawnSizeText(double value) {
   return roundedText(std::round(value * 1e3) / 1e3, 9);
 }
 
 std::string signedText(double deviation) {
-  return deviation > 0.0 ? "+" + mmText(deviation) : mmText(deviation);
+  return deviation > 0.0 ? "+" + drawnSizeText(deviation) : drawnSizeText(deviation);
 }
 
 // The nominal size of a criterion, or the middle of its limits.
@@ -34,7 +34,8 @@ std::optional<double> sizeOf(const MarkingCriterion& c) {
 // As the teacher wrote it, else the deviations: "±0.1", "+0.1 −0.2".
 std::string toleranceText(const MarkingCriterion& c, double size) {
   if (!c.tolerance.empty()) return c.tolerance;
-  if (c.lower && c.upper && std::abs(*c.lower + *c.upper - 2.0 * size) < 1e-9) return "±" + mmText(*c.upper - size);
+  if (c.lower && c.upper && std::abs(*c.lower + *c.upper - 2.0 * size) < 1e-9)
+    return "±" + drawnSizeText(*c.upper - size);
   std::string text;
   if (c.upper) text = signedText(*c.upper - size);
   if (c.lower) text += (text.empty() ? "" : " ") + signedText(*c.lower - size);

@@ -11,7 +11,7 @@ namespace handwheel {
 
 namespace {
 
-std::string mmText(double value) {
+std::string reportedSizeText(double value) {
   return roundedText(std::round(value * 1e4) / 1e4, 9);
 }
 
@@ -31,14 +31,16 @@ TargetDeviation deviationOf(const WorkpieceSnapshot& workpiece, Progress progres
 
 std::string textOf(const ProfileFeature& f) {
   std::string text = (f.isInner ? "inner " : "") + std::string(nameOf(f.kind));
-  if (f.kind == ProfileFeature::Kind::Cylinder) text += " Ø" + mmText(f.value);
-  if (f.kind == ProfileFeature::Kind::Arc) text += " R" + mmText(f.value);
+  if (f.kind == ProfileFeature::Kind::Cylinder) text += " Ø" + reportedSizeText(f.value);
+  if (f.kind == ProfileFeature::Kind::Arc) text += " R" + reportedSizeText(f.value);
   if (f.kind == ProfileFeature::Kind::Taper)
-    text += " " + mmText(f.value * 180.0 / M_PI) + "° to the axis, Ø" + mmText(2.0 * f.low.x()) + " to Ø" +
-            mmText(2.0 * f.high.x());
+    text += " " + reportedSizeText(f.value * 180.0 / M_PI) + "° to the axis, Ø" + reportedSizeText(2.0 * f.low.x()) +
+            " to Ø" + reportedSizeText(2.0 * f.high.x());
   if (f.kind == ProfileFeature::Kind::FlatFace)
-    return text + " Ø" + mmText(2.0 * f.low.x()) + " to Ø" + mmText(2.0 * f.high.x()) + ", Z " + mmText(f.low.y());
-  return text + ", Z " + mmText(f.low.y()) + " to " + mmText(f.high.y()) + ", length " + mmText(f.length());
+    return text + " Ø" + reportedSizeText(2.0 * f.low.x()) + " to Ø" + reportedSizeText(2.0 * f.high.x()) + ", Z " +
+           reportedSizeText(f.low.y());
+  return text + ", Z " + reportedSizeText(f.low.y()) + " to " + reportedSizeText(f.high.y()) + ", length " +
+         reportedSizeText(f.length());
 }
 
 nlohmann::json dimensionsJson(const TargetProfile& section, double tolerance) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double kBesideWall = 0.5;     // mm, of the nose in the hole, and of the drill before the end of the bar
 constexpr double kBehindBar = 0.3;      // mm, between the back of a boring bar and the hole
 constexpr double kLeastToBore = 0.2;    // mm, on the radius, that a drill leaves
-constexpr double kMostDepth = 1.0;      // mm, of a level: bars are slender
+constexpr double kMostBarDepth = 1.0;   // mm, of a level: bars are slender
 constexpr double kMostAllowance = 0.2;  // mm
 constexpr double kDrillSpeed = 20.0;    // m/min, of high-speed steel
 constexpr double kDrillFeed = 0.1;      // mm in a turn
@@ -25,7 +25,7 @@ constexpr double kBefore = 5.0;         // mm
 constexpr double kAboveFlat = 0.3;      // mm, of the point of the drill above a flat bottom
 constexpr double kAboveRim = 0.5;       // mm, of a bar above what that point has left
 constexpr double kFaceDepth = 0.25;     // mm, of a level of a flat bottom: the edge of a bar slopes back by twice that
-constexpr double kSame = 1e-6;          // mm, on the radius
+constexpr double kSameRadius = 1e-6;    // mm, on the radius
 
 // mm, how far behind its tip a bar reaches in r.
 double backOf(const LatheTool& bar) {
@@ -64,12 +64,12 @@ std::shared_ptr<const LatheTool> drillOf(double diameter, const LatheTools& tool
 bool isDrilledOnly(const BoreWall& bore, double hole) {
   return bore.bottom == BoreWall::Bottom::Drilled &&
          std::all_of(bore.wall.begin(), bore.wall.end(),
-                     [hole](const ProfileSegment& s) { return s.box().max().x() <= hole + kSame; });
+                     [hole](const ProfileSegment& s) { return s.box().max().x() <= hole + kSameRadius; });
 }
 
 void checkDrill(const BoreWall& bore, double hole) {
   const double least = bore.leastRadius();
-  const bool isExact = bore.bottom == BoreWall::Bottom::Drilled && std::abs(hole - least) <= kSame;
+  const bool isExact = bore.bottom == BoreWall::Bottom::Drilled && std::abs(hole - least) <= kSameRadius;
   if (hole > least - kLeastToBore && !isExact)
     refuse({}, "drill", "it is too large for the bore",
            "Take one of at most " + roundedText(2.0 * (least - kLeastToBore), 3) + " mm.");
@@ -93,7 +93,7 @@ BoreTools toolsFor(const BoreWall& bore, double drill, const LatheTools& tools) 
 CycleSettings inHole(const CycleSettings& settings, const LatheTool& bar, double below) {
   CycleSettings inside = settings;
   inside.nose = bar.noseRadius;
-  inside.depth = std::min(settings.depth, kMostDepth);
+  inside.depth = std::min(settings.depth, kMostBarDepth);
   inside.allowance = std::min(settings.allowance, kMostAllowance);
   inside.clearance = kBesideWall;
   inside.roughTool = inside.finishTool = settings.boreTool;
@@ -183,7 +183,7 @@ void boreToCone(std::vector<ToolMove>& moves, const BoreWall& blind, double hole
   CutContour wall = blind.wall;
   ProfileSegment& cone = wall.back();
   const double width = cone.from.x() - hole;
-  if (width > kSame)
+  if (width > kSameRadius)
     cone.to = {hole, cone.from.y() - width / kDrillPointSlope};
   else
     wall.pop_back();

@@ -13,13 +13,13 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kJoin = TargetProfile::kJoin;
 constexpr double kPointSlope = 0.02;  // of the cone of a drill, on the tangent of 59°: a third of a degree
 
 // The bore at the upper end: it goes on beyond it.
 const TargetProfile& upperBore(const TargetSides& sides, double top) {
-  const auto found = std::find_if(sides.bores.begin(), sides.bores.end(),
-                                  [&](const TargetProfile& bore) { return bore.upperEnd() > top + kJoin; });
+  const auto found = std::find_if(sides.bores.begin(), sides.bores.end(), [&](const TargetProfile& bore) {
+    return bore.upperEnd() > top + TargetProfile::kJoin;
+  });
   if (found == sides.bores.end())
     refuse({}, "target", "it has no bore that is open at its upper end",
            "Leave the drill away, or turn the part round.");
@@ -31,7 +31,7 @@ void takeBottom(BoreWall& bore) {
   const ProfileSegment last = bore.wall.back();
   bore.depth = -last.to.y();
   const double height = last.from.y() - last.to.y();
-  if (!last.isArc() && std::abs(height) <= kJoin) {
+  if (!last.isArc() && std::abs(height) <= TargetProfile::kJoin) {
     bore.bottom = BoreWall::Bottom::Flat;
     bore.wall.pop_back();
     return;
@@ -61,8 +61,8 @@ BoreWall boreWallOf(const TargetProfile& target) {
   BoreWall bore;
   for (const ProfileSegment& segment : upperBore(*sides, top).segments()) {  // up along the wall, and beyond the ends
     const double low = std::min(segment.from.y(), segment.to.y()), high = std::max(segment.from.y(), segment.to.y());
-    if ((target.isClosed() && high <= bottom + kJoin) || low >= top - kJoin) continue;
-    if (segment.to.y() < segment.from.y() - kJoin)
+    if ((target.isClosed() && high <= bottom + TargetProfile::kJoin) || low >= top - TargetProfile::kJoin) continue;
+    if (segment.to.y() < segment.from.y() - TargetProfile::kJoin)
       refuse({}, "target", "its bore has an undercut at z = " + roundedText(segment.at(0.5).y() - top),
              "Cut it by a program of your own.");
     ProfileSegment down = segment.reversed();
@@ -83,9 +83,9 @@ BoreWall boreWallOf(const TargetProfile& target) {
 CutContour wallDownTo(const CutContour& wall, double z, double radius) {
   CutContour upper;
   for (const ProfileSegment& segment : wall) {
-    if (segment.from.y() <= z + kJoin) break;
+    if (segment.from.y() <= z + TargetProfile::kJoin) break;
     upper.push_back(segment);
-    if (segment.to.y() >= z - kJoin) continue;
+    if (segment.to.y() >= z - TargetProfile::kJoin) continue;
     if (segment.isArc())
       refuse({}, "target", "the wall of its bore is curved where the point of the drill ends", "Take a smaller drill.");
     const double share = (segment.from.y() - z) / (segment.from.y() - segment.to.y());

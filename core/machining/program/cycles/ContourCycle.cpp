@@ -11,7 +11,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kGap = 1e-2;                        // between the offsets of two segments: an arc goes between
+constexpr double kOffsetGap = 1e-2;                  // between the offsets of two segments: an arc goes between
 constexpr double kLeastSegment = 1e-3;               // shorter segments are left out
 constexpr std::size_t kMostOffsetSteps = 4'000'000;  // times segments
 
@@ -74,11 +74,11 @@ void ContourCycle::finishCorner(std::size_t i) {
   };
   double by = corner.corner;
   auto [p, n] = offset(by);
-  if ((p.to - n.from).real() > kGap) {
+  if ((p.to - n.from).real() > kOffsetGap) {
     by = -by;
     std::tie(p, n) = offset(by);
   }
-  if ((p.to - n.from).real() > kGap || !meet(p, n))
+  if ((p.to - n.from).real() > kOffsetGap || !meet(p, n))
     refuse(m_place, "contour", "a corner cannot be rounded or chamfered", "Use a smaller A or C at this corner.");
   const PlanePoint centre = 0.5 * (p.to + n.from);
   p.offset(-by);
@@ -105,7 +105,7 @@ void ContourCycle::offsetStep(double step, bool isOutward) {
   std::erase_if(m_segments, [](const ContourSegment& segment) { return segment.size() < kLeastSegment; });
   for (std::size_t i = 0; i + 1 < m_segments.size(); ++i) {
     ContourSegment before = m_segments[i], after = m_segments[i + 1];
-    if (!((before.to - after.from).real() > kGap)) continue;
+    if (!((before.to - after.from).real() > kOffsetGap)) continue;
     ContourSegment around;
     around.turn = isOutward ? 1 : -1;
     around.from = before.to;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshChecks.h"
 #include "ReadDescription.h"
 #include "TestClass.h"
 
@@ -11,14 +12,6 @@ using namespace handwheel;
 using namespace handwheel::test;
 
 namespace {
-
-std::uint64_t bits(double v) {
-  return std::bit_cast<std::uint64_t>(v);
-}
-
-bool sameBits(const Vec3& a, const Vec3& b) {
-  return bits(a.x()) == bits(b.x()) && bits(a.y()) == bits(b.y()) && bits(a.z()) == bits(b.z());
-}
 
 // Every bit pattern that is a number, so also denormal and huge ones.
 double anyNumber(NumberType type) {

@@ -19,7 +19,7 @@ using namespace handwheel;
 namespace {
 
 // A sound mesh, or an error about this file. What it is differs with the version of the library.
-bool isSound(const Result<MeshFile>& read) {
+bool isSoundAnswer(const Result<MeshFile>& read) {
   if (!read) {
     const ErrorCode code = read.error().code;
     return code == ErrorCode::LibraryFailed || code == ErrorCode::CountMismatch || code == ErrorCode::OutOfMemory ||
@@ -100,11 +100,11 @@ class StepHostileTest : public QObject {
     QFETCH(QString, name);
     const std::string whole = test::stepFile(name.toStdString());
     for (std::size_t eighth = 0; eighth < 8; ++eighth)
-      QVERIFY(isSound(readStepText(whole.substr(0, whole.size() * eighth / 8 + eighth % 3))));
+      QVERIFY(isSoundAnswer(readStepText(whole.substr(0, whole.size() * eighth / 8 + eighth % 3))));
   }
 
   void nestedDeeply() {
-    for (int depth : {1000, 100'000, 10'000'000}) QVERIFY(isSound(readStepText(nested(depth))));
+    for (int depth : {1000, 100'000, 10'000'000}) QVERIFY(isSoundAnswer(readStepText(nested(depth))));
   }
 
   // Each entity is its own part, or that of the next.
@@ -114,9 +114,10 @@ class StepHostileTest : public QObject {
     for (int i = 1; i <= kLinks; ++i)
       chain += "#" + std::to_string(i) + "=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#" +
                std::to_string(i % kLinks + 1) + ");\n";
-    QVERIFY(isSound(readStepText(withData(chain))));
+    QVERIFY(isSoundAnswer(readStepText(withData(chain))));
     const std::string box = test::stepFile("box-inch.step");
-    QVERIFY(isSound(readStepText(test::replaced(box, "MANIFOLD_SOLID_BREP('',#16)", "MANIFOLD_SOLID_BREP('',#15)"))));
+    QVERIFY(
+        isSoundAnswer(readStepText(test::replaced(box, "MANIFOLD_SOLID_BREP('',#16)", "MANIFOLD_SOLID_BREP('',#15)"))));
     const std::string parts = test::stepFile("two-drilled.step");
     const std::size_t link = parts.find("NEXT_ASSEMBLY_USAGE_OCCURRENCE(");
     QVERIFY(link != std::string::npos);
@@ -124,18 +125,18 @@ class StepHostileTest : public QObject {
                       end = parts.find(',', second + 1);
     std::string within = parts;  // an assembly within itself
     within.replace(second, end - second, parts.substr(first, second - first));
-    QVERIFY(isSound(readStepText(within)));
+    QVERIFY(isSoundAnswer(readStepText(within)));
   }
 
   void hugeNumbers() {
     const std::string sphere = test::stepFile("sphere.step");
     for (const char* radius : {"1.E308", "1.E-308", "-10.", "0.", "1.E999", "9999999999999999999999", "NAN"})
-      QVERIFY2(isSound(readStepText(test::replaced(sphere, ",10.)", std::string(",") + radius + ")"))), radius);
+      QVERIFY2(isSoundAnswer(readStepText(test::replaced(sphere, ",10.)", std::string(",") + radius + ")"))), radius);
     for (const char* number : {"#99999999999999999999", "#-1", "#0", "#2147483648"})
-      QVERIFY2(isSound(readStepText(withData(std::string(number) + "=DIRECTION('',(1.,0.,0.));\n"))), number);
+      QVERIFY2(isSoundAnswer(readStepText(withData(std::string(number) + "=DIRECTION('',(1.,0.,0.));\n"))), number);
     std::string curve = "#1=B_SPLINE_CURVE_WITH_KNOTS('',2147483647,(";
     curve += "#2,#2),.UNSPECIFIED.,.F.,.F.,(2147483647,2147483647),(0.,1.),.UNSPECIFIED.);\n";
-    QVERIFY(isSound(readStepText(withData(curve + "#2=CARTESIAN_POINT('',(0.,0.,0.));\n"))));
+    QVERIFY(isSoundAnswer(readStepText(withData(curve + "#2=CARTESIAN_POINT('',(0.,0.,0.));\n"))));
   }
 
   void anyBytesChanged() {
@@ -147,7 +148,7 @@ class StepHostileTest : public QObject {
         const std::string bytes = mutated(random);
         const auto read = readStepText(bytes);
         if (read) ++readable;
-        if (isSound(read)) continue;
+        if (isSoundAnswer(read)) continue;
         ++unsound;
         qWarning("the file made from the number %d", i);
       }

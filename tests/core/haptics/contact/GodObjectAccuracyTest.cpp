@@ -18,7 +18,7 @@ namespace {
 using Path = std::function<Vec3(double)>;        // of a tip, from 0 to 1
 using Ideal = std::function<Vec3(const Vec3&)>;  // where the proxy of such a tip is on the true surface
 
-constexpr int kTicks = 4000;
+constexpr int kPathTicks = 4000;
 
 // The force on a tip led along a path into the mesh, against that of the surface that the mesh stands for: root of the
 // mean square, as a share of the largest.
@@ -27,14 +27,14 @@ double errorOf(const TriangleSoup& mesh, const Vec3& from, const Path& path, con
   GodObject god;
   god.place(from);
   double sum = 0.0, peak = 0.0;
-  for (int i = 0; i <= kTicks; ++i) {
-    const Vec3 tip = path(static_cast<double>(i) / kTicks);
+  for (int i = 0; i <= kPathTicks; ++i) {
+    const Vec3 tip = path(static_cast<double>(i) / kPathTicks);
     const Contact& contact = god.follow(surface, tip, {});
     const Vec3 truth = ideal(tip) - tip;
     sum += ((contact.proxy - tip) - truth).squaredNorm();
     peak = std::max(peak, truth.norm());
   }
-  return std::sqrt(sum / (kTicks + 1)) / peak;
+  return std::sqrt(sum / (kPathTicks + 1)) / peak;
 }
 
 // A surface (u, v) from 0 to 1, in cells.

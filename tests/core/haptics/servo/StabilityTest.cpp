@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kStabilityPeriod = 0.001;  // s
 // Of a run of the whole loop: in free space, and in contact.
-constexpr int kSettling = 8000, kTicks = 20000;
+constexpr int kSettling = 8000, kContactTicks = 20000;
 
 // The whole loop with a simulated hand: from 3 mm outside it goes to 2 mm inside a wall that is as stiff as the loop
 // allows, times `beyond`.
@@ -60,7 +60,7 @@ Outcome pressWall(const Run& run) {
     clock.late = [&, n = 0]() mutable -> std::int64_t {
       ++n;
       // The last two seconds are left in peace, to see what remains.
-      if (n % 1000 != 500 || n > kSettling + kTicks - 2000) return 0;
+      if (n % 1000 != 500 || n > kSettling + kContactTicks - 2000) return 0;
       return n % 5000 == 500 ? 50 * kMillisecond : static_cast<std::int64_t>(random() % 3 + 1) * kMillisecond;
     };
   }
@@ -83,7 +83,7 @@ Outcome pressWall(const Run& run) {
   device.setTarget({0.0, inside});
   Outcome outcome;
   double low = 1e9, high = -1e9;
-  for (int i = 0; i < kTicks && isOpen; ++i) {
+  for (int i = 0; i < kContactTicks && isOpen; ++i) {
     loop.runTicks(1);
     const ServoSample& sample = loop.latest();
     const double x = sample.device.position.x();
@@ -92,7 +92,7 @@ Outcome pressWall(const Run& run) {
     outcome.largestStiffness = std::max(outcome.largestStiffness, sample.felt.stiffness);
     outcome.largestForce = std::max(outcome.largestForce, sample.sent.force.norm());
     outcome.hasTouched |= sample.felt.isContact;
-    if (i < kTicks - 1000) continue;
+    if (i < kContactTicks - 1000) continue;
     low = std::min(low, x);
     high = std::max(high, x);
   }

@@ -15,23 +15,23 @@ using namespace handwheel::test;
 namespace {
 
 thread_local bool counts = false;
-thread_local int allocations = 0;
+thread_local int countedAllocations = 0;
 
 // Allocations on this thread while the work is done.
 template <class Work>
 int allocationsIn(Work work) {
-  allocations = 0;
+  countedAllocations = 0;
   counts = true;
   work();
   counts = false;
-  return allocations;
+  return countedAllocations;
 }
 
 }  // namespace
 
 // Takes the place of the library's, here and in every library of the program.
 void* operator new(std::size_t size) {
-  if (counts) ++allocations;
+  if (counts) ++countedAllocations;
   if (void* p = std::malloc(size ? size : 1)) return p;
   throw std::bad_alloc();
 }

@@ -15,7 +15,7 @@ namespace {
 using Lever = LatheCommand::Kind;
 using Rule = CutWarning::Rule;
 
-constexpr StockCylinder kShaft{40.0, 100.0, 0.0};
+constexpr StockCylinder kLoadedShaft{40.0, 100.0, 0.0};
 constexpr double kTick = 0.001;  // s
 
 // 2000 N for each mm² of the chip, whatever its shape; no component across but the radial one.
@@ -33,7 +33,7 @@ class AreaLaw : public CuttingForceModel {
 };
 
 LatheSetup setupWith(double power, double torque) {
-  LatheSetup setup = defaultLatheSetup(kShaft);
+  LatheSetup setup = defaultLatheSetup(kLoadedShaft);
   for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
   setup.spindle.power = power;
   setup.spindle.torque = torque;
@@ -42,7 +42,7 @@ LatheSetup setupWith(double power, double torque) {
 
 // A lathe that turns a depth off its shaft by the feed.
 struct LoadedLathe {
-  explicit LoadedLathe(const LatheSetup& setup, double radial = 0.0, const StockCylinder& bar = kShaft)
+  explicit LoadedLathe(const LatheSetup& setup, double radial = 0.0, const StockCylinder& bar = kLoadedShaft)
       : run(setup, shippedLatheTools(), TurnedProfile(bar, 0.05), LatheMachine::initialState(setup, bar),
             materialOf(radial)) {}
 
@@ -161,7 +161,7 @@ class LatheLoadTest : public QObject {
 
   // A shaft of one diameter is its own beam; a thick foot takes no part in the bending near the end.
   void beams() {
-    const TurnedProfile bar(kShaft, 0.05);
+    const TurnedProfile bar(kLoadedShaft, 0.05);
     const SlenderWork whole = beamOf(bar, 20.0, 100.0);
     QVERIFY(std::abs(whole.diameter - 40.0) < 1e-9 && std::abs(whole.length - 80.0) < 1e-6);
     QCOMPARE(whole.place, whole.length);

@@ -14,7 +14,7 @@ using namespace handwheel;
 
 namespace {
 
-constexpr StockCylinder kBar{40.0, 100.0, 0.0};
+constexpr StockCylinder kReviewedBar{40.0, 100.0, 0.0};
 const ReviewedLathe kLathe{600.0, 30.0, 80.0, 1.0};
 
 using PassPointer = std::shared_ptr<const TurningPass>;
@@ -29,7 +29,7 @@ PassPointer along(double radius, double from, double to, double feed, double nos
 }
 
 std::optional<TurningReview> reviewOf(const std::vector<PassPointer>& passes, const ReviewedLathe& lathe = kLathe) {
-  return TurningReview::make(TurnedProfile(kBar, 0.05), passes, lathe);
+  return TurningReview::make(TurnedProfile(kReviewedBar, 0.05), passes, lathe);
 }
 
 std::optional<FinishReading> finishOf(const TurningReview& review, TurningSide side, AxisRange range) {
@@ -198,10 +198,10 @@ class TurningReviewTest : public QObject {
 
   void theSamePartAsTheWorkpiece() {
     const std::vector<PassPointer> passes{along(18, 105, 50, 0.4), along(17.5, 105, 70, 0.1)};
-    TurnedProfile expected(kBar, 0.05);
+    TurnedProfile expected(kReviewedBar, 0.05);
     for (const auto& pass : passes) cut(expected, *pass);
     QVERIFY(reviewOf(passes)->profile() == expected);
-    QVERIFY(reviewOf({})->profile() == TurnedProfile(kBar, 0.05));
+    QVERIFY(reviewOf({})->profile() == TurnedProfile(kReviewedBar, 0.05));
     QCOMPARE(reviewOf({})->seconds(), 0.0);
   }
 
@@ -231,8 +231,8 @@ class TurningReviewTest : public QObject {
     QVERIFY(!reviewOf({std::make_shared<const TurningPass>(endless)}).has_value());
     JobState job;
     job.cancelled = true;
-    QVERIFY(
-        !TurningReview::make(TurnedProfile(kBar, 0.05), std::vector{along(18, 105, 50, 0.4)}, kLathe, Progress(job)));
+    QVERIFY(!TurningReview::make(TurnedProfile(kReviewedBar, 0.05), std::vector{along(18, 105, 50, 0.4)}, kLathe,
+                                 Progress(job)));
   }
 };
 

@@ -15,7 +15,7 @@ using namespace handwheel;
 
 namespace {
 
-constexpr StockCylinder kBlank{40.0, 100.0, 0.0};
+constexpr StockCylinder kRefitBlank{40.0, 100.0, 0.0};
 
 double anyLength(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
@@ -51,7 +51,7 @@ class RefitTest : public QObject {
   // What the tools left is found to the last digits, corners between two samples included: a shoulder with the fillet
   // of a nose of radius 1 at z = 60.0037, and a plunge of radius 3 with its walls.
   void exactGeometry() {
-    TurnedProfile part(kBlank, 0.013);
+    TurnedProfile part(kRefitBlank, 0.013);
     part.cut({18.0, 120.0}, {18.0, 60.0037}, 1.0);
     part.cut({25.0, 30.0041}, {15.0, 30.0041}, 3.0);
     const auto found = outsideOf(part, 0.005);
@@ -68,7 +68,7 @@ class RefitTest : public QObject {
 
   // 100,000 samples of a shaft become a handful of segments, and the marks of 3000 plunges few enough.
   void fewSegments() {
-    TurnedProfile shaft(kBlank, 0.001);
+    TurnedProfile shaft(kRefitBlank, 0.001);
     QCOMPARE(outsideOf(shaft, 0.005).size(), std::size_t{1});
     shaft.cut({18.0, 120.0}, {18.0, 60.0037}, 1.0);
     QCOMPARE(shaft.size(), std::size_t{100'001});
@@ -83,7 +83,7 @@ class RefitTest : public QObject {
 
   void withinTheTolerance() {
     QVERIFY(rc::check("each sample is within the chord of the curve, and nothing is across the axis", [] {
-      TurnedProfile part(kBlank, 0.1);
+      TurnedProfile part(kRefitBlank, 0.1);
       const int cuts = *rc::gen::inRange(0, 25);
       for (int i = 0; i < cuts; ++i) {
         const ProfilePoint a(anyLength(-2.0, 25.0), anyLength(-5.0, 105.0)),
@@ -137,7 +137,7 @@ class RefitTest : public QObject {
   }
   void solids() {
     QFETCH(int, shape);
-    TurnedProfile part(kBlank, 0.013);
+    TurnedProfile part(kRefitBlank, 0.013);
     if (shape == 0) part.cut({18.0, 120.0}, {18.0, 60.0037}, 1.0);
     for (int i = 0; shape == 1 && i < 500; ++i) {
       const double z = 10.0 + 0.15 * i;

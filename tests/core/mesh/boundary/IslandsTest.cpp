@@ -46,7 +46,7 @@ double areaOf(const HalfEdgeMesh& mesh, const FaceSelection& faces) {
   return sum;
 }
 
-std::size_t area(const TriangleSoup& soup) {
+std::size_t halfSquares(const TriangleSoup& soup) {
   return static_cast<std::size_t>(std::lround(2.0 * test::area(soup)));
 }
 
@@ -59,7 +59,7 @@ void IslandsTest::island() {
     const FaceSelection islands = findIslands(mesh, holeOf(mesh), loops);
     // Half squares whose middles are within 2 of the origin.
     const std::size_t island =
-        2 * 400 - area(test::plateWithout(20, [](double x, double y) { return std::hypot(x, y) <= 2.0; }));
+        2 * 400 - halfSquares(test::plateWithout(20, [](double x, double y) { return std::hypot(x, y) <= 2.0; }));
     QCOMPARE(islands.count(), island);
     HalfEdgeMesh without = mesh;
     removeFaces(without, islands);

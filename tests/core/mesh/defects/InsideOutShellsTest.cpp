@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/defects/InsideOutShells.h"
 
+#include "../SoupsTogether.h"
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
@@ -13,16 +14,6 @@
 #include <QTest>
 
 using namespace handwheel;
-
-namespace {
-
-TriangleSoup together(std::vector<TriangleSoup> parts) {
-  TriangleSoup all;
-  for (const TriangleSoup& part : parts) test::append(all, part);
-  return all;
-}
-
-}  // namespace
 
 class InsideOutShellsTest : public QObject {
   Q_OBJECT
@@ -44,23 +35,23 @@ void InsideOutShellsTest::shells_data() {
   QTest::newRow("nothing") << TriangleSoup{} << 0 << 0.0;
   QTest::newRow("right") << large << 0 << 64.0;
   QTest::newRow("inside out") << over(large) << 12 << 64.0;
-  QTest::newRow("a cavity stays") << together({large, over(inner)}) << 0 << 63.0;
-  QTest::newRow("a cavity turns with its body") << together({over(large), inner}) << 24 << 63.0;
-  QTest::newRow("a body in a body") << together({over(large), over(inner)}) << 24 << 65.0;
-  QTest::newRow("three in each other") << together({over(large), inner, over(innermost)}) << 36 << 63.125;
-  QTest::newRow("one of two") << together({large, over(beside)}) << 12 << 65.0;
+  QTest::newRow("a cavity stays") << test::together({large, over(inner)}) << 0 << 63.0;
+  QTest::newRow("a cavity turns with its body") << test::together({over(large), inner}) << 24 << 63.0;
+  QTest::newRow("a body in a body") << test::together({over(large), over(inner)}) << 24 << 65.0;
+  QTest::newRow("three in each other") << test::together({over(large), inner, over(innermost)}) << 36 << 63.125;
+  QTest::newRow("one of two") << test::together({large, over(beside)}) << 12 << 65.0;
   QTest::newRow("far off") << test::moved(over(test::icosphere(3)), {1e6, -1e6, 1e6}) << 1280 << std::nan("");
   // A plate without thickness has no inside, whatever the rounding of its volume.
   TriangleSoup plate = test::disc(64, 8);
   for (Vec3& p : plate.points) p = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * p + Vec3(17, -3, 5);
-  QTest::newRow("plate") << together({plate, test::turnedOver(plate)}) << 0 << std::nan("");
+  QTest::newRow("plate") << test::together({plate, test::turnedOver(plate)}) << 0 << std::nan("");
   // A small opening leaves no doubt about the inside, half a sphere does.
   const TriangleSoup nearlyClosed = test::sphereWithoutCap(2);
   QTest::newRow("nearly closed") << nearlyClosed << 0 << std::nan("");
   QTest::newRow("nearly closed, inside out")
       << over(nearlyClosed) << static_cast<int>(nearlyClosed.triangles.size()) << std::nan("");
   QTest::newRow("nearly closed, with a cavity")
-      << together({over(nearlyClosed), test::moved(test::icosphere(1), Vec3::Zero(), 0.2)})
+      << test::together({over(nearlyClosed), test::moved(test::icosphere(1), Vec3::Zero(), 0.2)})
       << static_cast<int>(nearlyClosed.triangles.size()) + 80 << std::nan("");
   QTest::newRow("half a sphere") << over(test::withHole(test::icosphere(3), Vec3::UnitZ(), 1.4)) << 0 << std::nan("");
   QTest::newRow("sheet") << over(test::disc(24, 4)) << 0 << std::nan("");

@@ -16,20 +16,22 @@ using namespace handwheel;
 
 namespace {
 
-constexpr std::uint32_t kSide = 12;
+constexpr std::uint32_t kFairedSide = 12;
 constexpr Continuity kAll[] = {Continuity::Position, Continuity::Tangent, Continuity::Curvature};
 
 // A grid of points in the plane, moved about in it.
 TriangleSoup plane(std::mt19937& random) {
   const auto shake = [&] { return 0.6 * (random() / 4294967296.0 - 0.5); };
-  return test::grid(kSide, kSide, false, false, [&](auto i, auto j) { return Vec3(i + shake(), j + shake(), 0.0); });
+  return test::grid(kFairedSide, kFairedSide, false, false,
+                    [&](auto i, auto j) { return Vec3(i + shake(), j + shake(), 0.0); });
 }
 
 // All but the points nearer than this many lines to the edge.
 std::vector<bool> inner(std::uint32_t lines) {
   std::vector<bool> isFree;
-  for (std::uint32_t i = 0; i < kSide; ++i) {
-    for (std::uint32_t j = 0; j < kSide; ++j) isFree.push_back(std::min({i, j, kSide - 1 - i, kSide - 1 - j}) >= lines);
+  for (std::uint32_t i = 0; i < kFairedSide; ++i) {
+    for (std::uint32_t j = 0; j < kFairedSide; ++j)
+      isFree.push_back(std::min({i, j, kFairedSide - 1 - i, kFairedSide - 1 - j}) >= lines);
   }
   return isFree;
 }
@@ -91,8 +93,9 @@ void FairingTest::orderTellsWhichPolynomialsStay() {
   for (Continuity continuity : kAll) {
     const std::uint32_t order = 1 + static_cast<std::uint32_t>(continuity);
     for (std::uint32_t degree = 0; degree <= 2 * order; ++degree) {
-      const auto height = [&](std::uint32_t i) { return kHeight * std::pow(i / (kSide - 1.0) - 0.5, degree); };
-      TriangleSoup s = test::grid(kSide, kSide, false, false, [&](auto i, auto j) { return Vec3(i, j, height(i)); });
+      const auto height = [&](std::uint32_t i) { return kHeight * std::pow(i / (kFairedSide - 1.0) - 0.5, degree); };
+      TriangleSoup s =
+          test::grid(kFairedSide, kFairedSide, false, false, [&](auto i, auto j) { return Vec3(i, j, height(i)); });
       const std::vector<Vec3> wanted = s.points;
       const std::vector<bool> isFree = inner(order);
       for (std::size_t i = 0; i < s.points.size(); ++i)
@@ -145,18 +148,19 @@ void FairingTest::sizePlaceAndTurnDoNotMatter() {
 // bends at the ridge, where all could turn freely; the points of a straight line at the ridge stay where they are.
 void FairingTest::borderHasNoTangent() {
   const auto roof = [](double kink) {
-    return test::grid(kSide, kSide, false, false,
+    return test::grid(kFairedSide, kFairedSide, false, false,
                       [&](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, j < 2 ? 0.0 : kink * (j - 1.0)); });
   };
   std::vector<bool> isFree = inner(0);
-  for (std::uint32_t i = 0; i < kSide * kSide; ++i)
-    isFree[i] = i % kSide >= 2 && i % kSide < kSide - 1 && i / kSide > 0 && i / kSide < kSide - 1;
+  for (std::uint32_t i = 0; i < kFairedSide * kFairedSide; ++i)
+    isFree[i] = i % kFairedSide >= 2 && i % kFairedSide < kFairedSide - 1 && i / kFairedSide > 0 &&
+                i / kFairedSide < kFairedSide - 1;
   for (double kink : {0.0, 0.5}) {
     TriangleSoup s = roof(kink);
     QVERIFY(fair(s.points, s.triangles, isFree));
     double slopeAtRidge = 0.0, slopeBelow = 0.0;
-    const std::uint32_t middle = kSide / 2 * kSide;
-    slopeAtRidge = s.points[middle + kSide - 1].z() - s.points[middle + kSide - 2].z();
+    const std::uint32_t middle = kFairedSide / 2 * kFairedSide;
+    slopeAtRidge = s.points[middle + kFairedSide - 1].z() - s.points[middle + kFairedSide - 2].z();
     slopeBelow = s.points[middle + 2].z() - s.points[middle + 1].z();
     if (kink == 0.0) {
       QVERIFY(std::abs(slopeAtRidge) < 1e-12);

@@ -49,7 +49,7 @@ Section cut(const TriangleSoup& soup, const Vec3& normal, double offset) {
   return sectionOf(sectionMeshOf(soup), normal, offset);
 }
 
-bool isNear(double a, double b, double tolerance = 1e-12) {
+bool isWithin(double a, double b, double tolerance = 1e-12) {
   return std::abs(a - b) <= tolerance;
 }
 
@@ -69,18 +69,18 @@ void SectionTest::cube() {
     for (const double height : {0.0, 0.3, 1.0, 1.9999999}) {
       const Section s = cut(box, axis, low + height);
       QCOMPARE(s.curves.size(), std::size_t{1});
-      QVERIFY(s.isClosed && isNear(s.length, 8.0) && isNear(s.area, 4.0));
+      QVERIFY(s.isClosed && isWithin(s.length, 8.0) && isWithin(s.area, 4.0));
     }
     for (const double height : {-1e-9, 2.0, 5.0}) QVERIFY(cut(box, axis, low + height).curves.empty());
     // From the other side the same, the two ends exchanged.
-    QVERIFY(isNear(cut(box, -axis, -(low + 0.3)).area, 4.0));
-    QVERIFY(isNear(cut(box, -axis, -(low + 2.0)).area, 4.0));
+    QVERIFY(isWithin(cut(box, -axis, -(low + 0.3)).area, 4.0));
+    QVERIFY(isWithin(cut(box, -axis, -(low + 2.0)).area, 4.0));
   }
 }
 
 void SectionTest::hexagonThroughACube() {
   const Section s = cut(test::cube(), Vec3(1, 1, 1).normalized(), 1.5 / std::sqrt(3.0));
-  QVERIFY(s.isClosed && isNear(s.length, 3.0 * std::sqrt(2.0)) && isNear(s.area, 0.75 * std::sqrt(3.0)));
+  QVERIFY(s.isClosed && isWithin(s.length, 3.0 * std::sqrt(2.0)) && isWithin(s.area, 0.75 * std::sqrt(3.0)));
 }
 
 // Inside the circle of the sphere and outside that of the ball within all faces.
@@ -110,14 +110,14 @@ void SectionTest::torusThroughItsVertices() {
   const double polygon = 0.5 * n * std::sin(2.0 * M_PI / n);
   QVERIFY(s.isClosed);
   QCOMPARE(s.curves.size(), std::size_t{2});
-  QVERIFY(isNear(s.area, polygon * (2.7 * 2.7 - 1.3 * 1.3), 1e-9));
-  QVERIFY(isNear(s.length, 2.0 * n * std::sin(M_PI / n) * (2.7 + 1.3), 1e-9));
+  QVERIFY(isWithin(s.area, polygon * (2.7 * 2.7 - 1.3 * 1.3), 1e-9));
+  QVERIFY(isWithin(s.length, 2.0 * n * std::sin(M_PI / n) * (2.7 + 1.3), 1e-9));
 }
 
 void SectionTest::torusAcross() {
   const Section s = cut(test::torus(200, 200, 2.0, 0.7), Vec3(1, 2, 0).normalized(), 0.0);
   QCOMPARE(s.curves.size(), std::size_t{2});
-  QVERIFY(isNear(s.area, 2.0 * M_PI * 0.49, 2e-3) && isNear(s.length, 4.0 * M_PI * 0.7, 2e-3));
+  QVERIFY(isWithin(s.area, 2.0 * M_PI * 0.49, 2e-3) && isWithin(s.length, 4.0 * M_PI * 0.7, 2e-3));
 }
 
 void SectionTest::hollowCountsOff() {
@@ -125,7 +125,7 @@ void SectionTest::hollowCountsOff() {
   test::append(shell, test::turnedOver(test::cube(2.0, Vec3::Constant(-1.0))));
   const Section s = cut(shell, Vec3::UnitY(), 0.25);
   QCOMPARE(s.curves.size(), std::size_t{2});
-  QVERIFY(isNear(s.area, 16.0 - 4.0) && isNear(s.length, 16.0 + 8.0));
+  QVERIFY(isWithin(s.area, 16.0 - 4.0) && isWithin(s.length, 16.0 + 8.0));
 }
 
 // Two boxes of 4 × 4 that share 2 × 2, one of them with a hollow of 1 × 1 in what they share, which the other fills;
@@ -133,17 +133,17 @@ void SectionTest::hollowCountsOff() {
 void SectionTest::overlapsCountOnce() {
   TriangleSoup two = test::cube(4.0);
   test::append(two, test::cube(4.0, Vec3(2, 2, 0)));
-  QVERIFY(isNear(cut(two, Vec3::UnitZ(), 1.0).area, 16.0 + 16.0 - 4.0));
-  QVERIFY(isNear(cut(two, Vec3::UnitZ(), 1.0).length, 32.0));
+  QVERIFY(isWithin(cut(two, Vec3::UnitZ(), 1.0).area, 16.0 + 16.0 - 4.0));
+  QVERIFY(isWithin(cut(two, Vec3::UnitZ(), 1.0).length, 32.0));
   TriangleSoup filled = two;
   test::append(filled, test::turnedOver(test::cube(1.0, Vec3(2.5, 2.5, 0.5))));
-  QVERIFY(isNear(cut(filled, Vec3::UnitZ(), 1.0).area, 28.0));
+  QVERIFY(isWithin(cut(filled, Vec3::UnitZ(), 1.0).area, 28.0));
   TriangleSoup nested = test::cube(4.0);
   test::append(nested, test::cube(1.0, Vec3(1, 1, 1)));
-  QVERIFY(isNear(cut(nested, Vec3::UnitZ(), 1.5).area, 16.0));
+  QVERIFY(isWithin(cut(nested, Vec3::UnitZ(), 1.5).area, 16.0));
   TriangleSoup touching = test::cube(2.0);
   test::append(touching, test::cube(2.0, Vec3(2, 1, 0)));
-  QVERIFY(isNear(cut(touching, Vec3::UnitZ(), 1.0).area, 8.0));
+  QVERIFY(isWithin(cut(touching, Vec3::UnitZ(), 1.0).area, 8.0));
 }
 
 // Of boxes with whole corners, the squares of the grid that any of them covers; across each axis.
@@ -166,24 +166,24 @@ void SectionTest::overlapsOfRandomBoxes() {
     const Eigen::AngleAxisd turn(tilt, Vec3::Unit(axis));
     for (Vec3& p : all.points) p = turn * p;
     const Section s = cut(all, Vec3::Unit(axis), 0.5);
-    RC_ASSERT(isNear(s.area, static_cast<double>(covered.size()), 1e-9));
+    RC_ASSERT(isWithin(s.area, static_cast<double>(covered.size()), 1e-9));
   }));
 }
 
 void SectionTest::insideOut() {
-  QVERIFY(isNear(cut(test::turnedOver(test::cube(2.0)), Vec3::UnitX(), 1.0).area, 4.0));
+  QVERIFY(isWithin(cut(test::turnedOver(test::cube(2.0)), Vec3::UnitX(), 1.0).area, 4.0));
 }
 
 void SectionTest::axesOfThePlane() {
   for (const Vec3& normal : test::directions(50)) {
     const auto [u, v] = axesOfPlane(normal);
-    QVERIFY(isNear(u.norm(), 1.0) && isNear(v.norm(), 1.0) && isNear((u.cross(v) - normal).norm(), 0.0));
+    QVERIFY(isWithin(u.norm(), 1.0) && isWithin(v.norm(), 1.0) && isWithin((u.cross(v) - normal).norm(), 0.0));
   }
   for (const Vec3& normal : {Vec3(Vec3::UnitZ()), Vec3(-Vec3::UnitZ()), Vec3(Vec3(1e-13, 0, 1).normalized())}) {
     const auto [u, v] = axesOfPlane(normal);
-    QVERIFY(isNear((u.cross(v) - normal).norm(), 0.0) && isNear((u - Vec3::UnitX()).norm(), 0.0));
+    QVERIFY(isWithin((u.cross(v) - normal).norm(), 0.0) && isWithin((u - Vec3::UnitX()).norm(), 0.0));
   }
-  QVERIFY(isNear((axesOfPlane(Vec3::UnitX()).u - Vec3::UnitY()).norm(), 0.0));
+  QVERIFY(isWithin((axesOfPlane(Vec3::UnitX()).u - Vec3::UnitY()).norm(), 0.0));
 }
 
 // Blocks that touch at edges and corners: each layer has as much area as it has blocks. In the plane between two layers
@@ -199,11 +199,11 @@ void SectionTest::blocksInLayers() {
       const Section between = sectionOf(mesh, Vec3::UnitZ(), layer),
                     within = sectionOf(mesh, Vec3::UnitZ(), layer + 0.3);
       RC_ASSERT(between.isClosed && within.isClosed);
-      RC_ASSERT(isNear(within.area, std::round(within.area), 1e-9));
-      RC_ASSERT(isNear(between.area, within.area, 1e-9));
+      RC_ASSERT(isWithin(within.area, std::round(within.area), 1e-9));
+      RC_ASSERT(isWithin(between.area, within.area, 1e-9));
       volume += within.area;
     }
-    RC_ASSERT(isNear(volume, volumeOf(soup), 1e-9));
+    RC_ASSERT(isWithin(volume, volumeOf(soup), 1e-9));
   }));
 }
 
@@ -228,7 +228,7 @@ void SectionTest::slicesAddUpToTheVolume() {
       // Open at both ends (Milne), as at the ends themselves a piece may have just begun.
       sum += width / 3.0 * (2.0 * area(0.25) - area(0.5) + 2.0 * area(0.75));
     }
-    RC_ASSERT(isNear(sum, volumeOf(shape), 1e-5));
+    RC_ASSERT(isWithin(sum, volumeOf(shape), 1e-5));
   }));
 }
 
@@ -237,8 +237,8 @@ void SectionTest::openSheet() {
       test::grid(9, 9, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.0); });
   const Section s = cut(sheet, Vec3::UnitX(), 3.25);
   QCOMPARE(s.curves.size(), std::size_t{1});
-  QVERIFY(!s.isClosed && !s.curves[0].closed && isNear(s.length, 8.0) && s.area == 0.0);
-  QVERIFY(isNear((s.curves[0].points.front() - s.curves[0].points.back()).norm(), 8.0));
+  QVERIFY(!s.isClosed && !s.curves[0].closed && isWithin(s.length, 8.0) && s.area == 0.0);
+  QVERIFY(isWithin((s.curves[0].points.front() - s.curves[0].points.back()).norm(), 8.0));
   QCOMPARE(cut(test::withHole(sheet, Vec3(4, 4, 0), 0.5), Vec3::UnitX(), 3.5).curves.size(), std::size_t{2});
 }
 
@@ -246,7 +246,7 @@ void SectionTest::openSheet() {
 void SectionTest::touchedAtAVertexOrAnEdge() {
   const TriangleSoup body{{Vec3(0, 0, 0), Vec3(1, 0, 1), Vec3(-1, 1, 1), Vec3(-1, -1, 1)},
                           {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}};
-  QVERIFY(isNear(volumeOf(body), 2.0 / 3.0));
+  QVERIFY(isWithin(volumeOf(body), 2.0 / 3.0));
   QVERIFY(cut(body, Vec3::UnitZ(), 0.0).curves.empty());
   QVERIFY(cut(body, -Vec3::UnitZ(), 0.0).curves.empty());
   TriangleSoup roof = body;
@@ -259,9 +259,9 @@ void SectionTest::farFromTheOrigin() {
   const Vec3 far(3e6, -5e6, 1e6);
   const Section near = cut(test::bumpySphere(3), Vec3::UnitX(), 0.125);
   const Section away = cut(test::moved(test::bumpySphere(3), far), Vec3::UnitX(), 0.125 + far.x());
-  QVERIFY(away.isClosed && isNear(near.area, away.area, 1e-8) && isNear(near.length, away.length, 1e-7));
+  QVERIFY(away.isClosed && isWithin(near.area, away.area, 1e-8) && isWithin(near.length, away.length, 1e-7));
   const Section tiny = cut(test::moved(test::bumpySphere(3), Vec3::Zero(), 1e-9), Vec3::UnitX(), 0.125e-9);
-  QVERIFY(isNear(tiny.area * 1e18, near.area, 1e-9));
+  QVERIFY(isWithin(tiny.area * 1e18, near.area, 1e-9));
 }
 
 void SectionTest::oddNumbers() {
@@ -271,7 +271,7 @@ void SectionTest::oddNumbers() {
   s.triangles.push_back({0, 1, 8});
   s.triangles.push_back({0, 0, 7});
   const Section with = cut(s, Vec3::UnitZ(), 0.5);
-  QVERIFY(isNear(with.length, 4.0) || !with.isClosed);
+  QVERIFY(isWithin(with.length, 4.0) || !with.isClosed);
   for (const SectionCurve& curve : with.curves) {
     for (const Vec3& p : curve.points) QVERIFY(p.allFinite());
   }

@@ -25,10 +25,6 @@ TriangleSoup cubeWithFlap(double height) {
   return s;
 }
 
-HalfEdgeMesh meshOf(const TriangleSoup& soup) {
-  return buildMesh(soup).mesh;
-}
-
 }  // namespace
 
 class FarthestRemovedVertexTest : public QObject {
@@ -47,8 +43,8 @@ class FarthestRemovedVertexTest : public QObject {
 void FarthestRemovedVertexTest::howFarItStoodOut() {
   for (const double scale : {1e-6, 1.0, 1e6}) {
     for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(1e7, -1e7, 1e7)}) {
-      const HalfEdgeMesh before = meshOf(test::moved(cubeWithFlap(0.7), shift, scale));
-      const HalfEdgeMesh after = meshOf(test::moved(test::cube(), shift, scale));
+      const HalfEdgeMesh before = buildMesh(test::moved(cubeWithFlap(0.7), shift, scale)).mesh;
+      const HalfEdgeMesh after = buildMesh(test::moved(test::cube(), shift, scale)).mesh;
       const double digits = 1e-9 * (shift.norm() + scale);
       const auto removed = farthestRemovedVertex(before, after);
       if (scale < digits) continue;  // lost by the place itself
@@ -61,35 +57,35 @@ void FarthestRemovedVertexTest::howFarItStoodOut() {
 }
 
 void FarthestRemovedVertexTest::fromTheToleranceOn() {
-  const HalfEdgeMesh after = meshOf(test::cube());
+  const HalfEdgeMesh after = buildMesh(test::cube()).mesh;
   for (const double share : {0.98, 1.02}) {
     // The diagonal is that of the cube with the flap.
     double height = 0.0;
     for (int i = 0; i < 50; ++i) height = share * tolerance::kRemovedPart * Vec3(1, 1, 1 + height).norm();
-    QCOMPARE(farthestRemovedVertex(meshOf(cubeWithFlap(height)), after).has_value(), share > 1.0);
+    QCOMPARE(farthestRemovedVertex(buildMesh(cubeWithFlap(height)).mesh, after).has_value(), share > 1.0);
   }
 }
 
 void FarthestRemovedVertexTest::whatIsInsideDoesNotCount() {
   TriangleSoup two = test::cube();
   test::append(two, test::moved(test::cube(), {0.5, 0.5, 0.5}, 0.25));
-  QVERIFY(!farthestRemovedVertex(meshOf(two), meshOf(test::cube())));
+  QVERIFY(!farthestRemovedVertex(buildMesh(two).mesh, buildMesh(test::cube()).mesh));
 }
 
 // Merged or rounded vertices, and a surface that was made anew.
 void FarthestRemovedVertexTest::whatHasOnlyMovedIsNotGone() {
   TriangleSoup moved = test::icosphere(3);
   for (Vec3& p : moved.points) p += 1e-7 * Vec3(1, 2, 3);
-  QVERIFY(!farthestRemovedVertex(meshOf(test::icosphere(3)), meshOf(moved)));
+  QVERIFY(!farthestRemovedVertex(buildMesh(test::icosphere(3)).mesh, buildMesh(moved).mesh));
   std::reverse(moved.triangles.begin(), moved.triangles.end());
-  QVERIFY(!farthestRemovedVertex(meshOf(test::icosphere(3)), meshOf(moved)));
+  QVERIFY(!farthestRemovedVertex(buildMesh(test::icosphere(3)).mesh, buildMesh(moved).mesh));
 }
 
 void FarthestRemovedVertexTest::neitherDebrisNorWhatAUnionHides() {
   // A stray flake is debris, which was asked for to be removed.
   TriangleSoup withFlake = test::icosphere(4);
   test::append(withFlake, {{{9, 0, 0}, {9.01, 0, 0}, {9, 0.01, 0}}, {{0, 1, 2}}});
-  HalfEdgeMesh mesh = meshOf(withFlake);
+  HalfEdgeMesh mesh = buildMesh(withFlake).mesh;
   RepairOptions options;
   options.removeDebris = true;
   const RepairReport clean = repair(mesh, options);
@@ -99,7 +95,7 @@ void FarthestRemovedVertexTest::neitherDebrisNorWhatAUnionHides() {
   // What two solids have in common lies inside of their union.
   TriangleSoup two = test::cube();
   test::append(two, test::moved(test::cube(), {0.5, 0.4, 0.3}));
-  HalfEdgeMesh both = meshOf(two);
+  HalfEdgeMesh both = buildMesh(two).mesh;
   options.cutCrossings = options.uniteSolids = true;
   const RepairReport united = repair(both, options);
   QVERIFY(united.innerFaces > 0);
@@ -107,20 +103,20 @@ void FarthestRemovedVertexTest::neitherDebrisNorWhatAUnionHides() {
 }
 
 void FarthestRemovedVertexTest::extremes() {
-  const HalfEdgeMesh nothing, cube = meshOf(test::cube());
+  const HalfEdgeMesh nothing, cube = buildMesh(test::cube()).mesh;
   QVERIFY(!farthestRemovedVertex(nothing, nothing));
   QVERIFY(!farthestRemovedVertex(nothing, cube));
   QVERIFY(!farthestRemovedVertex(cube, nothing));
   TriangleSoup odd = cubeWithFlap(0.5);
   odd.points.back() = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
-  QVERIFY(!farthestRemovedVertex(meshOf(odd), cube) ||
-          farthestRemovedVertex(meshOf(odd), cube)->distance <= 0.5 + 1e-12);
+  QVERIFY(!farthestRemovedVertex(buildMesh(odd).mesh, cube) ||
+          farthestRemovedVertex(buildMesh(odd).mesh, cube)->distance <= 0.5 + 1e-12);
 }
 
 void FarthestRemovedVertexTest::stopsWhenCancelled() {
   JobState state;
   state.cancelled = true;
-  QVERIFY(!farthestRemovedVertex(meshOf(cubeWithFlap(0.7)), meshOf(test::cube()), Progress(state)));
+  QVERIFY(!farthestRemovedVertex(buildMesh(cubeWithFlap(0.7)).mesh, buildMesh(test::cube()).mesh, Progress(state)));
 }
 
 HANDWHEEL_TEST(FarthestRemovedVertexTest)

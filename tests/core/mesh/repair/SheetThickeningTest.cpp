@@ -51,7 +51,7 @@ TriangleSoup rectangle(double a, double b) {
                     [&](std::uint32_t i, std::uint32_t j) { return Vec3(a * i / 6.0, b * j / 4.0, 0.0); });
 }
 
-bool isNear(double value, double expected, double tolerance = 1e-9) {
+bool isNearlyThatShare(double value, double expected, double tolerance = 1e-9) {
   return std::abs(value - expected) <= tolerance * std::abs(expected);
 }
 
@@ -90,7 +90,7 @@ void SheetThickeningTest::oneTriangle() {
   const HalfEdgeMesh mesh = backed({{{0, 0, 5}, {2, 0, 5}, {0, 2, 5}}, {{0, 1, 2}}}, 0.25);
   QCOMPARE(mesh.liveFaceCount(), std::size_t{8});
   QVERIFY(test::countEdges(mesh).sound());
-  QVERIFY(isNear(volume(mesh), 2.0 * 0.25));
+  QVERIFY(isNearlyThatShare(volume(mesh), 2.0 * 0.25));
 }
 
 void SheetThickeningTest::sheets_data() {
@@ -141,9 +141,9 @@ void SheetThickeningTest::box() {
   QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
   QVERIFY(isBlunt(mesh));
   const TriangleSoup box = test::moved(mesh.compact().soup, -at);
-  QVERIFY(isNear(test::volume(box), a * b * t));
-  QVERIFY(isNear(test::area(box), 2.0 * a * b + 2.0 * (a + b) * t));
-  for (const Vec3& p : box.points) QVERIFY(p.z() == 0.0 || isNear(p.z(), -t));
+  QVERIFY(isNearlyThatShare(test::volume(box), a * b * t));
+  QVERIFY(isNearlyThatShare(test::area(box), 2.0 * a * b + 2.0 * (a + b) * t));
+  for (const Vec3& p : box.points) QVERIFY(p.z() == 0.0 || isNearlyThatShare(p.z(), -t));
 }
 
 // Side faces along both outlines. The area of a ring between two regular polygons, and their edges, times the
@@ -153,8 +153,8 @@ void SheetThickeningTest::annulus() {
   const double edges = 2.0 * n * std::sin(M_PI / n) * (2.0 + 1.0);
   const HalfEdgeMesh mesh = backed(test::annulus(24, 3, 1.0, 2.0), t);
   QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
-  QVERIFY(isNear(volume(mesh), ring * t));
-  QVERIFY(isNear(test::area(mesh.compact().soup), 2.0 * ring + edges * t));
+  QVERIFY(isNearlyThatShare(volume(mesh), ring * t));
+  QVERIFY(isNearlyThatShare(test::area(mesh.compact().soup), 2.0 * ring + edges * t));
 }
 
 // Of flat sides, which all go back by the thickness: the tube lies between two regular prisms. Its normals point
@@ -168,7 +168,7 @@ void SheetThickeningTest::tube() {
       const HalfEdgeMesh mesh = backed(isTurned ? test::turnedOver(soup) : soup, t);
       QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
       const double other = prism(isTurned ? inner + t : inner - t);
-      QVERIFY(isNear(volume(mesh), std::abs(prism(inner) - other)));
+      QVERIFY(isNearlyThatShare(volume(mesh), std::abs(prism(inner) - other)));
     }
   }
 }
@@ -183,7 +183,7 @@ void SheetThickeningTest::openBox() {
   const double t = 0.1;
   const HalfEdgeMesh mesh = backed(soup, t);
   QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
-  QVERIFY(isNear(volume(mesh), 1.0 - (1.0 - 2.0 * t) * (1.0 - 2.0 * t) * (1.0 - t)));
+  QVERIFY(isNearlyThatShare(volume(mesh), 1.0 - (1.0 - 2.0 * t) * (1.0 - 2.0 * t) * (1.0 - t)));
 }
 
 // A zone of a ball from near its pole to its equator, as a shell of which the ball is the outer side or the inner one.
@@ -198,7 +198,7 @@ void SheetThickeningTest::shellOfABall() {
     const HalfEdgeMesh mesh = backed(isTurned ? test::turnedOver(soup) : soup, t);
     QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
     QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
-    QVERIFY(isNear(volume(mesh), std::abs(zone(r) - zone(isTurned ? r + t : r - t)), 0.02));
+    QVERIFY(isNearlyThatShare(volume(mesh), std::abs(zone(r) - zone(isTurned ? r + t : r - t)), 0.02));
   }
 }
 
@@ -215,9 +215,9 @@ void SheetThickeningTest::wavySheet() {
   QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
   QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
   // No offset is behind more than three planes by the same distance; they differ by a few degrees here.
-  QVERIFY(isNear(reached.least, t, 0.05) && isNear(reached.largest, t));
+  QVERIFY(isNearlyThatShare(reached.least, t, 0.05) && isNearlyThatShare(reached.largest, t));
   QCOMPARE(reached.thinVertices, std::size_t{0});
-  QVERIFY(isNear(volume(mesh), test::area(soup) * t, 0.05));
+  QVERIFY(isNearlyThatShare(volume(mesh), test::area(soup) * t, 0.05));
 }
 
 // Behind the tip of a needle the way down its axis is nearly along its faces: the body is thinner there by the sine of
@@ -234,9 +234,9 @@ void SheetThickeningTest::tipOfANeedle() {
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
   const SheetThickness reached = thickened(mesh, sheetOf(mesh, 0), t).thickness;
   const double apothem = radius * std::cos(M_PI / sides);
-  QVERIFY2(isNear(reached.least, t * apothem / std::hypot(height, apothem), 1e-6),
+  QVERIFY2(isNearlyThatShare(reached.least, t * apothem / std::hypot(height, apothem), 1e-6),
            qPrintable(QString::number(reached.least)));
-  QVERIFY(isNear(reached.largest, t, 1e-6));
+  QVERIFY(isNearlyThatShare(reached.largest, t, 1e-6));
   QCOMPARE(reached.thinVertices, std::size_t{1});
 }
 
@@ -250,8 +250,8 @@ void SheetThickeningTest::severalSheets() {
   relink(mesh);
   QCOMPARE(made.isThickened, std::vector<bool>({true, true}));
   QVERIFY(test::countEdges(mesh).sound() && isBlunt(mesh));
-  QVERIFY(isNear(made.thickness.least, 0.1) && isNear(made.thickness.largest, 0.2));
-  QVERIFY(isNear(volume(mesh), 2.0 * 0.1 + 2.0 * 0.2));
+  QVERIFY(isNearlyThatShare(made.thickness.least, 0.1) && isNearlyThatShare(made.thickness.largest, 0.2));
+  QVERIFY(isNearlyThatShare(volume(mesh), 2.0 * 0.1 + 2.0 * 0.2));
 }
 
 // Two squares that touch in a corner: their side faces there would share an edge, so there the bodies touch in one
@@ -280,7 +280,7 @@ void SheetThickeningTest::sharpWhereNoSideFits() {
   QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
   QVERIFY(test::countEdges(mesh).sound());
   QCOMPARE(made.thickness.least, 0.0);
-  QVERIFY(isNear(made.thickness.largest, 0.5));
+  QVERIFY(isNearlyThatShare(made.thickness.largest, 0.5));
   for (Face f = 0; f < own; ++f) QVERIFY(mesh.isLive(f));
 }
 
@@ -309,7 +309,7 @@ void SheetThickeningTest::backOnAnotherSheet() {
   QVERIFY(mesh.isLive(0) && mesh.isLive(1));
   QVERIFY(test::countEdges(mesh).sound());
   // Two prisms over a triangle of 8 mm²: of the first the depth was halved, once.
-  QVERIFY(isNear(volume(mesh), 8.0 * 0.5 + 8.0 * 1.0));
+  QVERIFY(isNearlyThatShare(volume(mesh), 8.0 * 0.5 + 8.0 * 1.0));
 }
 
 // A flake behind the middle of a square comes nearer than the thickness: there the body is thinner, and as thick as it
@@ -361,14 +361,15 @@ void SheetThickeningTest::saysWhatWasReached() {
       least = std::min(least, std::abs(mesh.position(v).z()));
       largest = std::max(largest, std::abs(mesh.position(v).z()));
     }
-    QVERIFY(isNear(reached.least, least) && isNear(reached.largest, largest));
-    QVERIFY(isNear(largest, thickness));
+    QVERIFY(isNearlyThatShare(reached.least, least) && isNearlyThatShare(reached.largest, largest));
+    QVERIFY(isNearlyThatShare(largest, thickness));
     std::size_t thin = 0;  // those behind it follow the others
-    for (Vertex v = front; v < mesh.vertexSlots(); ++v) thin += !isNear(std::abs(mesh.position(v).z()), thickness);
+    for (Vertex v = front; v < mesh.vertexSlots(); ++v)
+      thin += !isNearlyThatShare(std::abs(mesh.position(v).z()), thickness);
     QCOMPARE(reached.vertices, std::size_t{9 * 9});
     QCOMPARE(reached.thinVertices, thin);
     QCOMPARE(thin > 0, thickness > 0.5);
-    QVERIFY(thickness < 0.5 ? isNear(least, thickness) : least < 0.5);
+    QVERIFY(thickness < 0.5 ? isNearlyThatShare(least, thickness) : least < 0.5);
   }
 }
 
@@ -408,9 +409,9 @@ void SheetThickeningTest::proposals() {
   QCOMPARE(proposed(boxOf(5, 12), boxOf(300, 400)), 0.1);
   QCOMPARE(proposed(boxOf(0.03, 0.04), boxOf(0.03, 0.04)), 0.0005);
   QCOMPARE(proposed(boxOf(3e5, 4e5), boxOf(3e5, 4e5)), 5000.0);
-  QVERIFY(isNear(proposed(boxOf(9.6, 0), boxOf(9.6, 0)), 0.1));
-  QVERIFY(isNear(proposed(boxOf(300, 400), boxOf(300, 400), 25.4), 0.2 * 25.4));  // 0.197"
-  QVERIFY(isNear(proposed(boxOf(1e-3, 0), boxOf(300, 400)), 0.05));               // 10 times 1e-5 of 500 mm
+  QVERIFY(isNearlyThatShare(proposed(boxOf(9.6, 0), boxOf(9.6, 0)), 0.1));
+  QVERIFY(isNearlyThatShare(proposed(boxOf(300, 400), boxOf(300, 400), 25.4), 0.2 * 25.4));  // 0.197"
+  QVERIFY(isNearlyThatShare(proposed(boxOf(1e-3, 0), boxOf(300, 400)), 0.05));               // 10 times 1e-5 of 500 mm
   const std::vector<Box> two{boxOf(5, 12), boxOf(300, 400)};
   QCOMPARE(proposedSheetThickness(two, boxOf(300, 400), 1.0), 5.0);
   QCOMPARE(proposedSheetThickness({}, boxOf(300, 400), 1.0), defaultSheetThickness(boxOf(300, 400)));

@@ -54,7 +54,7 @@ HalfEdgeMesh shifted(const PatchLevels& levels, std::size_t level, Offset offset
   return mesh;
 }
 
-double farthest(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
+double largestMove(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
   double most = 0.0;
   for (Vertex v = 0; v < a.vertexSlots(); ++v) most = std::max(most, (a.position(v) - b.position(v)).norm());
   return most;
@@ -99,9 +99,9 @@ void PatchLevelsTest::anEditAndItsInverse() {
                      return Vec3(x * std::sin(frequency * p.x()), 0.01, x * std::cos(frequency * p.y()));
                    }));
     RC_ASSERT(validate(levels.mesh()) == std::string());
-    RC_ASSERT(farthest(levels.mesh(), original.mesh()) > 1e-3);
+    RC_ASSERT(largestMove(levels.mesh(), original.mesh()) > 1e-3);
     levels.replace(level, before);
-    for (std::size_t i = 0; i <= 2; ++i) RC_ASSERT(farthest(levels.mesh(i), original.mesh(i)) < 1e-14);
+    for (std::size_t i = 0; i <= 2; ++i) RC_ASSERT(largestMove(levels.mesh(i), original.mesh(i)) < 1e-14);
   });
   QVERIFY(ok);
 }
@@ -138,7 +138,7 @@ void PatchLevelsTest::withoutDetailItIsSubdivision() {
   PatchLevels fresh(coarse, FaceSelection::all(coarse));
   fresh.refine();
   fresh.refine();
-  QVERIFY(farthest(levels.mesh(), fresh.mesh()) < 1e-14);
+  QVERIFY(largestMove(levels.mesh(), fresh.mesh()) < 1e-14);
 }
 
 // What stands 0.01 out of a flat patch stands so far out of it along its normal when the patch has been tilted.
@@ -214,7 +214,7 @@ void PatchLevelsTest::inEverySizeAndPlace() {
     const HalfEdgeMesh fine = levels.mesh();
     levels.replace(0, shifted(levels, 0, [&](const Vec3&) { return Vec3(0, by, by); }));
     levels.replace(0, shifted(levels, 0, [&](const Vec3&) { return Vec3(0, -by, -by); }));
-    QVERIFY(farthest(levels.mesh(), fine) <= 1e-13 * scale + 1e-15 * 20 * shift);
+    QVERIFY(largestMove(levels.mesh(), fine) <= 1e-13 * scale + 1e-15 * 20 * shift);
   }
 }
 

@@ -25,7 +25,7 @@ RobotCellSnapshot changedBy(const OperationValues& values, const RobotCellSnapsh
   return after;
 }
 
-OperationValues valuesOf(std::initializer_list<std::pair<const char*, PropertyValue>> list) {
+OperationValues operationValues(std::initializer_list<std::pair<const char*, PropertyValue>> list) {
   OperationValues values(configurationOperation());
   for (const auto& [id, value] : list) values.setValid(id, value);
   return values;
@@ -46,20 +46,20 @@ class TargetsTest : public QObject {
   // Stored where the tool is, gone away from and come back to.
   void storeAndComeBack() {
     const Pose there = m_cell->tool();
-    RobotCellSnapshot cell = changedBy(valuesOf({{"add-target", std::string("T")}}), m_cell->content());
+    RobotCellSnapshot cell = changedBy(operationValues({{"add-target", std::string("T")}}), m_cell->content());
     QVERIFY(cell.plans->target("T")->pose.isApprox(there, 1e-12));
     const JointValues stored = cell.joints;
     cell.joints[0] += 0.5;
-    cell = changedBy(valuesOf({{"go", std::string("T")}}), cell);
+    cell = changedBy(operationValues({{"go", std::string("T")}}), cell);
     QVERIFY((cell.joints - stored).cwiseAbs().maxCoeff() < 1e-6);  // the nearest way
-    cell = changedBy(valuesOf({{"remove-target", std::string("T")}}), cell);
+    cell = changedBy(operationValues({{"remove-target", std::string("T")}}), cell);
     QVERIFY(cell.plans->targets.empty());
   }
 
   // On a body it moves with that.
   void onABody() {
     const BodyId box = m_cell->addBox({20, 20, 20}, {200, 300, 0}, {0, 0, 0.7});
-    OperationValues values = valuesOf({{"add-target", std::string("T")}, {"on", std::string("box1")}});
+    OperationValues values = operationValues({{"add-target", std::string("T")}, {"on", std::string("box1")}});
     values.setValid("at", std::vector<double>{350.0, 40.0, 300.0});
     RobotCellSnapshot cell = changedBy(values, m_cell->content());
     const NamedTarget target = *cell.plans->target("T");
@@ -117,7 +117,7 @@ class TargetsTest : public QObject {
     plans.tool = Pose(Eigen::Translation3d(30.0, 40.0, 20.0));
     plans.targets = {{"T", poseOf(arm.tool().translation() + Vec3(-40.0, 50.0, 60.0), {0.1, 0.9, -2.0})}};
     arm.plan(plans);
-    const RobotCellSnapshot cell = changedBy(valuesOf({{"go", std::string("T")}}), arm.content());
+    const RobotCellSnapshot cell = changedBy(operationValues({{"go", std::string("T")}}), arm.content());
     const Pose reached = toolPose(*cell.robot, *cell.plans, cell.joints), wanted = plans.targets[0].pose;
     QVERIFY((reached.translation() - wanted.translation()).norm() < 1e-3);
     const auto scene = arm.scene();
@@ -157,8 +157,8 @@ class TargetsTest : public QObject {
 
   // One name is one place.
   void namesAreUnique() {
-    const RobotCellSnapshot cell = changedBy(valuesOf({{"add", std::string("home")}}), m_cell->content());
-    const auto refused = changedCell(valuesOf({{"add-target", std::string("home")}}), cell);
+    const RobotCellSnapshot cell = changedBy(operationValues({{"add", std::string("home")}}), m_cell->content());
+    const auto refused = changedCell(operationValues({{"add-target", std::string("home")}}), cell);
     QVERIFY(!refused && refused.error().code == CellError::PlaceNameTaken);
     QCOMPARE(cell.plans->freePlaceName("home"), std::string("home 2"));
   }

@@ -234,15 +234,15 @@ void HandwheelDialTest::texts() {
 }
 
 void HandwheelDialTest::extremes() {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
+  constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
   DialBench bench;
   bench.dial.setValue(1.5);
-  bench.dial.setValue(kNaN);
+  bench.dial.setValue(kNoNumber);
   bench.dial.setValue(kInf);
-  bench.dial.setZero(kNaN);
+  bench.dial.setZero(kNoNumber);
   bench.dial.setDivisions(50, 0.0);
   bench.dial.setDivisions(50, -1.0);
-  bench.dial.setDivisions(50, kNaN);
+  bench.dial.setDivisions(50, kNoNumber);
   QCOMPARE(bench.dial.text(), QString("1.50 mm, 15.0 div"));
   bench.dial.setDivisions(-3, 1e-9);
   bench.dial.setValue(1e300);

@@ -20,7 +20,7 @@ using namespace handwheel;
 namespace {
 
 constexpr double kBarRadius = 20.0, kBarLength = 100.0, kFine = 0.013;  // mm
-constexpr StockCylinder kBar{2.0 * kBarRadius, kBarLength, 0.0};
+constexpr StockCylinder kRoughedBar{2.0 * kBarRadius, kBarLength, 0.0};
 
 ProfileSegment arcOf(const ProfilePoint& a, const ProfilePoint& m, const ProfilePoint& b) {
   return *arcThrough(a, m, b);
@@ -361,7 +361,7 @@ class RoughAndFinishTest : public QObject {
     const TurnedProfile bar = expected;
     cut(expected, pass);
     const std::vector<TurningPass> passes{pass};
-    const std::vector<ToolMove> moves = movesOf(passes, kBar, kBarLength, {});
+    const std::vector<ToolMove> moves = movesOf(passes, kRoughedBar, kBarLength, {});
     QVERIFY(moves.size() < 300);  // thinned
     const ProgramSetup setup = setupFor(ProgramDialect::Fanuc, 1.0);
     const auto path = runProgram(programText(moves, ProgramDialect::Fanuc, "pass"), setup);
@@ -396,7 +396,7 @@ class RoughAndFinishTest : public QObject {
     for (const ProgramDialect dialect : {ProgramDialect::LinuxCnc, ProgramDialect::Fanuc}) {
       QVERIFY(tipDirection(dialect, tools[0].orientationIn(dialect)) == ProfilePoint(-1, -1));
       const std::vector<std::string> comments{descriptionOf(tools[0], dialect)};
-      const std::string text = programText(movesOf(passes, kBar, kBarLength, {}), dialect, "two", comments);
+      const std::string text = programText(movesOf(passes, kRoughedBar, kBarLength, {}), dialect, "two", comments);
       QVERIFY(text.find(turning.tool->designation) != std::string::npos);
       const auto path = runProgram(text, setupFor(dialect, 0.0));
       QVERIFY(bool(path));
@@ -414,7 +414,7 @@ class RoughAndFinishTest : public QObject {
     setup.tools[1] = {tools[0].noseRadius, tools[0].orientationIn(setup.dialect), {0, 0}};
     const std::vector<TurningPass> first{turning};
     const TurnedProfile bar({2.0 * kBarRadius, kBarLength, 0.0}, 0.05);
-    const auto path = runProgram(programText(movesOf(first, kBar, kBarLength, {}), setup.dialect, "one"), setup);
+    const auto path = runProgram(programText(movesOf(first, kRoughedBar, kBarLength, {}), setup.dialect, "one"), setup);
     QVERIFY(bool(path));
     ProgramSimulation simulation(bar, *path, setup);
     QVERIFY(simulation.run({}));

@@ -46,8 +46,8 @@ HalfEdgeMesh withDiagonal(const HalfEdgeMesh& mesh, double diagonal) {
   return buildMesh(s).mesh;
 }
 
-// How far the farthest vertex of one mesh is from the surface of the other.
-double farthest(const HalfEdgeMesh& from, const HalfEdgeMesh& to) {
+// How far the farthestFromSurface vertex of one mesh is from the surface of the other.
+double farthestFromSurface(const HalfEdgeMesh& from, const HalfEdgeMesh& to) {
   const SurfaceDistance surface(to);
   double most = 0.0;
   for (const Vec3& p : from.compact().soup.points) most = std::max(most, std::abs(surface.from(p)->distance));
@@ -59,7 +59,7 @@ std::optional<double> moveIn(const HalfEdgeMesh& folded, double diagonal) {
   const HalfEdgeMesh before = withDiagonal(folded, diagonal);
   HalfEdgeMesh after = before;
   if (replaceFoldedRegions(after, upperLoops(after), {}) == 0) return {};
-  return farthest(before, after);
+  return farthestFromSurface(before, after);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/repair/intersections/SolidUnion.h"
 
+#include "../../SoupsTogether.h"
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
@@ -20,12 +21,6 @@
 using namespace handwheel;
 
 namespace {
-
-TriangleSoup together(const std::vector<TriangleSoup>& parts) {
-  TriangleSoup all;
-  for (const TriangleSoup& part : parts) test::append(all, part);
-  return all;
-}
 
 TriangleSoup insideOut(TriangleSoup soup) {
   for (Triangle& t : soup.triangles) std::swap(t[0], t[1]);
@@ -86,7 +81,7 @@ class SolidUnionTest : public QObject {
         boxes.emplace_back(corner, corner + size);
         parts.push_back(test::box(corner, size));
       }
-      HalfEdgeMesh mesh = buildMesh(together(parts)).mesh;
+      HalfEdgeMesh mesh = buildMesh(test::together(parts)).mesh;
       const std::size_t removed = uniteSolids(mesh, NumberType::Float64);
       RC_ASSERT(validate(mesh) == std::string());
       RC_PRE(removed > 0);
@@ -119,7 +114,7 @@ class SolidUnionTest : public QObject {
       const Eigen::Quaterniond turn =
           Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized();
       for (const NumberType numbers : {NumberType::Float32, NumberType::Float64}) {
-        TriangleSoup soup = together({kTenCube, test::box({5, 4, 3}, {10, 10, 10})});
+        TriangleSoup soup = test::together({kTenCube, test::box({5, 4, 3}, {10, 10, 10})});
         for (Vec3& p : soup.points) p = rounded(Vec3(turn * p), numbers);
         HalfEdgeMesh mesh = buildMesh(soup).mesh;
         QVERIFY(uniteSolids(mesh, numbers) > 0);
@@ -132,7 +127,7 @@ class SolidUnionTest : public QObject {
 
   // A cavity is no wall inside the union; nor is it lost where another solid reaches into it.
   void cavitiesStay() {
-    const TriangleSoup hollow = together({kTenCube, insideOut(test::box({2, 2, 2}, {6, 6, 6}))});
+    const TriangleSoup hollow = test::together({kTenCube, insideOut(test::box({2, 2, 2}, {6, 6, 6}))});
     const HalfEdgeMesh beside = unionOf({hollow, test::box({9, 1, 1}, {5, 5, 5})});
     QVERIFY(std::abs(test::volume(beside.compact().soup) - (1000.0 - 216.0 + 100.0)) < 1e-9);
     const HalfEdgeMesh into = unionOf({hollow, test::box({7, 3, 3}, {5, 1, 1})});
@@ -144,7 +139,7 @@ class SolidUnionTest : public QObject {
     const TriangleSoup inner = test::box({3, 3, 3}, {4, 4, 4}), innermost = test::box({4, 4, 4}, {1, 1, 1});
     for (const auto& parts : {std::vector{kTenCube, inner}, std::vector{kTenCube, inner, innermost},
                               std::vector{kTenCube, test::box({1, 1, 1}, {8, 8, 8}), insideOut(inner)}}) {
-      HalfEdgeMesh mesh = buildMesh(together(parts)).mesh;
+      HalfEdgeMesh mesh = buildMesh(test::together(parts)).mesh;
       QCOMPARE(findNestedBodies(mesh).size(), parts.size() - 1);
       QCOMPARE(findDefects(mesh).nestedBodies, parts.size() - 1);
       QCOMPARE(uniteSolids(mesh, NumberType::Float64), parts.size() - 1);
@@ -153,7 +148,7 @@ class SolidUnionTest : public QObject {
       QVERIFY(std::abs(test::volume(mesh.compact().soup) - 1000.0) < 1e-9);
     }
     // What is cut off inside when self-intersections are resolved one by one.
-    HalfEdgeMesh cut = buildMesh(together({kTenCube, test::box({5, 5, 5}, {10, 10, 10})})).mesh;
+    HalfEdgeMesh cut = buildMesh(test::together({kTenCube, test::box({5, 5, 5}, {10, 10, 10})})).mesh;
     const auto pairs = findSelfIntersections(cut);
     QVERIFY(pairs && removeClusterIntersections(cut, *pairs, NumberType::Float64).clusters == 1);
     QCOMPARE(findNestedBodies(cut).size(), std::size_t{1});
@@ -170,14 +165,14 @@ class SolidUnionTest : public QObject {
     QTest::addColumn<TriangleSoup>("soup");
     const TriangleSoup other = test::box({5, 5, 5}, {10, 10, 10});
     QTest::newRow("empty") << TriangleSoup();
-    QTest::newRow("apart") << together({kTenCube, test::box({20, 0, 0}, {1, 1, 1})});
-    QTest::newRow("a cavity") << together({kTenCube, insideOut(test::box({2, 2, 2}, {1, 1, 1}))});
-    QTest::newRow("a body in a cavity") << together(
+    QTest::newRow("apart") << test::together({kTenCube, test::box({20, 0, 0}, {1, 1, 1})});
+    QTest::newRow("a cavity") << test::together({kTenCube, insideOut(test::box({2, 2, 2}, {1, 1, 1}))});
+    QTest::newRow("a body in a cavity") << test::together(
         {kTenCube, insideOut(test::box({2, 2, 2}, {6, 6, 6})), test::box({4, 4, 4}, {1, 1, 1})});
-    QTest::newRow("one inside out") << together({kTenCube, insideOut(other)});
+    QTest::newRow("one inside out") << test::together({kTenCube, insideOut(other)});
     TriangleSoup open = other;
     open.triangles.resize(6);
-    QTest::newRow("one is open") << together({kTenCube, open});
+    QTest::newRow("one is open") << test::together({kTenCube, open});
   }
   void leftAsItIs() {
     QFETCH(TriangleSoup, soup);
@@ -189,7 +184,7 @@ class SolidUnionTest : public QObject {
   }
 
   void cancelled() {
-    HalfEdgeMesh mesh = buildMesh(together({kTenCube, test::box({5, 5, 5}, {10, 10, 10})})).mesh;
+    HalfEdgeMesh mesh = buildMesh(test::together({kTenCube, test::box({5, 5, 5}, {10, 10, 10})})).mesh;
     JobState state;
     state.cancelled = true;
     QCOMPARE(uniteSolids(mesh, NumberType::Float64, Progress(state)), std::size_t{0});
@@ -198,7 +193,7 @@ class SolidUnionTest : public QObject {
 
  private:
   static HalfEdgeMesh unionOf(const std::vector<TriangleSoup>& parts) {
-    HalfEdgeMesh mesh = buildMesh(together(parts)).mesh;
+    HalfEdgeMesh mesh = buildMesh(test::together(parts)).mesh;
     const std::size_t removed = uniteSolids(mesh, NumberType::Float64);
     [&] {
       QVERIFY(removed > 0);

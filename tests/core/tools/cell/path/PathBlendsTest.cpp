@@ -16,7 +16,7 @@ using namespace handwheel;
 
 namespace {
 
-JointValues valuesOf(std::initializer_list<double> numbers) {
+JointValues jointValues(std::initializer_list<double> numbers) {
   JointValues values(static_cast<Eigen::Index>(numbers.size()));
   std::copy(numbers.begin(), numbers.end(), values.begin());
   return values;
@@ -76,7 +76,7 @@ class PathBlendsTest : public QObject {
   void inTheOpen() {
     QFETCH(const bool, hasPen);
     const BlendBench bench({}, hasPen);
-    const JointValues a = valuesOf({0.2, 0.3, 0.1, 0.1, 0.8, 0.0}), b = bench.moved(a, {0.0, -80.0, 0.0}),
+    const JointValues a = jointValues({0.2, 0.3, 0.1, 0.1, 0.8, 0.0}), b = bench.moved(a, {0.0, -80.0, 0.0}),
                       c = bench.moved(b, {0.0, 0.0, 60.0});
     for (const bool isLine : {false, true}) {
       for (const bool isNextLine : {false, true}) {
@@ -96,7 +96,7 @@ class PathBlendsTest : public QObject {
   // A corner in the plane of the arm: the joints that stand still there do not make it an exact stop.
   void inThePlaneOfTheArm() {
     const BlendBench bench;
-    const JointValues a = valuesOf({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), b = bench.moved(a, {-40.0, 0.0, 0.0}),
+    const JointValues a = jointValues({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), b = bench.moved(a, {-40.0, 0.0, 0.0}),
                       c = bench.moved(b, {0.0, 0.0, -40.0});
     const auto line = ProgramMotion::Kind::Linear;
     const RobotPath path{"p",
@@ -106,8 +106,8 @@ class PathBlendsTest : public QObject {
 
   // A ball so near to the flange at the place that the way across the zone may meet it: the zone is as small as that.
   void besideABall() {
-    const JointValues a = valuesOf({-1.5, 0.6, 0.0, 0.0, 0.5, 0.0}), b = valuesOf({0.0, 0.6, 0.0, 0.0, 0.5, 0.0}),
-                      c = valuesOf({0.0, -0.6, 0.0, 0.0, 0.5, 0.0});
+    const JointValues a = jointValues({-1.5, 0.6, 0.0, 0.0, 0.5, 0.0}), b = jointValues({0.0, 0.6, 0.0, 0.0, 0.5, 0.0}),
+                      c = jointValues({0.0, -0.6, 0.0, 0.0, 0.5, 0.0});
     const BlendBench open;
     const Vec3 flange = open.scene().arm.tipPose(open.scene().planned(b)).translation();
     const RobotPath path{"p", {{.joints = a}, {.joints = b, .blend = 5.0}, {.joints = c}}};
@@ -133,8 +133,8 @@ class PathBlendsTest : public QObject {
       const auto number = [](double low, double high) {
         return low + (high - low) * *rc::gen::inRange(0, 10'001) / 1e4;
       };
-      const JointValues b = valuesOf({number(-0.5, 0.5), number(0.0, 0.5), number(-0.3, 0.3), number(-1.0, 1.0),
-                                      number(0.4, 1.2), number(-1.0, 1.0)});
+      const JointValues b = jointValues({number(-0.5, 0.5), number(0.0, 0.5), number(-0.3, 0.3), number(-1.0, 1.0),
+                                         number(0.4, 1.2), number(-1.0, 1.0)});
       const BlendBench open;
       const Pose tip = open.scene().arm.tipPose(open.scene().planned(b));
       const Vec3 way(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0));
