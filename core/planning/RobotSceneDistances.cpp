@@ -283,6 +283,7 @@ std::vector<ClosestPoints> RobotScene::touches(const ArmValues& values, const Ne
   std::vector<BodyContact> contacts;
   query.findContacts(0.0, most, contacts);
   std::vector<ClosestPoints> touches;
+  touches.reserve(contacts.size());
   for (const BodyContact& each : contacts) touches.push_back(each.contact.points);
   std::stable_sort(touches.begin(), touches.end(),
                    [](const ClosestPoints& a, const ClosestPoints& b) { return a.distance < b.distance; });

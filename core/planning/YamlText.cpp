@@ -26,7 +26,11 @@ class RefusedYaml : public YAML::ParserException {
 // Builds the value from what the parser reports, with bounded depth and size.
 class JsonOfYaml : public YAML::EventHandler {
  public:
-  const Json& value() const { return m_value; }
+  JsonOfYaml() = default;
+  JsonOfYaml(const JsonOfYaml&) = delete;
+  JsonOfYaml& operator=(const JsonOfYaml&) = delete;
+
+  Json takeValue() { return std::move(m_value); }
   bool isThere() const { return m_nodes > 0; }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
@@ -121,7 +125,7 @@ Result<Json> parseYaml(std::string_view text, std::string_view element) {
   } catch (const YAML::Exception&) {
     return refused("it is not YAML", -1);
   }
-  return std::move(made.value());
+  return made.takeValue();
 }
 
 }  // namespace handwheel

@@ -28,6 +28,30 @@ Parameter nameParameter(const char* id, std::string meaning, const char* word = 
           .hasDefault = false};
 }
 
+Parameter placeParameter() {
+  return {.property = {.id = "at", .group = {}, .label = {}, .value = "", .least = -1e7, .largest = 1e7},
+          .meaning =
+              "Place of the tool's centre point, in mm from the base; the robot moves there, or --add-target "
+              "or --add-frame stores it",
+          .word = "X,Y,Z",
+          .parts = {{"x"}, {"y"}, {"z"}},
+          .hasDefault = false};
+}
+
+Parameter turnParameter() {
+  return {.property = {.id = "turn",
+                       .group = {},
+                       .label = {},
+                       .value = "",
+                       .quantity = Quantity::Angle,
+                       .least = -2.0 * std::numbers::pi,
+                       .largest = 2.0 * std::numbers::pi},
+          .meaning = "Rotation of the tool there about x, y and z in degrees; default: unchanged",
+          .word = "A,B,C",
+          .parts = {{"x"}, {"y"}, {"z"}},
+          .hasDefault = false};
+}
+
 // Joint values under names: "joint_1=0.5,joint_2=-1", in rad and mm.
 Result<JointValues> jointsFromText(const std::string& text, const RobotModel& robot, const JointValues& others) {
   JointValues joints = others;
@@ -79,23 +103,8 @@ const Operation& configurationOperation() {
                         "move with it"),
           nameParameter("link", "The link of a robot that carries the new frame", "LINK"),
           nameParameter("remove-frame", "Removes this frame; its targets stay where they are"),
-          {.property = {.id = "at", .group = {}, .label = {}, .value = "", .least = -1e7, .largest = 1e7},
-           .meaning = "Place of the tool's centre point, in mm from the base; the robot moves there, or --add-target "
-                      "or --add-frame stores it",
-           .word = "X,Y,Z",
-           .parts = {{"x"}, {"y"}, {"z"}},
-           .hasDefault = false},
-          {.property = {.id = "turn",
-                        .group = {},
-                        .label = {},
-                        .value = "",
-                        .quantity = Quantity::Angle,
-                        .least = -2.0 * std::numbers::pi,
-                        .largest = 2.0 * std::numbers::pi},
-           .meaning = "Rotation of the tool there about x, y and z in degrees; default: unchanged",
-           .word = "A,B,C",
-           .parts = {{"x"}, {"y"}, {"z"}},
-           .hasDefault = false},
+          placeParameter(),
+          turnParameter(),
           {.property = {.id = "solution", .group = {}, .label = {}, .value = 1.0, .least = 1.0, .largest = 100.0},
            .meaning = "Number in the list of --solutions; default: the nearest free one",
            .word = "N",
