@@ -5046,10 +5046,6 @@
         <translation>Spindel %1 1/min, Vorschub bis %2 mm je Umdrehung</translation>
     </message>
     <message>
-        <source>Force up to %1 N, power up to %2 kW</source>
-        <translation>Kraft bis %1 N, Leistung bis %2 kW</translation>
-    </message>
-    <message>
         <source>Tool: %1, nose radius %2 mm</source>
         <translation>Werkzeug: %1, Eckenradius %2 mm</translation>
     </message>
@@ -5364,6 +5360,14 @@
     <message>
         <source>%1 of 1 point</source>
         <translation>%1 von 1 Punkt</translation>
+    </message>
+    <message>
+        <source>Force up to %1 N</source>
+        <translation>Kraft bis %1 N</translation>
+    </message>
+    <message>
+        <source>Power up to %1 kW</source>
+        <translation>Leistung bis %1 kW</translation>
     </message>
 </context>
 <context>

@@ -5045,10 +5045,6 @@
         <translation>主轴 %1 r/min，进给不超过每转 %2 mm</translation>
     </message>
     <message>
-        <source>Force up to %1 N, power up to %2 kW</source>
-        <translation>力不超过 %1 N，功率不超过 %2 kW</translation>
-    </message>
-    <message>
         <source>Tool: %1, nose radius %2 mm</source>
         <translation>刀具：%1，刀尖圆弧半径 %2 mm</translation>
     </message>
@@ -5363,6 +5359,14 @@
     <message>
         <source>%1 of 1 point</source>
         <translation>%1/1 分</translation>
+    </message>
+    <message>
+        <source>Force up to %1 N</source>
+        <translation>力不超过 %1 N</translation>
+    </message>
+    <message>
+        <source>Power up to %1 kW</source>
+        <translation>功率不超过 %1 kW</translation>
     </message>
 </context>
 <context>

@@ -153,9 +153,11 @@ std::vector<ExerciseText> TurningSubject::conditions(const ExerciseTask& task) c
       {QT_TRANSLATE_NOOP("Note", "Bar ⌀%1 × %2 mm, held by the chuck over %3 mm"),
        {shownText(turning.stock.diameter), shownText(turning.stock.length), shownText(turning.lathe.chuckHeight)}},
       {QT_TRANSLATE_NOOP("Note", "Spindle %1 r/min, feed up to %2 mm per revolution"),
-       {shownText(turning.lathe.spindleSpeed), shownText(turning.lathe.largestFeed)}},
-      {QT_TRANSLATE_NOOP("Note", "Force up to %1 N, power up to %2 kW"),
-       {shownText(turning.forceLimit), shownText(turning.powerLimit)}}};
+       {shownText(turning.lathe.spindleSpeed), shownText(turning.lathe.largestFeed)}}};
+  if (turning.forceLimit > 0)
+    lines.push_back({QT_TRANSLATE_NOOP("Note", "Force up to %1 N"), {shownText(turning.forceLimit)}});
+  if (turning.powerLimit > 0)
+    lines.push_back({QT_TRANSLATE_NOOP("Note", "Power up to %1 kW"), {shownText(turning.powerLimit)}});
   for (const AllowedTool& tool : turning.tools)
     lines.push_back(
         {QT_TRANSLATE_NOOP("Note", "Tool: %1, nose radius %2 mm"), {toolName(tool), shownText(tool.noseRadius)}});

@@ -219,7 +219,24 @@ class TurningExerciseTest : public QObject {
     QCOMPARE(bar->lathe->chuck.diameter, 80.0);
     QCOMPARE(bar->lathe->spindle.power, 3.0);
     QCOMPARE(LatheMachine::initialState(*bar->lathe, bar->stock).setSpeed, 600.0);
-    QCOMPARE(shoulder()->subject->conditions(*shoulder()->task).size(), std::size_t{4});
+    QCOMPARE(shoulder()->subject->conditions(*shoulder()->task).size(), std::size_t{5});
+  }
+
+  // A limit of 0 is none, and none is shown.
+  void theLimitsOfTheTask() {
+    const ExerciseSubject& subject = *shoulder()->subject;
+    TaskPointer task = shoulder()->task;
+    const std::size_t all = subject.conditions(*task).size();
+    for (const char* const limit : {"force_limit", "power_limit"}) {
+      const auto without = subject.withProperty(*task, limit, 0.0);
+      QVERIFY(without.hasValue());
+      task = *without;
+    }
+    const auto conditions = subject.conditions(*task);
+    QCOMPARE(conditions.size(), all - 2);
+    for (const ExerciseText& line : conditions)
+      QVERIFY(!QString::fromStdString(line.text).contains("Force") &&
+              !QString::fromStdString(line.text).contains("Power"));
   }
 
   // Where it names tools of the lathe these are in the post, and no others can be mounted.
