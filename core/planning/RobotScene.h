@@ -66,8 +66,12 @@ class RobotScene {
   std::vector<Nearest> allTooNear(const ArmValues& values, double clearance, double ownClearance) const;
   // Where a link touches what it is nearest to, with the points of the link first, in the world: the contacts of all
   // their triangles and solids (see addContacts()), the deepest first; where none touch, the closest points. Of so many
-  // that are looked at.
-  std::vector<ClosestPoints> touches(const ArmValues& values, const Nearest& nearest, std::size_t most) const;
+  // that are looked at. way: of the robot as a whole, where it is moved with its base.
+  std::vector<ClosestPoints> touches(const ArmValues& values, const Nearest& nearest, std::size_t most,
+                                     const Pose& way = Pose::Identity()) const;
+  // The same of all links with a body that is none of the obstacles.
+  std::vector<ClosestPoints> touches(const ArmValues& values, const CollisionBody& body, const Pose& pose,
+                                     std::size_t most) const;
   // All pairs of links that meet, with the depth as a distance below 0 (see ClosestPoints).
   std::vector<Nearest> overlappingLinks(const ArmValues& values) const;
   // What meets obstacles with the robot moved as a whole, its base, too, while these stand. Parts that stand and meet

@@ -14,6 +14,35 @@ namespace {
 // of 0.
 constexpr double kTouching = 1e-9;
 
+struct PlacedBodies {
+  std::vector<CollisionBody> bodies;
+  std::vector<Pose> poses;
+  void add(CollisionBody body, const Pose& pose) {
+    bodies.push_back(std::move(body));
+    poses.push_back(pose);
+  }
+};
+
+// The contacts of the first `own` with the others, the deepest first; where there are none, the closest points.
+std::vector<ClosestPoints> touchesOf(PlacedBodies placed, std::size_t own, std::size_t most) {
+  std::vector<BodyPair> pairs;
+  for (std::uint32_t i = 0; i < own; ++i) {
+    for (auto j = static_cast<std::uint32_t>(own); j < placed.bodies.size(); ++j) pairs.push_back({i, j});
+  }
+  ProximityQuery query(std::move(placed.bodies), pairs);
+  for (std::uint32_t i = 0; i < placed.poses.size(); ++i) query.place(i, placed.poses[i]);
+  std::vector<BodyContact> contacts;
+  query.findContacts(0.0, most, contacts);
+  std::vector<ClosestPoints> touches;
+  touches.reserve(contacts.size());
+  for (const BodyContact& each : contacts) touches.push_back(each.contact.points);
+  std::stable_sort(touches.begin(), touches.end(),
+                   [](const ClosestPoints& a, const ClosestPoints& b) { return a.distance < b.distance; });
+  if (!touches.empty()) return touches;
+  if (const auto closest = query.closest()) touches.push_back(closest->points);
+  return touches;
+}
+
 }  // namespace
 
 void RobotScene::jointPoses(const ArmValues& values, std::span<Pose> poses) const {
@@ -250,46 +279,36 @@ std::vector<RobotScene::Nearest> RobotScene::overlappingLinks(const ArmValues& v
   return all;
 }
 
-std::vector<ClosestPoints> RobotScene::touches(const ArmValues& values, const Nearest& nearest,
-                                               std::size_t most) const {
+std::vector<ClosestPoints> RobotScene::touches(const ArmValues& values, const Nearest& nearest, std::size_t most,
+                                               const Pose& way) const {
   Places places;
   placesAt(values, places);
-  std::vector<CollisionBody> bodies;
-  std::vector<Pose> poses;
+  PlacedBodies placed;
   const auto addLink = [&](std::uint32_t link) {
     for (const Part& part : m_parts) {
-      if (part.link != link) continue;
-      bodies.push_back(part.body);
-      poses.push_back(places.of(part.joint));
+      if (part.link == link) placed.add(part.body, way * places.of(part.joint));
     }
   };
   addLink(nearest.link);
-  const std::size_t own = bodies.size();
+  const std::size_t own = placed.bodies.size();
   if (nearest.otherLink != kNone) {
     addLink(nearest.otherLink);
   } else {
     auto obstacles = m_obstacles.bodies();
-    if (auto found = obstacles.extract(nearest.owner)) {
-      bodies.push_back(std::move(found.mapped()));
-      poses.push_back(Pose::Identity());
-    }
+    if (auto found = obstacles.extract(nearest.owner)) placed.add(std::move(found.mapped()), Pose::Identity());
   }
-  std::vector<BodyPair> pairs;
-  for (std::uint32_t i = 0; i < own; ++i) {
-    for (auto j = static_cast<std::uint32_t>(own); j < bodies.size(); ++j) pairs.push_back({i, j});
-  }
-  ProximityQuery query(std::move(bodies), pairs);
-  for (std::uint32_t i = 0; i < poses.size(); ++i) query.place(i, poses[i]);
-  std::vector<BodyContact> contacts;
-  query.findContacts(0.0, most, contacts);
-  std::vector<ClosestPoints> touches;
-  touches.reserve(contacts.size());
-  for (const BodyContact& each : contacts) touches.push_back(each.contact.points);
-  std::stable_sort(touches.begin(), touches.end(),
-                   [](const ClosestPoints& a, const ClosestPoints& b) { return a.distance < b.distance; });
-  if (!touches.empty()) return touches;
-  if (const auto closest = query.closest()) touches.push_back(closest->points);
-  return touches;
+  return touchesOf(std::move(placed), own, most);
+}
+
+std::vector<ClosestPoints> RobotScene::touches(const ArmValues& values, const CollisionBody& body, const Pose& pose,
+                                               std::size_t most) const {
+  Places places;
+  placesAt(values, places);
+  PlacedBodies placed;
+  for (const Part& part : m_parts) placed.add(part.body, places.of(part.joint));
+  const std::size_t own = placed.bodies.size();
+  placed.add(body, pose);
+  return touchesOf(std::move(placed), own, most);
 }
 
 std::vector<RobotScene::Nearest> RobotScene::metWhenMoved(const ArmValues& values, const Pose& way,

@@ -107,46 +107,51 @@ void CellCollisions::prepareIfIdle() {
 }
 
 // One of another robot, if only that is where it was not.
-const CellScene& CellCollisions::sceneMoving(const JointValues& joints) const {
+std::shared_ptr<const CellScene> CellCollisions::sceneMoving(const JointValues& joints) const {
   const auto isMoving = [&](const auto& scene) { return scene && scene->standsAs(joints); };
   const auto found = std::find_if(m_others.begin(), m_others.end(), isMoving);
-  return m_scene->standsAs(joints) || found == m_others.end() ? *m_scene : **found;
+  return m_scene->standsAs(joints) || found == m_others.end() ? m_scene : *found;
 }
 
-void CellCollisions::mark(DisplayModel& shown, const JointValues& joints, const Body* moved) const {
-  if (!isOfPresentRobots()) return;
-  if (!moved) {
-    // Where nothing is dragged each robot may meet something.
-    const CellScene& moving = sceneMoving(joints);
-    markColliding(shown, moving, moving.scene.allTooNear(moving.planned(joints), 0.0, 0.0));
-    for (const auto& other : m_others) {
-      if (other && other.get() != &moving && other->standsAs(joints))
-        markColliding(shown, *other, other->scene.allTooNear(other->planned(joints), 0.0, 0.0));
+std::vector<CellCollision> CellCollisions::mark(DisplayModel& shown, const JointValues& joints,
+                                                const Body* moved) const {
+  std::vector<CellCollision> found;
+  if (!isOfPresentRobots()) return found;
+  const CollisionBody body = moved ? collisionBodyOf(*moved->geometry, *m_meshes) : CollisionBody();
+  const auto markOf = [&](const std::shared_ptr<const CellScene>& scene) {
+    CellCollision here{scene, scene->planned(joints), {}};
+    if (moved) {
+      RobotScene::Nearest nearest =
+          scene->scene.nearestTo(body, moved->pose, here.values, std::numeric_limits<double>::min());
+      nearest.owner = moved->id;
+      if (nearest.link != kNone) here.pairs.push_back(nearest);
+      here.moved = body;
+      here.movedPose = moved->pose;
+    } else {
+      here.pairs = scene->scene.allTooNear(here.values, 0.0, 0.0);
     }
-    return;
-  }
-  const CollisionBody body = collisionBodyOf(*moved->geometry, *m_meshes);
-  const auto markOf = [&](const CellScene& scene) {
-    RobotScene::Nearest nearest =
-        scene.scene.nearestTo(body, moved->pose, scene.planned(joints), std::numeric_limits<double>::min());
-    nearest.owner = moved->id;
-    if (nearest.link != kNone) markColliding(shown, scene, std::span(&nearest, 1));
+    markColliding(shown, *scene, here.pairs);
+    if (!here.pairs.empty()) found.push_back(std::move(here));
   };
-  markOf(*m_scene);
+  // Where nothing is dragged each robot may meet something.
+  const std::shared_ptr<const CellScene> first = moved ? m_scene : sceneMoving(joints);
+  markOf(first);
   for (const auto& other : m_others) {
-    if (other && other->standsAs(joints)) markOf(*other);
+    if (other && other != first && other->standsAs(joints)) markOf(other);
   }
+  return found;
 }
 
-void CellCollisions::markMoved(DisplayModel& shown, std::size_t robot, const Pose& way) const {
+std::vector<CellCollision> CellCollisions::markMoved(DisplayModel& shown, std::size_t robot, const Pose& way) const {
   constexpr qint64 kMostMs = 8;  // half of a frame
   const auto scene = sceneFor(robot);
-  if (!scene) return;
+  if (!scene) return {};
   QElapsedTimer since;
   since.start();
-  const auto met =
-      scene->scene.metWhenMoved(scene->planned(cell().joints()), way, [&] { return since.elapsed() >= kMostMs; });
-  markColliding(shown, *scene, met);
+  CellCollision found{scene, scene->planned(cell().joints()), {}, way};
+  found.pairs = scene->scene.metWhenMoved(found.values, way, [&] { return since.elapsed() >= kMostMs; });
+  markColliding(shown, *scene, found.pairs);
+  return {std::move(found)};
 }
 
 }  // namespace handwheel

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/cell/CellScene.h"
+#include "tools/cell/CellContacts.h"
 #include "window/kinds/KindUi.h"
 
 #include <set>
@@ -31,11 +31,11 @@ class CellCollisions : public QObject {
   void prepareIfIdle();
 
   // Colours what collides in a cell that is shown: the robot at these joint values, where a body is being moved (null:
-  // none is) with that alone. Nothing, while the cell is not prepared.
-  void mark(DisplayModel& shown, const JointValues& joints, const Body* moved = nullptr) const;
+  // none is) with that alone. Nothing, while the cell is not prepared. Returns what was found.
+  std::vector<CellCollision> mark(DisplayModel& shown, const JointValues& joints, const Body* moved = nullptr) const;
   // The same where a robot is moved as a whole, so far, with all that it carries. Where that takes longer than a frame
   // may, the rest stays as it is.
-  void markMoved(DisplayModel& shown, std::size_t robot, const Pose& way) const;
+  std::vector<CellCollision> markMoved(DisplayModel& shown, std::size_t robot, const Pose& way) const;
 
  signals:
   void prepared();
@@ -45,7 +45,7 @@ class CellCollisions : public QObject {
   bool isOfPresentRobots() const;
   bool isPrepared() const;
   bool areOthersPrepared() const;
-  const CellScene& sceneMoving(const JointValues& joints) const;
+  std::shared_ptr<const CellScene> sceneMoving(const JointValues& joints) const;
   void prepare();
 
   WindowContext m_parts;

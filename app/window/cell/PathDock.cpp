@@ -73,11 +73,11 @@ void PathDock::open(bool isOpen) {
   if (m_line) m_line->setPlaying(false);
   m_shown.reset();
   m_timed.reset();
-  emit partsShown(nullptr);
+  emit partsShown(nullptr, {});
 }
 
 void PathDock::prepare() {
-  emit partsShown(nullptr);
+  emit partsShown(nullptr, {});
   m_shown = m_paths.checked();
   m_timed.reset();
   const auto scene = m_paths.scene();
@@ -135,7 +135,9 @@ void PathDock::show(double seconds) {
   const ArmValues values = m_timed->valuesAt(seconds);
   auto model = std::make_shared<DisplayModel>(displayOf(*scene->robot, scene->whole(values), scene->bodies));
   const RobotScene::Nearest nearest = scene->scene.tooNear(values, 0.0, 0.0);
-  if (nearest.link != kNone) markColliding(*model, *scene, scene->scene.allTooNear(values, 0.0, 0.0));
+  CellCollision colliding{scene, values, {}};
+  if (nearest.link != kNone) colliding.pairs = scene->scene.allTooNear(values, 0.0, 0.0);
+  markColliding(*model, *scene, colliding.pairs);
   const std::size_t place = m_shown->placeOf(m_timed->motionAt(seconds));
   const Vec3 at = (scene->arm.tipPose(values) * m_paths.plans().tool).translation();
   const QLocale locale;
@@ -149,7 +151,7 @@ void PathDock::show(double seconds) {
     text += tr("; collision: %1 with %2").arg(QString::fromStdString(link), QString::fromStdString(other));
   }
   m_text->setText(text);
-  emit partsShown(model);
+  emit partsShown(model, {colliding});
 }
 
 }  // namespace handwheel

@@ -4,6 +4,7 @@
 
 #include "document/DisplayModel.h"
 #include "planning/PathTiming.h"
+#include "tools/cell/CellContacts.h"
 #include "window/kinds/KindUi.h"
 
 #include <QAction>
@@ -31,8 +32,9 @@ class PathDock : public QObject {
   void setDocument(DocumentTab* document);
 
  signals:
-  // What the view is to show before all else; null: nothing.
-  void partsShown(const std::shared_ptr<const handwheel::DisplayModel>& parts);
+  // What the view is to show before all else, and what collides there; null: nothing.
+  void partsShown(const std::shared_ptr<const handwheel::DisplayModel>& parts,
+                  const std::vector<handwheel::CellCollision>& collisions);
 
  private:
   void makeDock();

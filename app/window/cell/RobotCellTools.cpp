@@ -80,6 +80,10 @@ std::optional<RobotCellPick> RobotCellUi::pickCell(const Ray& ray) const {
   return part.empty() ? std::nullopt : std::optional(RobotCellPick{part, hit.point});
 }
 
+void RobotCellUi::markShown(DisplayModel& shown, const JointValues& joints, const Body* moved) {
+  m_contacts->show(CellContactMarks::Source::Tool, m_collisions.mark(shown, joints, moved));
+}
+
 std::unique_ptr<Tool> RobotCellUi::processTool() {
   const auto& cell = static_cast<const RobotCellDocument&>(document()->document);
   ProcessServices services;
@@ -96,7 +100,7 @@ std::unique_ptr<Tool> RobotCellUi::processTool() {
 std::unique_ptr<Tool> RobotCellUi::handGuidingTool() {
   HandGuidingServices services;
   services.scene = [this] { return m_collisions.scene(); };
-  services.mark = [this](DisplayModel& shown, const JointValues& joints) { m_collisions.mark(shown, joints); };
+  services.mark = [this](DisplayModel& shown, const JointValues& joints) { markShown(shown, joints); };
   services.addPlace = [this] { m_paths.addPlace(); };
   services.time = [this] { return 1e-3 * static_cast<double>(m_clock.elapsed()); };
   services.tolerance = parts().fidelity.values().of(proximityToleranceSetting());
@@ -111,7 +115,7 @@ std::unique_ptr<Tool> RobotCellUi::handGuidingTool() {
 std::unique_ptr<Tool> RobotCellUi::ikSolutionsTool() {
   IkSolutionsServices services;
   services.scene = [this] { return m_collisions.scene(); };
-  services.mark = [this](DisplayModel& shown, const JointValues& joints) { m_collisions.mark(shown, joints); };
+  services.mark = [this](DisplayModel& shown, const JointValues& joints) { markShown(shown, joints); };
   return std::make_unique<IkSolutionsTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
 }
 
@@ -119,10 +123,10 @@ PlaceServices RobotCellUi::placeServices() {
   PlaceServices services;
   services.pick = [this](const Ray& ray) { return pickCell(ray); };
   services.mark = [this](DisplayModel& shown, const Body& moved) {
-    m_collisions.mark(shown, static_cast<const RobotCellDocument&>(document()->document).joints(), &moved);
+    markShown(shown, static_cast<const RobotCellDocument&>(document()->document).joints(), &moved);
   };
   services.markRobot = [this](DisplayModel& shown, std::size_t robot, const Pose& way) {
-    m_collisions.markMoved(shown, robot, way);
+    m_contacts->show(CellContactMarks::Source::Tool, m_collisions.markMoved(shown, robot, way));
   };
   services.robot = [this] {
     const std::string name = selectedRobot();
@@ -164,7 +168,7 @@ std::unique_ptr<Tool> RobotCellUi::handTool() {
   auto& cell = static_cast<RobotCellDocument&>(document()->document);
   const auto pick = [this](const Ray& ray) { return pickCell(ray); };
   const auto mark = [this](DisplayModel& shown, const JointValues& joints, const Body* moved) {
-    m_collisions.mark(shown, joints, moved);
+    markShown(shown, joints, moved);
   };
   return std::make_unique<CellTool>(cell, m_bodies.selection(), pick, mark,
                                     [this](std::uint32_t link) { selectRobot(link); });

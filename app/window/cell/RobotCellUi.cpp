@@ -41,6 +41,7 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
     : RigidPartsUi(window, {}),
       m_bodies(window, this),
       m_collisions(window, this),
+      m_contacts(new CellContactMarks(window, this)),
       m_targets(window, m_collisions, this),
       m_robots(
           window, [this] { return selectedRobot(); }, this),
@@ -61,10 +62,7 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   connect(&m_paths, &CellPaths::message, this, &RobotCellUi::say);
   connect(&m_robots, &CellRobots::message, this, &RobotCellUi::say);
   connect(&m_robots, &CellRobots::added, this, &RobotCellUi::showRobots);
-  connect(&m_pathDock, &PathDock::partsShown, this, [this](const std::shared_ptr<const DisplayModel>& model) {
-    showPast(model);
-    m_toolCamera.follow(model.get());
-  });
+  connect(&m_pathDock, &PathDock::partsShown, this, &RobotCellUi::showReplay);
   connect(&m_collisions, &CellCollisions::prepared, this, [this, &tools = window.tools] {
     show();
     tools.refresh();
@@ -150,6 +148,7 @@ QWidget* RobotCellUi::makePanel() {
 void RobotCellUi::setDocument(DocumentTab* document) {
   m_dragged.reset();
   m_pathDock.setDocument(document);
+  m_contacts->clearAll();
   m_bodies.setDocument(document);
   m_robots.setDocument(document);
   m_collisions.setDocument(document);
@@ -184,6 +183,14 @@ void RobotCellUi::say(Message message) {
   emit KindUi::message(message);
 }
 
+void RobotCellUi::showReplay(const std::shared_ptr<const DisplayModel>& model,
+                             const std::vector<CellCollision>& collisions) {
+  showPast(model);
+  m_toolCamera.follow(model.get());
+  constexpr auto kReplay = CellContactMarks::Source::Replay;
+  model ? m_contacts->show(kReplay, collisions) : m_contacts->clear(kReplay);
+}
+
 // One that was added may stand outside the view.
 void RobotCellUi::showRobots() {
   parts().viewport.fit();
@@ -205,7 +212,7 @@ QList<QAction*> RobotCellUi::menu() {
       {tr("&Bodies"), m_bodies.all()},
       {tr("C&onfigurations, targets and frames"), m_paths.ofConfigurations()},
       {tr("P&aths"), m_paths.ofPaths()},
-      {tr("Verif&ication"), m_paths.ofVerification() + QList<QAction*>{m_pathDock.action()}},
+      {tr("Verif&ication"), m_paths.ofVerification() + QList<QAction*>{m_pathDock.action(), m_contacts->action()}},
       {tr("Pro&grams"), m_paths.ofPrograms()}};
   QList<QAction*> entries;
   for (const auto& [title, actions] : groups) {
@@ -226,12 +233,14 @@ void RobotCellUi::refreshVisibility() {
   m_paths.setVisible(document()->visible);
   m_targets.setVisible(document()->visible);
   m_reach.setVisible(document()->visible);
+  m_contacts->setVisible(document()->visible);
 }
 
-// What collides where the robot stands has a colour of its own.
+// What collides where the robot stands has a colour of its own, and marks where it touches.
 DisplayModel RobotCellUi::displayed(const Document& document) const {
   DisplayModel model = RigidPartsUi::displayed(document);
-  m_collisions.mark(model, static_cast<const RobotCellDocument&>(document).joints());
+  m_contacts->show(CellContactMarks::Source::Document,
+                   m_collisions.mark(model, static_cast<const RobotCellDocument&>(document).joints()));
   return model;
 }
 
@@ -246,6 +255,7 @@ void RobotCellUi::forget(DocumentTab* document) {
 void RobotCellUi::showPreview(const ToolPreview& preview) {
   RigidPartsUi::showPreview(preview);
   m_toolCamera.follow(preview.replaced.get());
+  if (!preview.replaced) m_contacts->clear(CellContactMarks::Source::Tool);
   std::optional<Body> dragged;
   for (const DisplayPart& part :
        document() && preview.replaced ? preview.replaced->parts : std::vector<DisplayPart>()) {

@@ -7,6 +7,7 @@
 #include "tools/cell/PlaceTool.h"
 #include "window/cell/CellBodies.h"
 #include "window/cell/CellCollisions.h"
+#include "window/cell/CellContactMarks.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/CellReachOutline.h"
 #include "window/cell/CellRobots.h"
@@ -69,6 +70,8 @@ class RobotCellUi : public RigidPartsUi {
   QWidget* makePanel();
   void say(Message message);
   void showRobots();
+  void showReplay(const std::shared_ptr<const DisplayModel>& model, const std::vector<CellCollision>& collisions);
+  void markShown(DisplayModel& shown, const JointValues& joints, const Body* moved = nullptr);  // by a tool
   void select(const Pick& pick);
   void followRow(bool isChosen);  // by a person
   std::string selectedRobot() const;
@@ -86,6 +89,7 @@ class RobotCellUi : public RigidPartsUi {
 
   CellBodies m_bodies;
   CellCollisions m_collisions;
+  CellContactMarks* const m_contacts;  // a child
   CellTargets m_targets;
   CellRobots m_robots;
   CellReachOutline m_reach;
