@@ -316,7 +316,9 @@ std::string KrlPost::write(const RobotProgram& program) const {
   std::string text = "&ACCESS RVP\n&REL 1\nDEF " + identifierBeside(kKrlWords, program.name, kLongestKrlName) + "()\n";
   for (const std::string& remark : headRemarks(program)) text += "; " + remark + "\n";
   if (needsControllersBase(program)) text += kBaseRemark;
-  text += "BAS(#INITMOV,0)\n$TOOL={" + krlFrame(program.tool) + "}\n$BASE={" + krlFrame(program.frame) + "}\n";
+  text += "BAS(#INITMOV,0)\n$TOOL={" + krlFrame(program.tool) + "}\n";
+  if (!program.frameName.empty()) text += "; $BASE is the frame " + frameIdentifier(program, {}, 60) + "\n";
+  text += "$BASE={" + krlFrame(program.frame) + "}\n";
   double share = -1.0, speed = -1.0;
   for (const ProgramMotion& motion : program.motions) {
     if (!motion.name.empty()) text += "; " + identifierOf(motion.name, 60) + "\n";

@@ -77,6 +77,18 @@ std::string identifierBeside(std::span<const char* const> words, const std::stri
   return identifierOf(made + "_path", longest);
 }
 
+std::string frameIdentifier(const RobotProgram& program, std::span<const char* const> words, std::size_t longest) {
+  const std::string& name = program.frameName;
+  const std::string made = identifierOf(name, longest), lower = lowerCase(made);
+  const auto isSame = [&](const std::string& other) {
+    return other != name && lowerCase(identifierOf(other, longest)) == lower;
+  };
+  const bool isWord = std::any_of(words.begin(), words.end(), [&](const char* word) { return lower == word; });
+  if (!isWord && std::ranges::none_of(program.otherFrames, isSame)) return made;
+  constexpr std::size_t kDigits = 4;
+  return identifierOf(name, longest - kDigits - 1) + "_" + hashDigits(name, kDigits);
+}
+
 std::vector<std::string> headRemarks(const RobotProgram& program) {
   std::vector<std::string> remarks{identifierOf(program.robot, 60)};
   if (!program.frameName.empty())

@@ -27,6 +27,10 @@ std::string identifierOf(const std::string& name, std::size_t longest);
 std::string identifierBeside(std::span<const char* const> words, const std::string& name, std::size_t longest);
 std::string lowerCase(std::string text);  // of ASCII
 
+// The same of the program's frame. Different frames of the cell have different ones, whatever the case of letters: with
+// a number that other names hardly have, where they would be the same.
+std::string frameIdentifier(const RobotProgram& program, std::span<const char* const> words, std::size_t longest);
+
 // Turns about z, y and x, in this order about axes that move along (KUKA's A, B, C; Fanuc's R, P, W); rad. Where two
 // axes are in line the last is 0.
 Vec3 zyxAngles(const Eigen::Matrix3d& turn);

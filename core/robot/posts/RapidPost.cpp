@@ -30,6 +30,16 @@ std::string rapidName(const std::string& name) {
   return identifierBeside(kRapidWords, name, kLongestRapidName - kLongestRapidSuffix);
 }
 
+// Data that every controller has: a frame is not to hide them.
+bool isStandardData(const std::string& name) {
+  const std::size_t letters = std::min(name.find_first_of("0123456789"), name.size());
+  const std::string head = name.substr(0, letters), number = name.substr(letters);
+  const bool isNumber = !number.empty() && number.find_first_not_of("0123456789") == number.npos;
+  const bool isNumbered =
+      isNumber && (head == "v" || head == "z" || head == "tool" || head == "wobj" || head == "load");
+  return isNumbered || name == "fine" || name == "vmax";
+}
+
 std::string rapidPose(const Pose& pose) {
   const Vec3 at = pose.translation();
   Eigen::Quaterniond turn(pose.linear());
@@ -58,10 +68,12 @@ std::string zoneText(double blend) {
   return "[FALSE," + fixedList(numbers, 3) + "]";
 }
 
-// Several of these modules may be loaded into one task: all that is known outside of one carries the path's name.
+// Several of these modules may be loaded into one task: all that is known outside of one carries the path's name, but
+// for a frame of the cell, which is the same in all.
 class RapidWriting {
  public:
-  explicit RapidWriting(const RobotProgram& program) : m_program(program), m_name(rapidName(program.name)) {
+  explicit RapidWriting(const RobotProgram& program)
+      : m_program(program), m_name(rapidName(program.name)), m_frame(frameName()) {
     for (const ProgramMotion& motion : program.motions) {
       if (motion.kind == ProgramMotion::Kind::Linear) m_largestSpeed = std::max(m_largestSpeed, motion.speed);
     }
@@ -91,8 +103,20 @@ class RapidWriting {
     text += "  ! The load of the tool is an assumption (" + mass + " kg): enter mass and centre of gravity of yours.\n";
     text += "  PERS tooldata " + m_name + "_tool:=[TRUE,[" + rapidPose(m_program.tool) + "],[" + mass +
             ",[0,0,1],[1,0,0,0],0,0,0]];\n";
-    return text + "  PERS wobjdata " + m_name + "_frame:=[FALSE,TRUE,\"\",[" + rapidPose(m_program.frame) +
+    if (!m_program.frameName.empty())
+      text += "  ! Other programs in this frame have this line, too: within one task keep it in one of them only.\n";
+    return text + "  PERS wobjdata " + m_frame + ":=[FALSE,TRUE,\"\",[" + rapidPose(m_program.frame) +
            "],[[0,0,0],[1,0,0,0]]];\n";
+  }
+
+  // A frame of the cell is called as there, whichever path is led in it, but not as what the module has besides.
+  std::string frameName() const {
+    if (m_program.frameName.empty()) return m_name + "_frame";
+    const std::string name = frameIdentifier(m_program, kRapidWords, kLongestRapidName - kLongestRapidSuffix);
+    const std::string lower = lowerCase(name), own = lowerCase(m_name);
+    const bool isTaken =
+        lower == own || lower.starts_with(own + "_") || lower.starts_with("p_") || isStandardData(lower);
+    return isTaken ? "wobj_" + name : name;
   }
 
   std::string motionLines(std::size_t begin, std::size_t end) {
@@ -110,7 +134,7 @@ class RapidWriting {
   }
 
   std::string motionLine(const ProgramMotion& motion) {
-    const std::string frame = m_name + "_tool\\WObj:=" + m_name + "_frame";
+    const std::string frame = m_name + "_tool\\WObj:=" + m_frame;
     const std::string end = zoneText(motion.blend) + "," + frame + ";\n";
     const std::string joints = "[[" + fixedList(degreesOf(motion.joints), 7) + "]," + kNoAxes + "]";
     if (motion.kind == ProgramMotion::Kind::Joint)
@@ -137,7 +161,7 @@ class RapidWriting {
   }
 
   const RobotProgram& m_program;
-  std::string m_name;
+  std::string m_name, m_frame;
   double m_largestSpeed = kLargestRapidSpeed;  // mm/s
   std::string m_targets;
   std::set<std::string> m_names;  // of targets; the language does not tell cases apart

@@ -177,7 +177,7 @@ bool isInUrFrame(const RobotProgram& program) {
 }
 // Beside the name of the function, which takes no value.
 std::string urFrameName(const RobotProgram& program) {
-  const std::string name = "frame_" + identifierOf(program.frameName, 50);
+  const std::string name = "frame_" + frameIdentifier(program, {}, 50);
   return lowerCase(name) == lowerCase(urFunctionName(program)) ? name + "_1" : name;
 }
 

@@ -28,10 +28,11 @@ struct RobotProgram {
   std::string robot;  // the name of the model
   // From the base to the flange, as the controller counts: its tip is the flange.
   SerialArm arm{{}, Pose::Identity()};
-  Pose tool = Pose::Identity();   // of the tool's centre point in the flange
-  Pose frame = Pose::Identity();  // that the places are written in, in the base
-  std::string frameName = {};     // of that frame, as the cell has it; empty: it is none of the cell
-  double toolMass = 1.0;          // kg; an assumption, which programs say they make
+  Pose tool = Pose::Identity();               // of the tool's centre point in the flange
+  Pose frame = Pose::Identity();              // that the places are written in, in the base
+  std::string frameName = {};                 // of that frame, as the cell has it; empty: it is none of the cell
+  std::vector<std::string> otherFrames = {};  // the names of the others that the cell has
+  double toolMass = 1.0;                      // kg; an assumption, which programs say they make
   // The base is the one that the controller counts from, as in its maker's table. Else a description may have turned or
   // raised it, and only joint values mean the same to both.
   bool isBaseOfController = false;

@@ -114,6 +114,9 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
   RobotProgram program = programOf(scene, plans, path, checked);
   program.frame = *frame;
   program.frameName = plans.workFrame;
+  for (const NamedFrame& other : plans.frames) {
+    if (other.name != plans.workFrame) program.otherFrames.push_back(other.name);
+  }
   if (const std::vector<Error> refusals = post.refusals(program); !refusals.empty()) return refusals.front();
   const std::string text = post.write(program);
   const Result<PostCheck> check = checkWritten(post, program, text);

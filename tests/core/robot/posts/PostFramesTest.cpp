@@ -4,6 +4,7 @@
 #include "TestClass.h"
 #include "base/Units.h"
 #include "robot/posts/PostErrors.h"
+#include "robot/posts/PostText.h"
 
 #include <QTest>
 
@@ -76,6 +77,41 @@ class PostFramesTest : public QObject {
     QVERIFY(shift.hasValue() && shift->distance > 0.999);
     const auto turn = checkWritten(language, program, language.write(turned));
     QVERIFY(turn.hasValue() && turn->angle > 0.999);
+  }
+
+  // One frame, one name: that of the cell, in whichever path; a legal one, and no other frame's.
+  void nameOfTheFrame() {
+    const auto nameIn = [](RobotProgram program, const char* frame, std::vector<std::string> others = {}) {
+      program.frameName = frame;
+      program.otherFrames = std::move(others);
+      const std::string text = postCalled("rapid")->write(program);
+      const std::string before = "  PERS wobjdata ";
+      const std::size_t begin = text.find(before) + before.size();
+      const std::string name = text.substr(begin, text.find(":=", begin) - begin);
+      return text.find("\\WObj:=" + name + ";") != text.npos ? name : std::string();
+    };
+    RobotProgram program = framedProgram("irb120"), other = program;
+    other.name = "another path";
+    QCOMPARE(nameIn(program, "fixture 1"), std::string("fixture_1"));
+    QCOMPARE(nameIn(other, "fixture 1"), std::string("fixture_1"));
+    QCOMPARE(nameIn(program, "9"), std::string("P9"));
+    QCOMPARE(nameIn(program, ""), std::string("weld_seam_1_frame"));
+    QCOMPARE(nameIn(program, "fixture 1", {"fixture 2"}), std::string("fixture_1"));
+    const std::string first = nameIn(program, "fixture 1", {"Fixture_1"});
+    const std::string second = nameIn(program, "Fixture_1", {"fixture 1"});
+    QVERIFY(first.starts_with("fixture_1_") && second.starts_with("Fixture_1_"));
+    QVERIFY(first.substr(10) != second.substr(10));
+    // Words, data of every controller, and what the module has itself.
+    for (const char* taken : {"main", "EndProc", "wobj0", "tool0", "fine", "z10", "v100", "weld seam 1",
+                              "weld seam 1 tool", "weld_seam_1_module", "p_begin"}) {
+      const std::string name = nameIn(program, taken);
+      QVERIFY2(!name.empty() && name != identifierOf(taken, 60), taken);
+    }
+    const std::string longest(200, 'x');
+    QVERIFY(!nameIn(program, longest.c_str()).empty() && nameIn(program, longest.c_str()).size() <= 32);
+    QVERIFY(nameIn(program, longest.c_str(), {std::string(201, 'x')}).size() <= 32);
+    QVERIFY(postCalled("krl")->write(program).find("\n; $BASE is the frame fixture_1\n$BASE={X ") != std::string::npos);
+    QVERIFY(postCalled("krl")->write(programOf("irb120")).find("is the frame") == std::string::npos);
   }
 
   // A frame that a person has changed in the file leads elsewhere, by as much.
