@@ -149,9 +149,13 @@ Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& ce
   if (!std::filesystem::exists(name, ignored)) return Error{CellError::PathMissing, {name}, {}, {}};
   const Result<std::string> bytes = readFileHead(name, PostProcessor::kLargestText + 1);  // what is larger is refused
   const PostProcessor* const post = postForEnding(name);
+  const auto fromProgram = [&]() -> Result<RobotPath> {
+    Result<ProgramPath> read = pathFromProgram(scene, cell, *post, *bytes);
+    return read ? Result<RobotPath>(std::move(read->path)) : Result<RobotPath>(read.error());
+  };
   Result<RobotPath> path =
       !bytes ? Result<RobotPath>(bytes.error())
-      : post ? pathFromProgram(scene, cell, *post, *bytes)
+      : post ? fromProgram()
              : readPath(*bytes, cell.robot->model, cell.joints, dofsOfArm(*cell.robot, scene.armNumber));
   if (path) path->arm = cell.plans->arm;  // a file may have been made for a robot of another name
   if (path) return path;

@@ -238,10 +238,14 @@ void CellPaths::importProgram(const QString& file) {
     const std::string name = QFile::encodeName(file).toStdString();
     const Result<std::string> bytes = readFileHead(name, PostProcessor::kLargestText + 1);  // what is larger is refused
     const PostProcessor* const post = postForEnding(name);
-    Result<RobotPath> read =
-        !bytes ? Result<RobotPath>(bytes.error())
-        : post ? pathFromProgram(*scene, *content, *post, *bytes, progress)
-               : readPath(*bytes, content->robot->model, content->joints, dofsOfArm(*content->robot, scene->armNumber));
+    const auto fromFile = [&]() -> Result<ProgramPath> {
+      if (!bytes) return bytes.error();
+      if (post) return pathFromProgram(*scene, *content, *post, *bytes, progress);
+      Result<RobotPath> path =
+          readPath(*bytes, content->robot->model, content->joints, dofsOfArm(*content->robot, scene->armNumber));
+      return path ? Result<ProgramPath>(ProgramPath{std::move(path).value()}) : Result<ProgramPath>(path.error());
+    };
+    Result<ProgramPath> read = fromFile();
     return [this, &tab, content, file, name, read = std::move(read)]() mutable {
       if (content->robot.get() != &cellIn(tab).robot()) return;
       if (!read) {
@@ -250,15 +254,39 @@ void CellPaths::importProgram(const QString& file) {
         return report(&tab, error);
       }
       CellPlans changed = *cellIn(tab).plans();
-      read->arm = content->plans->arm;
-      read->name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
-      const PlanTree::Entry entry{PlanTree::Entry::Kind::Path, read->name};
-      changed.paths.push_back(std::move(read).value());
+      RobotPath& path = read->path;
+      path.arm = content->plans->arm;
+      path.name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
+      const PlanTree::Entry entry{PlanTree::Entry::Kind::Path, path.name};
+      changed.paths.push_back(std::move(path));
+      const TakenFrames frames = takeFrames(read->frames, cellIn(tab).placement(), changed);
       commit(tab, tr("Open %1").arg(QFileInfo(file).fileName()), std::move(changed));
       select(tab, entry);
+      reportFrames(tab, file, frames);
     };
   };
   m_parts.jobs.start(std::move(job));
+}
+
+// Nothing, where its places are in the base of the robot.
+void CellPaths::reportFrames(const DocumentTab& tab, const QString& file, const TakenFrames& frames) {
+  const auto listed = [](const std::vector<std::string>& names) {
+    QStringList list;
+    for (const std::string& name : names) list += QString::fromStdString(name);
+    return list.join(QStringLiteral(", "));
+  };
+  QStringList detail;
+  if (!frames.made.empty()) detail += tr("Its frames are in the cell now: %1.").arg(listed(frames.made));
+  if (!frames.used.empty()) detail += tr("It is in frames of the cell: %1.").arg(listed(frames.used));
+  if (!frames.leftOut.empty())
+    detail += tr("There are too many frames in the cell for these: %1.").arg(listed(frames.leftOut));
+  if (detail.isEmpty()) return;
+  Message opened{.weight = frames.leftOut.empty() ? Message::Weight::Info : Message::Weight::Warning,
+                 .title = tr("%1 was opened").arg(QFileInfo(file).fileName()),
+                 .detail = detail.join(QLatin1Char(' ')),
+                 .advice = tr("To write programs in one of its frames again, choose to work in it.")};
+  opened.about = &tab.document;
+  emit message(opened);
 }
 
 }  // namespace handwheel

@@ -6,6 +6,7 @@
 #include "tools/cell/ProcessOperation.h"
 #include "tools/cell/path/PathExport.h"
 #include "tools/cell/path/PlanOperation.h"
+#include "tools/cell/path/ProgramFrames.h"
 #include "window/cell/PathChecks.h"
 #include "window/cell/PlanTree.h"
 
@@ -155,6 +156,7 @@ class CellPaths : public QObject {
   void reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
                      const QString& file, const QString& partMoved);
   void importProgram(const QString& file);
+  void reportFrames(const DocumentTab& tab, const QString& file, const TakenFrames& frames);
   void verify();
   void verifyAgain();
   void reportVerified(const PathResult& result);

@@ -19,6 +19,7 @@ constexpr std::size_t kLongestPlaceName = 16;
 constexpr std::size_t kLongestFanucRemark = 25;  // with its sign; teach pendants cut what is longer
 // The last user frame, and the position register by which a program sets it.
 constexpr int kOwnFrame = 9;
+constexpr const char* kSetsFrame = "!Sets UFRAME[";
 
 // This maker counts the third joint from the horizontal: less what the second has turned.
 ArmValues counted(ArmValues values, double sign) {
@@ -101,7 +102,7 @@ std::vector<std::string> frameLines(const RobotProgram& program) {
   const Pose frame = fanucWorld(program.arm).inverse(Eigen::Isometry) * program.frame;
   const Vec3 at = frame.translation(), turn = zyxAngles(frame.linear()) / kRadiansPerDegree;
   const std::string number = std::to_string(kOwnFrame), position = "PR[" + number;
-  std::vector<std::string> lines{"!Sets UFRAME[" + number + "], " + position + "] to",
+  std::vector<std::string> lines{kSetsFrame + number + "], " + position + "] to",
                                  "!" + identifierOf(program.frameName, kLongestFanucRemark - 1),
                                  position + "]=LPOS-LPOS"};
   const double values[] = {at.x(), at.y(), at.z(), turn.z(), turn.y(), turn.x()};
@@ -209,7 +210,7 @@ class FanucReading {
       if (const auto joints = valuesOf(place, {"J1", "J2", "J3", "J4", "J5", "J6"});
           joints && m_program.arm.size() == 6) {
         motion.joints = counted(radiansOf(*joints), -1.0);
-        if (const auto set = m_frames.find(frameNumber(place)); set != m_frames.end()) motion.frame = set->second;
+        if (const auto set = m_frames.find(frameNumber(place)); set != m_frames.end()) setFrame(*set, motion);
       } else if (const auto pose = valuesOf(place, {"X", "Y", "Z", "R", "P", "W"})) {
         // User frames but the world are on the controller, unless the program sets them.
         const double inFrame = frameNumber(place);
@@ -218,7 +219,7 @@ class FanucReading {
           return Error{
               ErrorCode::Unsupported, {"a place in another frame than UF : 0"}, InputPosition::line(motion.line), {}};
         }
-        if (inFrame != 0.0) motion.frame = set->second;
+        if (inFrame != 0.0) setFrame(*set, motion);
         // The data of tools are on the controller: 0 is the flange, the other one that of the cell.
         const auto named = valuesOf(place, {"UT"});
         const double used = named ? named->front() : 1.0;
@@ -238,6 +239,23 @@ class FanucReading {
   }
 
  private:
+  void setFrame(const std::pair<const double, Pose>& frame, ReadMotion& motion) const {
+    const auto named = m_frameNames.find(frame.first);
+    motion.frame = frame.second;
+    motion.frameName = named != m_frameNames.end() ? named->second : "UFRAME_" + fixedText(frame.first, 0);
+  }
+
+  // "!Sets UFRAME[9], PR[9] to", and in the next line "!NAME".
+  void readRemark(LineReader line) {
+    if (m_named) {
+      line.take("!");
+      if (const std::string_view name = line.name(); !name.empty()) m_frameNames[*m_named] = name;
+      m_named.reset();
+    } else if (line.take(kSetsFrame)) {
+      m_named = line.number();
+    }
+  }
+
   void readPlace(LineReader& line) {
     if (const std::size_t number = placeNumber(line)) {
       m_open = number;
@@ -257,7 +275,11 @@ class FanucReading {
     line.number();  // of the line
     line.take(":");
     line.skipSpace();
-    if (line.rest().empty() || line.rest()[0] == '!') return Done{};
+    if (line.rest().empty()) return Done{};
+    if (line.rest()[0] == '!') {
+      readRemark(line);
+      return Done{};
+    }
     // A time-out leads elsewhere: "WAIT DI[1]=ON TIMEOUT,LBL[2]".
     if (LineReader(line).take("WAIT") && lowerCase(std::string(line.rest())).find("timeout") != std::string::npos)
       return unread(line.rest(), statement.line);
@@ -341,7 +363,9 @@ class FanucReading {
 
   const RobotProgram& m_program;
   std::map<double, std::array<double, 6>> m_registers;  // X, Y, Z, W, P, R in mm and degrees, by their numbers
-  std::map<double, Pose> m_frames;                      // user frames in the base, by theirs
+  std::map<double, std::string> m_frameNames;
+  std::optional<double> m_named;    // frame whose name is in the next remark
+  std::map<double, Pose> m_frames;  // user frames in the base, by theirs
   std::map<std::size_t, FanucPlace> m_places;
   std::vector<std::pair<std::size_t, ReadMotion>> m_motions;  // by the numbers of their places
   std::size_t m_open = 0;

@@ -29,6 +29,7 @@ constexpr const char* kKrlWords[] = {
     "resume",   "return",   "scirc",   "sec",       "signal",   "slin",    "spline",   "sptp",      "sread",
     "struc",    "switch",   "swrite",  "then",      "to",       "trigger", "true",     "until",     "wait",
     "when",     "while"};
+constexpr std::string_view kBaseName = "; $BASE is the frame ";
 constexpr const char* kBaseRemark =
     "; Lines hold if the base of the robot's description is $ROBROOT: test this first.\n";
 
@@ -173,6 +174,11 @@ class KrlReading {
   std::vector<ReadMotion> motions;
   bool isOver() const { return m_isOver; }  // at the end of the first routine: calls of others are refused
 
+  // What a remark calls the next base.
+  void readRemark(std::string_view whole) {
+    if (whole.starts_with(kBaseName)) m_nextBase = LineReader(whole.substr(kBaseName.size()), 0).name();
+  }
+
   Status readLine(std::string_view text, std::size_t number) {
     LineReader line(text, number);
     line.skipSpace();
@@ -194,6 +200,7 @@ class KrlReading {
       return Done{};
     }
     const bool isTool = line.takeWord("$TOOL"), isBase = !isTool && line.takeWord("$BASE");
+    if (isBase) m_baseName = std::exchange(m_nextBase, kAnyBase);
     if (isTool || isBase) return setFrame(line, isTool ? m_tool : m_base);
     if (readsOver(line)) return Done{};
     const bool isPtp = line.takeWord("PTP"), isLinear = !isPtp && line.takeWord("LIN");
@@ -264,6 +271,7 @@ class KrlReading {
     ReadMotion motion{isPtp ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, number};
     motion.speed = isPtp ? m_settings.share() : m_settings.lineSpeed;
     motion.frame = m_base;
+    motion.frameName = m_baseName;
     LineReader other = line;
     if (const auto joints = aggregate(line, {"A1", "A2", "A3", "A4", "A5", "A6"})) {
       motion.joints = radiansOf(*joints);
@@ -304,7 +312,9 @@ class KrlReading {
   std::optional<ClosedFormIk> m_closed;
   ArmValues m_reference;  // where the joints are, as far as the program says
   KrlSettings m_settings;
-  std::optional<Pose> m_base, m_tool;      // in the base, in the flange; none: not known
+  std::optional<Pose> m_base, m_tool;  // in the base, in the flange; none: not known
+  static constexpr const char* kAnyBase = "BASE";
+  std::string m_baseName, m_nextBase = kAnyBase;
   std::vector<ProgramStatement> m_blocks;  // of control flow, that are open
   std::optional<double> m_faultInterrupt;  // its number
   bool m_isOver = false;
@@ -317,7 +327,7 @@ std::string KrlPost::write(const RobotProgram& program) const {
   for (const std::string& remark : headRemarks(program)) text += "; " + remark + "\n";
   if (needsControllersBase(program)) text += kBaseRemark;
   text += "BAS(#INITMOV,0)\n$TOOL={" + krlFrame(program.tool) + "}\n";
-  if (!program.frameName.empty()) text += "; $BASE is the frame " + frameIdentifier(program, {}, 60) + "\n";
+  if (!program.frameName.empty()) text += std::string(kBaseName) + frameIdentifier(program, {}, 60) + "\n";
   text += "$BASE={" + krlFrame(program.frame) + "}\n";
   double share = -1.0, speed = -1.0;
   for (const ProgramMotion& motion : program.motions) {
@@ -345,8 +355,10 @@ std::string KrlPost::write(const RobotProgram& program) const {
 Result<std::vector<ReadMotion>> KrlPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, ";");
   if (!lines) return lines.error();
+  const Result<std::vector<std::string_view>> whole = programLines(text, {});
   KrlReading reading(frame);
   for (std::size_t i = 0; i < lines->size() && !reading.isOver(); ++i) {
+    reading.readRemark((*whole)[i]);
     if (const Status read = reading.readLine((*lines)[i], i + 1); !read) return read.error();
   }
   return std::move(reading.motions);

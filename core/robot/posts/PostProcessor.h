@@ -23,6 +23,7 @@ struct ReadMotion {
   std::optional<double> speed = {};      // as in ProgramMotion, above 0; none: the program does not say
   // That its place is given in, in the base of the program that it is read for; none: the program does not say.
   std::optional<Pose> frame = {};
+  std::string frameName = {};            // of that frame, as the program calls it; empty: it does not
   std::optional<double> toolSpeed = {};  // mm/s: where a language gives a joint motion that of the tool's centre point
 };
 

@@ -213,6 +213,7 @@ class RapidReading {
       return line.malformed("target", "CalcRobT has another tool or frame than the motion");
     const std::string_view tool = arguments.size() > 3 ? arguments[3] : "";
     motion.frame = frameIn(tool);
+    motion.frameName = frameNameIn(tool);
     if (motion.pose) {
       const auto place = placed(*motion.pose, tool, number);
       if (!place) return place.error();
@@ -238,6 +239,15 @@ class RapidReading {
     const bool isNamed = line.take("\\WObj") && line.take(":=");
     const auto frame = m_frames.find(isNamed ? folded(line.name()) : "wobj0");
     return frame == m_frames.end() ? std::nullopt : frame->second;
+  }
+
+  // Of a frame that the file gives; empty: it is the base.
+  static std::string frameNameIn(std::string_view text) {
+    LineReader line(text, 0);
+    line.name();
+    const bool isNamed = line.take("\\WObj") && line.take(":=");
+    const std::string_view name = isNamed ? line.name() : std::string_view();
+    return folded(name) == "wobj0" ? std::string() : std::string(name);
   }
 
   // "tool", "tool\WObj:=frame" of a motion to this pose.

@@ -38,20 +38,25 @@ std::optional<Pose> poseOfNumbers(std::span<const double> n) {
 
 constexpr std::string_view kCsvFrame = "# frame,";
 
-// "# frame,NAME,x,y,z,qw,qx,qy,qz" before the motions: the frame; none: there is no such line.
-std::optional<Pose> csvFrame(const std::vector<std::string_view>& lines) {
+struct CsvFrame {
+  std::string name;
+  std::optional<Pose> pose;
+};
+
+// "# frame,NAME,x,y,z,qw,qx,qy,qz" before the motions: the frame; no pose: there is no such line.
+CsvFrame csvFrame(const std::vector<std::string_view>& lines) {
   const auto found =
       std::find_if(lines.begin(), lines.end(), [](std::string_view line) { return line.starts_with(kCsvFrame); });
-  if (found == lines.end()) return std::nullopt;
+  if (found == lines.end()) return {};
   LineReader line(found->substr(kCsvFrame.size()), 0);
-  line.name();
+  const std::string name(line.name());
   std::vector<double> numbers;
   while (line.take(",") && numbers.size() < 7) {
     const auto value = line.number();
-    if (!value) return std::nullopt;
+    if (!value) return {};
     numbers.push_back(*value);
   }
-  return poseOfNumbers(numbers);
+  return {name, poseOfNumbers(numbers)};
 }
 
 const char* wordFor(ProgramMotion::Kind kind) {
@@ -90,7 +95,7 @@ class CsvPost : public PostProcessor {
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override {
     const Result<std::vector<std::string_view>> lines = programLines(text, "#");
     if (!lines) return lines.error();
-    const std::optional<Pose> inFrame = csvFrame(*programLines(text, {}));
+    const CsvFrame inFrame = csvFrame(*programLines(text, {}));
     std::vector<ReadMotion> motions;
     for (std::size_t i = 1; i < lines->size(); ++i) {  // after the heading
       LineReader line((*lines)[i], i + 1);
@@ -100,7 +105,7 @@ class CsvPost : public PostProcessor {
       const bool hasNumber = line.number() && line.take(",");
       line.name();
       if (!hasNumber || !line.take(",")) return line.malformed("motion", "a number and a name were expected");
-      ReadMotion motion{.line = i + 1, .frame = inFrame};
+      ReadMotion motion{.line = i + 1, .frame = inFrame.pose, .frameName = inFrame.name};
       if (line.takeWord("linear"))
         motion.kind = ProgramMotion::Kind::Linear;
       else if (!line.takeWord("joint"))
@@ -165,11 +170,12 @@ class JsonPost : public PostProcessor {
     if (!json->is_object() || list == json->end() || !list->is_array() || list->size() > kMostMotions)
       return wrong("a list was expected");
     const std::optional<Pose> inFrame = poseOfNumbers(numbersAt(*json, "frame", 7));
+    const std::string name = stringAt(*json, "frame_name");
     std::vector<ReadMotion> motions;
     for (const nlohmann::json& each : *list) {
       const std::vector<double> q = numbersAt(each, "q", static_cast<std::size_t>(frame.arm.size()));
       if (static_cast<Eigen::Index>(q.size()) != frame.arm.size()) return wrong("a number for each joint was expected");
-      ReadMotion motion{.frame = inFrame};
+      ReadMotion motion{.frame = inFrame, .frameName = name};
       motion.kind = stringAt(each, "kind") == "linear" ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
       motion.joints = Eigen::Map<const Eigen::VectorXd>(q.data(), frame.arm.size());
       if (const auto blend = each.find("blend_mm"); blend != each.end() && blend->is_number())

@@ -132,6 +132,8 @@ Pose urPoseOf(std::span<const double> n) {
 
 using UrFrames = std::map<std::string, Pose, std::less<>>;  // variables that a program has given poses, in the base
 
+constexpr std::string_view kUrFramePrefix = "frame_";  // of those of ours
+
 // movep(pose, a, v, r) has no time; the others are movej(q, a, v, t, r). A pose may be pose_trans(frame,p[…]).
 Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime,
                             const UrFrames& frames) {
@@ -143,6 +145,7 @@ Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion:
     const auto frame = line.take("(") ? frames.find(line.name()) : frames.end();
     if (frame == frames.end() || !line.take(",")) return unread(call, number);
     motion.frame = frame->second;
+    motion.frameName = frame->first.substr(frame->first.starts_with(kUrFramePrefix) ? kUrFramePrefix.size() : 0);
   }
   const bool isPose = line.take("p");
   const auto numbers = line.numbersWithin('[', ']', 6);
@@ -177,7 +180,7 @@ bool isInUrFrame(const RobotProgram& program) {
 }
 // Beside the name of the function, which takes no value.
 std::string urFrameName(const RobotProgram& program) {
-  const std::string name = "frame_" + frameIdentifier(program, {}, 50);
+  const std::string name = std::string(kUrFramePrefix) + frameIdentifier(program, {}, 50);
   return lowerCase(name) == lowerCase(urFunctionName(program)) ? name + "_1" : name;
 }
 

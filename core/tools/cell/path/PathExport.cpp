@@ -10,6 +10,7 @@
 #include "robot/arm/NumericalIk.h"
 #include "robot/dh/DhTable.h"
 #include "robot/program/PathFile.h"
+#include "tools/cell/path/ProgramFrames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -131,8 +132,8 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
   return result;
 }
 
-Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
-                                  std::string_view text, Progress progress) {
+Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
+                                    std::string_view text, Progress progress) {
   RobotProgram frame;
   frame.arm = scene.armFromBase();
   frame.tool = cell.plans->tool;
@@ -173,7 +174,7 @@ Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapsho
     place.blend = std::max(0.0, motion.blend);
     path.places.push_back(std::move(place));
   }
-  return path;
+  return ProgramPath{std::move(path), framesOf(*motions, basePose(cell.robot->model, scene.plannedArm()))};
 }
 
 }  // namespace handwheel

@@ -37,11 +37,17 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
 // The post for the controller of a robot, by its maker; one for any controller where that is not known.
 const PostProcessor& usualPost(const RobotArm& arm);
 
+// A path that was read from a program, and the frames that its places are in there (framesOf()).
+struct ProgramPath {
+  RobotPath path;
+  std::vector<NamedFrame> frames = {};
+};
+
 // A program in the language of a controller as a path: poses are reached by the joint values that are nearest to those
 // of the place before. Speeds are those of the program; where it gives a joint motion the speed of the tool, the share
 // is that with which the tool comes to it on average. Errors: those of PostProcessor::read(); PoseUnreachable {motion,
 // line}, Cancelled.
-Result<RobotPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
-                                  std::string_view text, Progress progress = {});
+Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
+                                    std::string_view text, Progress progress = {});
 
 }  // namespace handwheel

@@ -3,6 +3,8 @@
 #include "../WindowTestMain.h"
 #include "CellWindow.h"
 
+#include <QFile>
+#include <QTemporaryDir>
 #include <QTreeWidget>
 
 using namespace handwheel;
@@ -89,6 +91,40 @@ class CellFramesWindowTest : public QObject {
     QVERIFY(std::abs(driver.number("frame.Frame 1.z") - (z - 100.0)) < 1e-3);  // in the box
     driver.choose("setPlaceHere");
     QVERIFY(std::abs(driver.number("frame.Frame 1.z") - (z - 100.0)) < 1e-3);
+  }
+
+  // A program in a frame brings it along, in one step; opened again it finds it.
+  void aProgramInAFrame() {
+    FramesWindow driver;
+    QVERIFY(driver.settle());
+    QTemporaryDir folder;
+    const QString name = folder.filePath("seam.mod");
+    QFile file(name);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    const QByteArray joints = ",[9E9,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,v100,fine,tool0\\WObj:=jig;\n";
+    file.write(
+        "MODULE seam\nPERS wobjdata jig:=[FALSE,TRUE,\"\",[[100,20,30],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n"
+        "PROC main()\nMoveAbsJ [[0,0,0,0,30,0]" +
+        joints + "MoveAbsJ [[10,0,0,0,30,0]" + joints + "ENDPROC\nENDMODULE\n");
+    file.close();
+    const auto open = [&](int count) {
+      driver.choose("importProgram");
+      QVERIFY(driver.enterFileName("importProgramDialog", name));
+      QTRY_COMPARE_WITH_TIMEOUT(driver.tree()->topLevelItem(1)->childCount(), count, kPatienceMs);
+    };
+    open(1);
+    QVERIFY(driver.hasFrames());
+    QCOMPARE(driver.frame()->text(0), QString("jig"));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("jig"), kPatienceMs);
+    driver.tree()->setCurrentItem(driver.frame());
+    QVERIFY(std::abs(driver.number("frame.jig.x") - 100.0) < 1e-3);
+    open(2);
+    QCOMPARE(driver.tree()->topLevelItem(3)->childCount(), 1);
+    driver.click("quickActions/undo");
+    QVERIFY(driver.hasFrames());
+    driver.click("quickActions/undo");
+    QVERIFY(!driver.hasFrames());
+    QCOMPARE(driver.tree()->topLevelItem(1)->childCount(), 0);
   }
 };
 

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/ProgramFrames.h"
+
+#include "../ArmCell.h"
+#include "TestClass.h"
+#include "tools/cell/path/PathExport.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// Frames of programs that are opened as paths: they become frames of the cell, or are found there.
+class ProgramFramesTest : public QObject {
+  Q_OBJECT
+
+  static Pose fixture() { return poseOf({400.0, 50.0, 290.0}, {0.1, -0.2, 0.7}); }
+  // A program of the cell's robot with two motions in this frame.
+  static std::string written(ArmCell& cell, const char* post, const std::string& frame, const Pose& pose) {
+    RobotProgram program;
+    program.name = "seam";
+    program.robot = "irb120";
+    program.arm = cell.scene()->armFromBase();
+    program.isBaseOfController = true;
+    program.frame = pose;
+    program.frameName = frame;
+    program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.5), 0.5, 0.0, {}},
+                       {ProgramMotion::Kind::Linear, ArmValues::Constant(6, 0.55), 50.0, 0.0, {}}};
+    return postCalled(post)->write(program);
+  }
+  static Result<ProgramPath> opened(ArmCell& cell, const char* post, const std::string& text) {
+    return pathFromProgram(*cell.scene(), cell.content(), *postCalled(post), text);
+  }
+  static bool isAt(const Pose& a, const Pose& b) { return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-4; }
+  static CellPlacement placementOf(const RobotCellSnapshot& cell) {
+    return {*cell.plans, cell.bodies, cell.robot->model, cell.joints};
+  }
+
+ private slots:
+  void languages_data() {
+    QTest::addColumn<QByteArray>("post");
+    for (const char* post : {"rapid", "krl", "fanuc", "urscript", "csv", "json"})
+      QTest::newRow(post) << QByteArray(post);
+  }
+
+  // Written and opened: the frame of the cell by its name, and the same places.
+  void languages() {
+    QFETCH(const QByteArray, post);
+    ArmCell cell;
+    const auto read = opened(cell, post, written(cell, post, "fixture 1", fixture()));
+    QVERIFY(read.hasValue());
+    QCOMPARE(read->path.places.size(), std::size_t{2});
+    for (int i = 0; i < 2; ++i) {
+      const ArmValues wanted = ArmValues::Constant(6, i == 0 ? 0.5 : 0.55);
+      const ArmValues found = cell.scene()->planned(read->path.places[i].joints);
+      QVERIFY((found - wanted).cwiseAbs().maxCoeff() < 1e-4);
+    }
+    QCOMPARE(read->frames.size(), std::size_t{1});
+    QVERIFY(isAt(read->frames[0].pose, fixture()));
+    CellPlans plans;
+    plans.frames = {{"fixture 1", fixture()}};
+    RobotCellSnapshot content = cell.content();
+    content.plans = std::make_shared<const CellPlans>(plans);
+    const TakenFrames taken = takeFrames(read->frames, placementOf(content), plans);
+    QVERIFY(taken.made.empty() && taken.used == std::vector<std::string>{"fixture 1"});
+    QCOMPARE(plans.frames.size(), std::size_t{1});
+    // Without a frame there is none.
+    const auto plain = opened(cell, post, written(cell, post, "", Pose::Identity()));
+    QVERIFY(plain.hasValue() && plain->frames.empty());
+  }
+
+  // At another pose a new one is made, once; the one that is there stays as it is.
+  void anotherPose() {
+    ArmCell cell;
+    const RobotCellSnapshot content = cell.content();
+    const Pose moved = fixture() * Eigen::Translation3d(0.0, 0.0, 1.0);
+    CellPlans plans;
+    const CellPlacement placement = placementOf(content);
+    QCOMPARE(takeFrames({{"fixture", fixture()}}, placement, plans).made, std::vector<std::string>{"fixture"});
+    QCOMPARE(takeFrames({{"fixture", moved}}, placement, plans).made, std::vector<std::string>{"fixture 2"});
+    QCOMPARE(takeFrames({{"fixture", moved}}, placement, plans).used, std::vector<std::string>{"fixture 2"});
+    QCOMPARE(takeFrames({{"FIXTURE", fixture()}}, placement, plans).used, std::vector<std::string>{"fixture"});
+    QCOMPARE(plans.frames.size(), std::size_t{2});
+    QVERIFY(isAt(plans.frame("fixture")->pose, fixture()) && isAt(plans.frame("fixture 2")->pose, moved));
+    // Another name at the same pose is another frame.
+    QCOMPARE(takeFrames({{"jig", fixture()}}, placement, plans).made, std::vector<std::string>{"jig"});
+    while (plans.frames.size() < CellPlans::kMostFrames)
+      plans.frames.push_back({"f" + std::to_string(plans.frames.size()), Pose::Identity()});
+    const TakenFrames full = takeFrames({{"more", moved}, {"jig", fixture()}}, placement, plans);
+    QCOMPARE(full.leftOut, std::vector<std::string>{"more"});
+    QCOMPARE(full.used, std::vector<std::string>{"jig"});
+    QCOMPARE(plans.frames.size(), CellPlans::kMostFrames);
+  }
+
+  // One that a body carries is used where it is now.
+  void carriedByABody() {
+    ArmCell cell;
+    const BodyId box = cell.addBox({20, 20, 20}, {400.0, 50.0, 0.0});
+    CellPlans plans;
+    plans.frames = {{"fixture", poseOf({0.0, 0.0, 290.0}, {0.1, -0.2, 0.7}), box}};
+    const RobotCellSnapshot content = cell.content();
+    QCOMPARE(takeFrames({{"fixture", fixture()}}, placementOf(content), plans).used,
+             std::vector<std::string>{"fixture"});
+  }
+
+  // The base, frames without a name, and what is no pose make none; the same frame of many motions makes one.
+  void whatIsNone() {
+    const Pose base = poseOf({0.0, 4000.0, 0.0}, {0.0, 0.0, 1.0});
+    ReadMotion named{.frame = fixture(), .frameName = "F"}, unnamed{.frame = fixture()}, inBase = named, broken = named,
+                                                                                         far = named;
+    inBase.frame = Pose::Identity();
+    broken.frame->translation().x() = std::nan("");
+    far.frame->translation().x() = 1e300;
+    const auto frames = framesOf({named, unnamed, inBase, broken, far, ReadMotion(), named}, base);
+    QCOMPARE(frames.size(), std::size_t{1});
+    QVERIFY(isAt(frames[0].pose, base * fixture()));
+    QVERIFY(framesOf({}, base).empty());
+  }
+};
+
+HANDWHEEL_TEST(ProgramFramesTest)
+#include "ProgramFramesTest.moc"
