@@ -43,6 +43,22 @@ bool isAs(const Vec3& found, const Vec3& exact) {
   return degreesBetween(found, exact) <= 0.1 && std::abs(found.norm() - exact.norm()) <= 0.01 * exact.norm();
 }
 
+// The side of a tube about z, of so many flat faces: its corners lie on the radius, the first one at this angle.
+TriangleSoup tubeSide(int faces, double radius, double halfLength, double first) {
+  TriangleSoup soup;
+  for (int i = 0; i < 2 * faces; ++i) {
+    const double angle = first + 2.0 * M_PI * (i / 2) / faces;
+    soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), i % 2 ? halfLength : -halfLength);
+  }
+  const auto corners = static_cast<std::uint32_t>(2 * faces);
+  for (std::uint32_t i = 0; i < corners; i += 2) {
+    const std::uint32_t next = (i + 2) % corners;
+    soup.triangles.push_back({i, next, i + 1});
+    soup.triangles.push_back({i + 1, next, next + 1});
+  }
+  return soup;
+}
+
 // A ball of triangles, 4 n² of them, with bumps of this share of its radius.
 TriangleSoup bumpyBall(int n, double radius, double bumps = 0.1) {
   TriangleSoup soup;
@@ -121,6 +137,51 @@ class DistanceForceTest : public QObject {
     }
     bodies[0] = meshBody(prism);
     QVERIFY(isAs(forceOn(bodies, poses, Vec3::Zero()).force, exact));
+  }
+
+  // A round peg beside the axis of a round hole, both of flat faces. The exact answer for these: a corner of a convex
+  // peg is nearest to a face of the convex hole around it, the one least far by its height over the axis, less the way
+  // off the axis and the support of the peg. Against round ones, by e off the axis: a support of the peg is between
+  // r cos(pi/n) and r, a height of the hole is R cos(pi/m), and some face is within pi/m of the way off the axis. So
+  // the distance R - r - e is missed by R (1 - cos(pi/m)) or r (1 - cos(pi/n)) at most; the cosine of the force with
+  // that way is at least cos(pi/m) - (1 - cos(pi/n)) r/e; and the lever about the peg's own axis, 0 of round ones, is
+  // at most r sin(pi/n).
+  void roundPegInARoundHole() {
+    constexpr double kPeg = 10.0, kHole = 12.5;
+    for (const int faces : {16, 48, 128}) {
+      const int m = faces, n = faces + 1;
+      const double holeCosine = std::cos(M_PI / m), pegCosine = std::cos(M_PI / n);
+      QVERIFY(rc::check([&] {
+        const double firstOfHole = evenly(0.0, 1.0), firstOfPeg = evenly(0.0, 1.0), angle = evenly(0.0, 6.0);
+        const double off = evenly(0.5, kHole * holeCosine - kPeg - 0.05);
+        const Vec3 way(std::cos(angle), std::sin(angle), 0.0);
+        const TriangleSoup peg = tubeSide(n, kPeg, 15.0, firstOfPeg);
+        double least = 1e9, second = 1e9;
+        Vec3 normal;
+        for (int j = 0; j < m; ++j) {
+          const double turn = firstOfHole + (2 * j + 1) * M_PI / m;
+          const Vec3 outwards(std::cos(turn), std::sin(turn), 0.0);
+          double support = -1e9;
+          for (const Vec3& corner : peg.points) support = std::max(support, outwards.dot(corner));
+          const double distance = kHole * holeCosine - off * outwards.dot(way) - support;
+          if (distance < least) normal = outwards;
+          second = std::min(second, std::max(distance, least));
+          least = std::min(distance, least);
+        }
+        const Pose place = anyPose(5.0), held = place * at(off * way);
+        const std::vector<CollisionBody> bodies = {meshBody(peg), meshBody(tubeSide(m, kHole, 40.0, firstOfHole))};
+        const DistanceWrench found = forceOn(bodies, {held, place}, held.translation());
+        const double size = found.force.norm(), exact = kStiffness * (kReach - least);
+        RC_ASSERT(std::abs(size - exact) <= 1e-6 * exact);
+        RC_ASSERT(second - least < 1e-6 || degreesBetween(found.force, place.linear() * -normal) <= 0.1);
+        const double smooth = kStiffness * (kReach - (kHole - kPeg - off));
+        RC_ASSERT(size <= smooth + kStiffness * kHole * (1.0 - holeCosine) + 1e-9);
+        RC_ASSERT(size >= smooth - kStiffness * kPeg * (1.0 - pegCosine) - 1e-9);
+        const double cosine = holeCosine - (1.0 - pegCosine) * kPeg / off;
+        RC_ASSERT(found.force.dot(place.linear() * -way) >= (cosine - 1e-9) * size);
+        RC_ASSERT(std::abs(found.torque.dot(place.linear().col(2))) <= (kPeg * std::sin(M_PI / n) + 1e-6) * size);
+      }));
+    }
   }
 
   // Balls of triangles against round ones. Every direction is within t of a corner of such a ball, t the tilt of its
