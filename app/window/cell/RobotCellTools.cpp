@@ -133,6 +133,10 @@ PlaceServices RobotCellUi::placeServices() {
     const CellRobot& robots = static_cast<const RobotCellDocument&>(document()->document).robot();
     return name.empty() ? std::nullopt : armNumber(robots, name);
   };
+  services.frame = [this] {
+    const NamedFrame* const frame = m_showsRow ? m_paths.frame() : nullptr;
+    return frame ? frame->name : std::string();
+  };
   services.selectRobot = [this](std::size_t robot) { selectRobotToPlace(robot); };
   return services;
 }

@@ -5,6 +5,7 @@
 #include "base/Tolerance.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellDisplay.h"
+#include "document/cell/CellFrames.h"
 #include "document/cell/RobotChanges.h"
 #include "document/scene/BodyChanges.h"
 #include "document/scene/BodyDisplay.h"
@@ -15,6 +16,7 @@
 #include "tools/ValueSnapping.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -31,6 +33,7 @@ constexpr double kGripPixels = 7.0;                      // logical, to either s
 constexpr double kDeviceGripPixels = 14.0;               // a tip in space is harder to aim
 constexpr double kSnapPixels = 4.0;                      // the least distance of two snapped positions in the view
 constexpr double kTurnStep = 5.0 * kRadiansPerDegree;    // of snapped turns
+constexpr double kFrameAxisLength = 80.0;                // mm, as frames are shown
 constexpr Limits kMoves{-kFarthestBody, kFarthestBody};  // mm
 constexpr Limits kTurns{-2.0 * M_PI, 2.0 * M_PI};
 
@@ -56,6 +59,11 @@ BodyPointer PlaceTool::body() const {
 }
 
 std::optional<PlaceTool::Subject> PlaceTool::subject() const {
+  const std::string name = m_services.frame ? m_services.frame() : std::string();
+  if (const NamedFrame* const frame = name.empty() ? nullptr : m_document.plans()->frame(name)) {
+    const Result<Pose> pose = poseOfFrame(*frame, m_document.placement());
+    return pose ? std::optional(Subject{.name = name, .pose = *pose, .isFrame = true}) : std::nullopt;
+  }
   if (const BodyPointer placed = body())
     return Subject{placed->name, carrier() * placed->pose, placed->geometry->bounds(), placed};
   const CellRobot& robots = m_document.robot();
@@ -147,6 +155,7 @@ std::optional<Vec3> PlaceTool::selectUnder(const PointerEvent& event) {
   const auto hit = m_services.pick(event.ray);
   if (!hit) return std::nullopt;
   if (const auto id = bodyOfPart(hit->part)) {
+    if (const auto placed = subject(); placed && placed->isFrame) m_selection.clear();  // it is selected anew
     m_selection.select(*id);
     return hit->point;
   }
@@ -281,6 +290,13 @@ std::unique_ptr<Edit> PlaceTool::editTo(const Subject& placed, const Pose& pose)
     Result<RobotCellSnapshot> moved = withRobotMoved(*now, *placed.robot, pose);
     return moved ? m_document.robotsEdit(std::move(moved).value(), placed.robot) : nullptr;
   }
+  if (placed.isFrame) {
+    CellPlans plans = *m_document.plans();
+    const auto frame = std::ranges::find(plans.frames, placed.name, &NamedFrame::name);
+    if (frame == plans.frames.end() || !isRigid(pose)) return nullptr;
+    *frame = frameAt(*frame, pose, m_document.placement());
+    return m_document.plansEdit(std::move(plans));
+  }
   Body changed = *placed.body;
   changed.pose = carrier().inverse(Eigen::Isometry) * pose;
   auto edit = changeBodyEdit(m_document.bodies(), changed);
@@ -310,8 +326,8 @@ std::vector<ToolAction> PlaceTool::actions() const {
       actionOf(kPlaceKeys, "commit", subject() && isTyped),
       actionOf(kPlaceKeys, "revert", true, m_drag || isTyped ? nullptr : QT_TRANSLATE_NOOP("Tool", "done"))};
   if (!all[3].enabled)
-    all[3].reason =
-        subject() ? QT_TRANSLATE_NOOP("Tool", "nothing is typed") : QT_TRANSLATE_NOOP("Tool", "select a body or robot");
+    all[3].reason = subject() ? QT_TRANSLATE_NOOP("Tool", "nothing is typed")
+                              : QT_TRANSLATE_NOOP("Tool", "select a body, robot or frame");
   return all;
 }
 
@@ -339,7 +355,7 @@ std::shared_ptr<DisplayModel> PlaceTool::shownAt(const Subject& placed, const Po
   return shown;
 }
 
-// The handles, of one that is dragged that alone, and the body or robot where it would stand.
+// The handles, of one that is dragged that alone, and the body, robot or frame where it would stand.
 ToolPreview PlaceTool::preview() const {
   ToolPreview preview;
   const auto at = handles();
@@ -361,7 +377,13 @@ ToolPreview PlaceTool::preview() const {
   }
   const Pose there = wanted();
   const Subject placed = *subject();
-  if (there.matrix() != placed.pose.matrix()) preview.replaced = shownAt(placed, there);
+  if (there.matrix() == placed.pose.matrix()) return preview;
+  if (!placed.isFrame) {
+    preview.replaced = shownAt(placed, there);
+    return preview;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    preview.lines.push_back({there.translation(), there * Vec3(kFrameAxisLength * Vec3::Unit(axis))});
   return preview;
 }
 

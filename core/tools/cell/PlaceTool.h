@@ -20,13 +20,16 @@ struct PlaceServices {
   std::function<void(std::size_t robot)> selectRobot = {};
   // Marks what collides with a robot that is moved so far as a whole.
   std::function<void(DisplayModel& shown, std::size_t robot, const Pose& way)> markRobot = {};
+  // The name of the selected frame, which is placed before all else; empty: none is. Null: frames are not placed.
+  std::function<std::string()> frame = {};
 };
 
 // Tool that places the selected body by handles. Or else the selected robot by its base: arrows along three axes move
 // it, rings about them turn it, by the mouse or a device, in steps unless Ctrl is held. Dragged by itself, as by any
 // link of the robot, it moves over the horizontal plane, with Shift up and down. A device that grabs the body itself
 // moves and turns it freely. Numbers that are typed move and turn it from where it is; they are shown and hold when
-// they are committed. Each release or commit is one edit. A body that the robot carries is placed on its carrier. The
+// they are committed. A selected frame is placed by its handles or numbers, whatever carries it. Each release or commit
+// is one edit. A body that the robot carries is placed on its carrier. The
 // robot on the root has no handles, as everything is measured from its base.
 class PlaceTool : public Tool {
  public:
@@ -67,8 +70,9 @@ class PlaceTool : public Tool {
     std::string name;
     Pose pose;                              // in the base
     Box bounds = {};                        // in its own frame; empty: it is turned about its origin
-    BodyPointer body = {};                  // null: it is a robot
+    BodyPointer body = {};                  // null: it is a robot or frame
     std::optional<std::size_t> robot = {};  // its number
+    bool isFrame = false;
   };
 
   BodyPointer body() const;

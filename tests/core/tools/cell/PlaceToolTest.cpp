@@ -7,6 +7,7 @@
 #include "ToolEvents.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellDisplay.h"
+#include "document/cell/CellFrames.h"
 #include "document/cell/RobotChanges.h"
 #include "robot/Kinematics.h"
 #include "robot/dh/DhTable.h"
@@ -54,6 +55,7 @@ class PlaceToolTest : public QObject {
     m_selection.select(m_box);
     m_picked.clear();
     m_robot.reset();
+    m_frame.clear();
     m_steps = m_cell->steps();
   }
 
@@ -74,6 +76,42 @@ class PlaceToolTest : public QObject {
     QVERIFY(pose().isApprox(moved(before, {23, 0, 0}), 1e-12));
     m_cell->document().history()->undo();
     QVERIFY(pose().matrix() == before.matrix());
+  }
+
+  // A selected frame goes along the arrow, too, whatever carries it, and stays on that; one step, undone.
+  void aFrame() {
+    const CellRobot& robots = m_cell->document().robot();
+    const std::string flange = robots.model.links[robots.arms[0].flange].name;
+    const Pose before = poseOf({300.0, -200.0, 0.0}, {0.0, 0.0, 0.3});
+    for (const NamedFrame& carried :
+         {NamedFrame{"F"}, NamedFrame{.name = "F", .body = m_box}, NamedFrame{.name = "F", .link = flange}}) {
+      CellPlans plans;
+      plans.frames = {frameAt(carried, before, m_cell->document().placement())};
+      m_cell->plan(plans);
+      m_frame = "F";
+      const auto frame = [&] { return *m_cell->document().plans()->frame("F"); };
+      const auto place = [&] { return *poseOfFrame(frame(), m_cell->document().placement()); };
+      const NamedFrame kept = frame();
+      const int steps = m_cell->steps();
+      PlaceTool tool = make();
+      tool.pointer(down(Kind::Hover, 0, 0));  // the arrows get their length
+      QCOMPARE(tool.pointer(down(Kind::Press, 360, -200)), ToolReply::Used);
+      tool.pointer(down(Kind::Drag, 370, -180));
+      QVERIFY(!tool.preview().replaced);  // the cell stays as it is
+      tool.pointer(down(Kind::Release, 383, -150));
+      QCOMPARE(m_cell->steps(), steps + 1);
+      QVERIFY(place().isApprox(moved(before, {23, 0, 0}), 1e-9));
+      QVERIFY(frame().body == kept.body && frame().link == kept.link);
+      m_cell->document().history()->undo();
+      QVERIFY(frame() == kept);
+      // As typed, about its own origin.
+      tool.setSetting("turn_z", 0.5);
+      QCOMPARE(tool.perform("commit"), ToolReply::Used);
+      QVERIFY(place().isApprox(poseOf({300.0, -200.0, 0.0}, {0.0, 0.0, 0.8}), 1e-9));
+      m_cell->document().history()->undo();
+    }
+    m_frame = "none of this name";
+    QVERIFY(make().handles());  // those of the body
   }
 
   // By a ring it turns about its middle.
@@ -275,7 +313,9 @@ class PlaceToolTest : public QObject {
                       },
                       {},
                       [this] { return m_robot; },
-                      [this](std::size_t robot) { m_robot = robot; }});
+                      [this](std::size_t robot) { m_robot = robot; },
+                      {},
+                      [this] { return m_frame; }});
   }
   Pose base(std::size_t robot) const {
     return basePose(m_cell->document().robot().model, m_cell->document().robot().arms[robot]);
@@ -294,6 +334,7 @@ class PlaceToolTest : public QObject {
   BodySelection m_selection;
   BodyId m_box = 0;
   std::optional<std::size_t> m_robot;  // that is selected
+  std::string m_frame;                 // that is selected
   std::string m_picked;
   int m_steps = 0;
 };
