@@ -3,6 +3,7 @@
 #pragma once
 
 #include "volume/ClayDab.h"
+#include "volume/VolumeDifference.h"
 
 #include <tbb/parallel_for.h>
 
@@ -64,11 +65,7 @@ std::vector<VoxelIndex> replace(SparseVolume& volume, const std::vector<VoxelInd
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) { made[i] = make(blocks[i]); });
   std::vector<VoxelIndex> changed;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const SparseVolume::View before = volume.view(blocks[i]);
-    const bool isSame = before.block && made[i].block
-                            ? before.block->depths == made[i].block->depths
-                            : !before.block && !made[i].block && before.isFull == made[i].isFull;
-    if (isSame) continue;
+    if (isSameContent(volume.view(blocks[i]), viewOf(made[i]))) continue;
     volume.setContent(blocks[i], std::move(made[i]));
     changed.push_back(blocks[i]);
   }

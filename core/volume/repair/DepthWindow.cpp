@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/repair/DepthWindow.h"
 
+#include "volume/repair/Eikonal.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -10,22 +12,6 @@ namespace handwheel {
 namespace {
 
 constexpr std::array<int, 3> kAxisSteps{1, DepthWindow::kSide, DepthWindow::kSide* DepthWindow::kSide};
-
-// The distance at a place whose neighbours along the axes have these distances: |gradient| = 1, by the axes whose
-// neighbours are nearer (Rouy, Tourin 1992).
-float eikonal(std::array<float, 3> d) {
-  std::sort(d.begin(), d.end());
-  float x = d[0] + 1.0f;
-  if (x > d[1]) {
-    const float sum = d[0] + d[1], difference = d[0] - d[1];
-    x = 0.5f * (sum + std::sqrt(std::max(0.0f, 2.0f - difference * difference)));
-    if (x > d[2]) {
-      const float all = d[0] + d[1] + d[2], squares = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-      x = (all + std::sqrt(std::max(0.0f, all * all - 3.0f * (squares - 1.0f)))) / 3.0f;
-    }
-  }
-  return x;
-}
 
 }  // namespace
 
@@ -100,7 +86,7 @@ class Marching {
               m_next.push_back(static_cast<std::uint16_t>(to));
             }
       m_found.clear();
-      for (const std::uint16_t place : m_next) m_found.push_back(eikonal(nearest(place)));
+      for (const std::uint16_t place : m_next) m_found.push_back(eikonalDistance(nearest(place)));
       m_layer.clear();
       for (std::size_t i = 0; i < m_next.size(); ++i) {
         m_distances[m_next[i]] = m_found[i];

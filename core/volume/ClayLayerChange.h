@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/SparseVolume.h"
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace handwheel {
+
+// What a layer of clay changes: a volume before and after it. The two share all blocks but those that it changed, so it
+// takes the memory of these.
+//
+// Depths end at four voxels, and a stroke may be deeper than that. So that a share of it moves the surface by that
+// share, distances are also known beyond: from the samples near the surface the others of the changed blocks follow
+// from neighbour to neighbour (Sethian 1996; of first order). They are computed when they are first asked for.
+//
+// Immutable; reading on several threads is safe.
+class ClayLayerChange {
+ public:
+  ClayLayerChange(SparseVolume base, SparseVolume top);
+  ClayLayerChange(const ClayLayerChange&) = delete;
+  ClayLayerChange& operator=(const ClayLayerChange&) = delete;
+
+  const SparseVolume& base() const { return m_base; }
+  const SparseVolume& top() const { return m_top; }
+  // That differ, in the order of isBlockBefore().
+  const std::vector<VoxelIndex>& blocks() const { return m_blocks; }
+  bool changes(const VoxelIndex& block) const;
+
+  // Depths of the voxels of a changed block, in voxels.
+  struct Distances {
+    std::array<float, VolumeBlock::kCount> base;    // below the surface before the change, as far as it is
+    std::array<float, VolumeBlock::kCount> change;  // what is to be added to have those after it; 0 where neither
+                                                    // surface is near
+  };
+  // Null where nothing is changed. The first time O(voxels of all changed blocks).
+  const Distances* distances(const VoxelIndex& block) const;
+
+  // Of the changed blocks, before and after.
+  std::size_t bytes() const;
+
+ private:
+  std::size_t numberOf(const VoxelIndex& block) const;
+
+  SparseVolume m_base, m_top;
+  std::vector<VoxelIndex> m_blocks;
+  mutable std::once_flag m_once;
+  mutable std::vector<Distances> m_distances;  // in the order of the blocks
+};
+
+}  // namespace handwheel

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/ClayLayers.h"
+
+#include "volume/DabBlocks.h"
+#include "volume/VolumeDifference.h"
+#include "volume/repair/DepthWindow.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+using BlockDepths = std::array<float, VolumeBlock::kCount>;
+
+// The slope of depths at a voxel of a block, by its neighbours within the block.
+float slopeAt(const BlockDepths& depths, int x, int y, int z) {
+  constexpr int kLast = VolumeBlock::kSize - 1;
+  const std::array<int, 3> at{x, y, z}, strides{1, VolumeBlock::kSize, VolumeBlock::kSize * VolumeBlock::kSize};
+  const int place = static_cast<int>(VolumeBlock::at(x, y, z));
+  float squares = 0.0f;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int low = at[k] > 0 ? -strides[k] : 0, high = at[k] < kLast ? strides[k] : 0;
+    const float difference =
+        depths[static_cast<std::size_t>(place + high)] - depths[static_cast<std::size_t>(place + low)];
+    const float slope = difference * static_cast<float>(strides[k]) / static_cast<float>(high - low);
+    squares += slope * slope;
+  }
+  return std::sqrt(squares);
+}
+
+// A share of what a layer changes, added to the depths of a block. Sums of distances are none where the surfaces lie at
+// an angle to each other: their slope makes them distances again, to first order.
+SparseVolume::Content withShare(const SparseVolume::Content& below, const ClayLayerChange::Distances& layer,
+                                double share) {
+  constexpr float kLeastSlope = 0.25f, kLargestSlope = 4.0f;
+  constexpr auto kLimit = static_cast<float>(DepthWindow::kLimit);
+  std::shared_ptr<VolumeBlock> block = samplesOf(below);
+  BlockDepths depths;
+  for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
+    const std::int16_t sample = block->depths[i];
+    float depth = static_cast<float>(sample) * static_cast<float>(1.0 / VolumeBlock::kUnit);
+    // Where the surface below is further away than depths tell, it is about as far as when the layer was made.
+    if (sample == VolumeBlock::kFull || sample == VolumeBlock::kEmpty)
+      depth = std::copysign(std::max(kLimit, std::abs(layer.base[i])), depth);
+    depths[i] = depth + static_cast<float>(share) * layer.change[i];
+  }
+  for (int z = 0; z < VolumeBlock::kSize; ++z)
+    for (int y = 0; y < VolumeBlock::kSize; ++y)
+      for (int x = 0; x < VolumeBlock::kSize; ++x) {
+        const std::size_t i = VolumeBlock::at(x, y, z);
+        const float slope = std::clamp(slopeAt(depths, x, y, z), kLeastSlope, kLargestSlope);
+        // Nothing that the layer leaves alone is touched.
+        block->depths[i] =
+            layer.change[i] == 0.0f ? block->depths[i] : depthSample(static_cast<double>(depths[i] / slope));
+      }
+  return contentOf(std::move(block));
+}
+
+}  // namespace
+
+void ClayLayers::add(std::string name, const SparseVolume& visible) {
+  assert(m_layers.size() < kMostLayers);
+  m_layers.push_back({std::move(name), 1.0, true, std::make_shared<const ClayLayerChange>(visible, visible)});
+}
+
+void ClayLayers::setShare(std::size_t layer, double strength, bool isOn) {
+  assert(strength >= 0.0 && strength <= 1.0);
+  m_layers[layer].strength = strength;
+  m_layers[layer].isOn = isOn;
+}
+
+void ClayLayers::remove(std::size_t layer) {
+  m_layers.erase(m_layers.begin() + static_cast<std::ptrdiff_t>(layer));
+}
+
+void ClayLayers::mergeDown(std::size_t layer) {
+  SparseVolume both = visible(layer + 1);
+  if (layer == 0) {
+    m_root = std::move(both);
+  } else {
+    ClayLayer& below = m_layers[layer - 1];
+    below.change = std::make_shared<const ClayLayerChange>(visible(layer - 1), std::move(both));
+    below.strength = 1.0;
+    below.isOn = true;
+  }
+  remove(layer);
+}
+
+void ClayLayers::record(const SparseVolume& visible) {
+  assert(canBeSculpted());
+  m_layers.back().change = std::make_shared<const ClayLayerChange>(this->visible(m_layers.size() - 1), visible);
+}
+
+SparseVolume::Content ClayLayers::visibleContent(const VoxelIndex& block, std::size_t layers) const {
+  SparseVolume::Content content = m_root.content(block);
+  for (std::size_t k = 0; k < layers; ++k) {
+    const ClayLayerChange& change = *m_layers[k].change;
+    const double share = m_layers[k].share();
+    if (share == 0.0 || !change.changes(block)) continue;
+    if (share == 1.0 && isSameContent(viewOf(content), change.base().view(block))) {
+      content = change.top().content(block);
+    } else {
+      content = withShare(content, *change.distances(block), share);
+    }
+  }
+  return content;
+}
+
+SparseVolume ClayLayers::visible(std::size_t layers) const {
+  std::vector<VoxelIndex> blocks;
+  for (std::size_t k = 0; k < layers; ++k) {
+    const std::vector<VoxelIndex>& changed = m_layers[k].change->blocks();
+    blocks.insert(blocks.end(), changed.begin(), changed.end());
+  }
+  std::sort(blocks.begin(), blocks.end(), isBlockBefore);
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  SparseVolume volume = m_root;
+  replace(volume, blocks, [&](const VoxelIndex& block) { return visibleContent(block, layers); });
+  return volume;
+}
+
+std::vector<VoxelIndex> ClayLayers::show(const std::vector<VoxelIndex>& blocks, SparseVolume& volume) const {
+  return replace(volume, blocks, [&](const VoxelIndex& block) { return visibleContent(block, m_layers.size()); });
+}
+
+std::size_t ClayLayers::bytes() const {
+  std::size_t bytes = sizeof *this;
+  for (const ClayLayer& layer : m_layers) bytes += sizeof layer + layer.name.size() + layer.change->bytes();
+  return bytes;
+}
+
+}  // namespace handwheel

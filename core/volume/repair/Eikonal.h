@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace handwheel {
+
+// The distance at a place by those of its neighbours along the axes. Of each axis that of the nearer one, infinite
+// where none is known. |gradient| = 1, by the axes whose neighbours are nearer (Rouy, Tourin 1992).
+inline float eikonalDistance(std::array<float, 3> d) {
+  std::sort(d.begin(), d.end());
+  float x = d[0] + 1.0f;
+  if (x > d[1]) {
+    const float sum = d[0] + d[1], difference = d[0] - d[1];
+    x = 0.5f * (sum + std::sqrt(std::max(0.0f, 2.0f - difference * difference)));
+    if (x > d[2]) {
+      const float all = d[0] + d[1] + d[2], squares = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+      x = (all + std::sqrt(std::max(0.0f, all * all - 3.0f * (squares - 1.0f)))) / 3.0f;
+    }
+  }
+  return x;
+}
+
+}  // namespace handwheel
