@@ -185,6 +185,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "part of what was painted is lost"),
     QT_TRANSLATE_NOOP("ErrorWord", "full and empty blocks have no surface between them"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not a number of chunks"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the volume was changed without them"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is no place"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not the size of a voxel"),
     QT_TRANSLATE_NOOP("ErrorWord", "a choice was expected"),

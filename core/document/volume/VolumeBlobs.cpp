@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/volume/VolumeBlobs.h"
 
-#include "base/NumberText.h"
+#include "document/volume/VolumeChunks.h"
 #include "volume/VolumeRegions.h"
 
 #include <cmath>
@@ -12,61 +12,13 @@
 namespace handwheel {
 namespace {
 
-constexpr std::size_t kMostChunks = 90'000;           // fewer than a container has entries
-constexpr std::size_t kChunk = std::size_t{1} << 19;  // numbers from which on a chunk takes no further region
-
 constexpr const char *kChunks = "volume/chunks/", *kMaskChunks = "mask/";
-
-std::string nameOf(const char* folder, std::size_t chunk) {
-  std::string digits = std::to_string(chunk);
-  digits.insert(0, 4 - std::min<std::size_t>(4, digits.size()), '0');
-  return folder + digits;
-}
-
-nlohmann::json gridOf(const SparseVolume& volume) {
-  return {{"voxel", volume.voxel()}, {"origin", {volume.origin().x(), volume.origin().y(), volume.origin().z()}}};
-}
-
-// Returns how many there are.
-std::size_t writeChunks(const SparseVolume& volume, const char* folder, Container& container) {
-  const std::vector<VoxelIndex> regions = regionsOf(volume);
-  std::size_t chunks = 0;
-  std::vector<std::int16_t> numbers;
-  for (const VoxelIndex& region : regions) {
-    appendRegion(volume, region, numbers);
-    if (numbers.size() < kChunk && region != regions.back()) continue;
-    container.blobs[nameOf(folder, chunks++)] = toBlob(numbers);
-    numbers.clear();
-  }
-  return chunks;
-}
-
-// What was read of chunks: their bytes, and how many are lost or end early.
-struct ChunksRead {
-  std::size_t bytes = 0, lost = 0;
-};
-
-// Adds chunks to a volume, as many as there should be; none: those that are there. Fewer once cancelled.
-ChunksRead readChunks(const Container& container, const char* folder, std::optional<std::size_t> count,
-                      SparseVolume& volume, const Progress& progress) {
-  ChunksRead read;
-  const std::size_t chunks = count.value_or(kMostChunks);
-  for (std::size_t i = 0; i < chunks && !progress.cancelled(); ++i) {
-    progress.set(static_cast<double>(i) / static_cast<double>(chunks));
-    const auto blob = container.blobs.find(nameOf(folder, i));
-    if (blob == container.blobs.end() && !count) break;
-    if (blob != container.blobs.end()) read.bytes += blob->second.size();
-    if (blob == container.blobs.end() || !readRegions(fromBlob<std::int16_t>(blob->second), volume)) ++read.lost;
-  }
-  return read;
-}
 
 // The number of chunks that an object says; none where that makes no sense, which is damage.
 std::optional<std::size_t> countOf(const nlohmann::json& object, const char* name, std::vector<Error>& damage) {
-  const nlohmann::json count = object.value("chunks", nlohmann::json());
-  if (count.is_number_unsigned() && count.get<std::uint64_t>() <= kMostChunks) return count.get<std::size_t>();
-  damage.push_back({ErrorCode::ElementMalformed, {name, "it is not a number of chunks"}, {}, {}});
-  return std::nullopt;
+  const std::optional<std::size_t> count = chunkCountOf(object.value("chunks", nlohmann::json()));
+  if (!count) damage.push_back({ErrorCode::ElementMalformed, {name, "it is not a number of chunks"}, {}, {}});
+  return count;
 }
 
 void reportLost(const char* name, std::size_t lost, std::vector<Error>& damage) {

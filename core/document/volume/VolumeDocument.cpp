@@ -3,10 +3,56 @@
 #include "document/volume/VolumeDocument.h"
 
 #include "base/NumberText.h"
+#include "document/Utf8.h"
+#include "document/volume/LayerSteps.h"
 
 #include <QtGlobal>
+#include <charconv>
 
 namespace handwheel {
+namespace {
+
+constexpr const char* kLayerProperty = "layer.";
+
+std::string layerProperty(std::size_t layer, const char* what) {
+  return kLayerProperty + std::to_string(layer + 1) + "." + what;
+}
+
+void addLayerProperties(const ClayLayers& layers, std::vector<Property>& all) {
+  for (std::size_t i = 0; i < layers.all().size(); ++i) {
+    const ClayLayer& layer = layers.all()[i];
+    const auto add = [&](const char* what, const char* label, PropertyValue value) -> Property& {
+      Property property{layerProperty(i, what), std::to_string(i + 1) + ": " + layer.name, label, std::move(value)};
+      property.groupTranslated = false;
+      all.push_back(std::move(property));
+      return all.back();
+    };
+    add("name", QT_TRANSLATE_NOOP("Property", "Layer"), layer.name);
+    add("on", QT_TRANSLATE_NOOP("Property", "Visible"), layer.isOn);
+    Property& strength = add("strength", QT_TRANSLATE_NOOP("Property", "Strength"), layer.strength);
+    strength.least = 0.0;
+    strength.largest = 1.0;
+    strength.continuous = true;
+  }
+}
+
+// "layer.2.name": the second layer, and what follows; none where it is not one of these properties.
+struct LayerPropertyName {
+  std::size_t layer = 0;
+  std::string what;
+};
+std::optional<LayerPropertyName> layerOfProperty(const std::string& id, const VolumeSnapshot& volume) {
+  const std::string prefix = kLayerProperty;
+  if (!volume.layers || !id.starts_with(prefix)) return std::nullopt;
+  std::size_t number = 0;
+  const auto read = std::from_chars(id.data() + prefix.size(), id.data() + id.size(), number);
+  if (read.ec != std::errc() || number < 1 || number > volume.layers->all().size()) return std::nullopt;
+  for (const char* what : {"name", "on", "strength"})
+    if (id == layerProperty(number - 1, what)) return LayerPropertyName{number - 1, what};
+  return std::nullopt;
+}
+
+}  // namespace
 
 VolumeDocument::VolumeDocument(OpenedFile opened, QObject* parent)
     : Document(*opened.kind, std::move(opened.file), parent),
@@ -38,9 +84,39 @@ std::vector<Property> VolumeDocument::properties() const {
       Quantity::Number);
   add("memory", QT_TRANSLATE_NOOP("Property", "Memory (MB)"), static_cast<double>(volume.bytes()) / 1e6,
       Quantity::Number);
+  if (m_volume->layers)
+    add("layers", QT_TRANSLATE_NOOP("Property", "Memory of the layers (MB)"),
+        static_cast<double>(m_volume->layers->bytes()) / 1e6, Quantity::Number);
   add("source", QT_TRANSLATE_NOOP("Property", "Made from"), m_volume->source, Quantity::Number);
+  if (m_volume->layers) addLayerProperties(*m_volume->layers, all);
   for (Property& common : Document::properties()) all.push_back(std::move(common));
   return all;
+}
+
+Result<std::unique_ptr<Edit>> VolumeDocument::propertyEdit(const std::string& id, const PropertyValue& value) const {
+  const std::optional<LayerPropertyName> found = layerOfProperty(id, *m_volume);
+  if (!found) return Document::propertyEdit(id, value);
+  const ClayLayer& layer = m_volume->layers->all()[found->layer];
+  const auto share = [&](double strength, bool isOn) {
+    return std::unique_ptr<Edit>(withLayerShare(*m_volume, found->layer, strength, isOn).edit(id));
+  };
+  if (found->what == "name") {
+    const auto* const name = std::get_if<std::string>(&value);
+    if (!name || name->size() > ClayLayers::kLongestName || !isUtf8(*name))
+      return Error{ErrorCode::ElementMalformed, {id, "a text of at most 1000 bytes in UTF-8 was expected"}, {}, {}};
+    if (name->empty() || *name == layer.name) return std::unique_ptr<Edit>();
+    return std::unique_ptr<Edit>(withLayerNamed(*m_volume, found->layer, *name).edit(id));
+  }
+  if (found->what == "on") {
+    const auto* const isOn = std::get_if<bool>(&value);
+    if (!isOn) return Error{ErrorCode::ElementMalformed, {id, "yes or no was expected"}, {}, {}};
+    return *isOn == layer.isOn ? std::unique_ptr<Edit>() : share(layer.strength, *isOn);
+  }
+  const auto* const strength = std::get_if<double>(&value);
+  if (!strength) return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
+  if (!(*strength >= 0.0 && *strength <= 1.0))
+    return Error{ErrorCode::ValueOutOfRange, {id, shortestText(*strength), "0", "1"}, {}, {}};
+  return *strength == layer.strength ? std::unique_ptr<Edit>() : share(*strength, layer.isOn);
 }
 
 }  // namespace handwheel

@@ -26,7 +26,9 @@ class VolumeDocument : public Document {
   SnapshotPointer snapshot() const override { return withScan(m_volume); }
   // The value that the document has when its volume is this one.
   std::shared_ptr<const VolumeSnapshot> withScan(const std::shared_ptr<const VolumeSnapshot>& volume) const;
+  // Layers have "layer.1.name", "layer.1.on" and "layer.1.strength", the lowest being 1.
   std::vector<Property> properties() const override;
+  Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
 
  private:
   friend class VolumeEdit;

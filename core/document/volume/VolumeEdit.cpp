@@ -4,12 +4,21 @@
 
 #include "document/volume/VolumeDocument.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
 void VolumeEdit::exchange(Document& document) {
   auto& volume = static_cast<VolumeDocument&>(document);
   std::swap(volume.m_volume, m_volume);
   volume.wasChanged();
+}
+
+bool VolumeEdit::absorb(const Edit& later) {
+  const auto* const next = dynamic_cast<const VolumeEdit*>(&later);
+  if (!next || m_property.empty() || next->m_property != m_property) return false;
+  m_changedBlocks = std::max(m_changedBlocks, next->m_changedBlocks);
+  return true;
 }
 
 std::size_t VolumeEdit::bytes() const {

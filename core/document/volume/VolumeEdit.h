@@ -10,16 +10,19 @@ namespace handwheel {
 // Exchanges the value of a volume. Versions share the blocks and pieces that are the same, so it holds what changed.
 class VolumeEdit : public Edit {
  public:
-  // changedBlocks: that differ from the document's, for its size.
-  VolumeEdit(std::shared_ptr<const VolumeSnapshot> volume, std::size_t changedBlocks)
-      : m_volume(std::move(volume)), m_changedBlocks(changedBlocks) {}
+  // changedBlocks: that differ from the document's, for its size. property: that alone is another one; empty: more
+  // than one property may be.
+  VolumeEdit(std::shared_ptr<const VolumeSnapshot> volume, std::size_t changedBlocks, std::string property = {})
+      : m_volume(std::move(volume)), m_changedBlocks(changedBlocks), m_property(std::move(property)) {}
 
   void exchange(Document& document) override;
+  bool absorb(const Edit& later) override;
   std::size_t bytes() const override;
 
  private:
   std::shared_ptr<const VolumeSnapshot> m_volume;
   std::size_t m_changedBlocks;
+  std::string m_property;
 };
 
 }  // namespace handwheel

@@ -6,6 +6,7 @@
 #include "document/formats/MeshExport.h"
 #include "document/formats/TextNumber.h"
 #include "document/volume/HoleBlobs.h"
+#include "document/volume/LayerBlobs.h"
 #include "document/volume/ScanBlobs.h"
 #include "document/volume/VolumeBlobs.h"
 #include "document/volume/VolumeDocument.h"
@@ -108,6 +109,7 @@ void VolumeKind::save(const Snapshot& content, Container& container) const {
   writeVolume(volumeOf(content).volume, container);
   (*container.manifest)["document"]["source"] = volumeOf(content).source;
   if (const auto& mask = volumeOf(content).mask) writeMask(*mask, container);
+  if (const auto& layers = volumeOf(content).layers) writeLayers(*layers, volumeOf(content).volume, container);
   writeHoles(volumeOf(content).holes, container);
   if (const auto& scan = volumeOf(content).scan) writeScan(scan->image, volumeOf(content).segment, container);
 }
@@ -122,6 +124,7 @@ Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector
   const nlohmann::json source = (*container.manifest)["document"].value("source", nlohmann::json());
   if (source.is_string()) snapshot->source = source.get<std::string>();
   snapshot->mask = readMask(container, snapshot->volume, damage);
+  snapshot->layers = readLayers(container, snapshot->volume, damage);
   snapshot->holes = readHoles(container, damage);
   takeScan(readScan(container, damage, progress.part(0.0, 0.2)), *snapshot);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
@@ -156,13 +159,21 @@ std::unique_ptr<Document> VolumeKind::make(OpenedFile opened) const {
 
 nlohmann::json VolumeKind::describe(const Snapshot& content) const {
   const VolumeSnapshot& volume = volumeOf(content);
-  return {{"voxel", volume.volume.voxel()},
-          {"volume", volume.volume.material()},
-          {"blocks", volume.volume.blockCount()},
-          {"bytes", volume.volume.bytes()},
-          {"triangles", volume.surface.triangleCount()},
-          {"source", volume.source},
-          {"holes", volume.holes.size()}};
+  nlohmann::json described = {{"voxel", volume.volume.voxel()},
+                              {"volume", volume.volume.material()},
+                              {"blocks", volume.volume.blockCount()},
+                              {"bytes", volume.volume.bytes()},
+                              {"triangles", volume.surface.triangleCount()},
+                              {"source", volume.source},
+                              {"holes", volume.holes.size()},
+                              {"layers", nlohmann::json::array()}};
+  if (!volume.layers) return described;
+  for (const ClayLayer& layer : volume.layers->all())
+    described["layers"].push_back({{"name", layer.name},
+                                   {"strength", layer.strength},
+                                   {"on", layer.isOn},
+                                   {"blocks", layer.change->blocks().size()}});
+  return described;
 }
 
 DisplayModel VolumeKind::display(const Snapshot& content) const {

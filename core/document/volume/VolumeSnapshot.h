@@ -4,6 +4,7 @@
 
 #include "document/Snapshot.h"
 #include "document/volume/Scan.h"
+#include "volume/ClayLayers.h"
 #include "volume/ClayMask.h"
 #include "volume/SparseVolume.h"
 #include "volume/drilling/DrillRecord.h"
@@ -20,10 +21,12 @@ using DrilledHoles = std::vector<std::shared_ptr<const DrillRecord>>;
 
 // The value of a volume document.
 struct VolumeSnapshot : Snapshot {
-  SparseVolume volume;
+  SparseVolume volume;    // with its layers, as it is visible
   VolumeSurface surface;  // of the volume
   // What is protected from dabs, in the grid of the volume; null: nothing.
   std::shared_ptr<const ClayMask> mask;
+  // Null: there are none. A change of the volume that is not recorded in them applies them all: it leaves none.
+  std::shared_ptr<const ClayLayers> layers;
   std::string source;                // the file that it was made from, UTF-8; empty where there is none
   std::shared_ptr<const Scan> scan;  // that it was made from; null: there is none
   Segment segment;                   // what is chosen of the scan
