@@ -92,6 +92,22 @@ const ErrorDescription VolumeErrors::StrokesTooLong{
                                "the strokes go %1 mm, and a tool with a radius of %2 mm can be led %3 mm at most")},
     .advice = {translatable("ErrorText", "Check the unit of the places, or divide the strokes.")}};
 
+const ErrorDescription VolumeErrors::LayerTakesNone{
+    .id = "LayerTakesNone",
+    .sentences = {translatable("ErrorText",
+                               "the layer “%1” takes no strokes, as it is off, or its strength is below 1")},
+    .advice = {translatable("ErrorText", "Turn it on with a strength of 1, or add a layer above it.")}};
+
+const ErrorDescription VolumeErrors::LayerBelow{
+    .id = "LayerBelow",
+    .sentences = {translatable("ErrorText", "the layer “%1” takes no strokes, as the layer “%2” is above it")},
+    .advice = {translatable("ErrorText", "Merge the layers above it, or name a new layer.")}};
+
+const ErrorDescription VolumeErrors::TooManyLayers{
+    .id = "TooManyLayers",
+    .sentences = {translatable("ErrorText", "a volume has at most %1 layers")},
+    .advice = {translatable("ErrorText", "Merge some of them first.")}};
+
 const ErrorDescription VolumeErrors::ProgramWord{
     .id = "ProgramWord",
     .sentences = {translatable("ErrorText", "“%1” has no meaning for a drilling program here")},

@@ -23,6 +23,9 @@ extern const ErrorDescription NoSuchDrillMaterial;  // {word}
 extern const ErrorDescription PathTooLong;          // {seconds, most seconds}
 extern const ErrorDescription ClayRadius;           // {radius, voxel, least radius, largest radius, all in mm}
 extern const ErrorDescription StrokesTooLong;       // {mm, radius of the tool in mm, most mm}
+extern const ErrorDescription LayerTakesNone;       // {name of the layer} it is off, or weak
+extern const ErrorDescription LayerBelow;           // {name of the layer, that of the topmost one}
+extern const ErrorDescription TooManyLayers;        // {most layers}
 extern const ErrorDescription ProgramWord;          // {word} of a drilling program, that is not understood
 extern const ErrorDescription ProgramLacks;         // {word, what needs it}
 extern const ErrorDescription ProgramValue;         // {word, what it has to be}

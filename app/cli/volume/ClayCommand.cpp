@@ -11,10 +11,13 @@
 #include "cli/TipTrajectory.h"
 #include "cli/volume/VolumeFiles.h"
 #include "document/FileBytes.h"
+#include "document/Utf8.h"
+#include "document/volume/LayerSteps.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "tools/volume/ClayOperation.h"
 #include "tools/volume/VolumeOperations.h"
+#include "volume/VolumeErrors.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,11 +28,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What the option --layer says.
+struct WantedLayer {
+  std::string name;
+  double strength = 1.0;
+};
+
 struct ClayRequest {
   fs::path part, output;
   std::optional<double> voxel;
   std::vector<HandStroke> strokes;
   ReadOptions read;
+  std::optional<WantedLayer> layer = {};
 };
 
 struct ClayAnswer {
@@ -50,6 +60,19 @@ std::vector<HandStroke> strokesOf(const TipTrajectory& path) {
     strokes.back().push_back(path.poses[i]);
   }
   return strokes;
+}
+
+// "NAME" or "NAME:STRENGTH"; none where it is neither.
+std::optional<WantedLayer> layerOf(const std::string& word) {
+  WantedLayer layer{word};
+  const std::size_t colon = word.rfind(':');
+  if (colon != std::string::npos) {
+    layer.name = word.substr(0, colon);
+    if (!readNumber(word.substr(colon + 1), layer.strength)) return std::nullopt;
+  }
+  const bool isName = !layer.name.empty() && layer.name.size() <= ClayLayers::kLongestName && isUtf8(layer.name);
+  if (!isName || !(layer.strength >= 0.0 && layer.strength <= 1.0)) return std::nullopt;
+  return layer;
 }
 
 // The volume of the part, or one of what its surface encloses.
@@ -80,12 +103,23 @@ Result<ClayAnswer> sculptFile(const ClayRequest& request, const OperationValues&
   const Result<ClayBrush> brush = clayBrushOf(values, *done.before);
   if (!brush) return about(brush.error());
   done.brush = *brush;
+  std::shared_ptr<const VolumeSnapshot> part = done.before;
+  if (request.layer) {
+    const auto layered = withLayerOnTop(part, request.layer->name);
+    if (!layered) return about(layered.error());
+    part = *layered;
+  }
   const auto begin = std::chrono::steady_clock::now();
   Result<Sculpted> sculpted =
-      sculptAlong(done.before, *brush, request.strokes, values.number("rate"), progress.part(0.4, 0.9));
+      sculptAlong(part, *brush, request.strokes, values.number("rate"), progress.part(0.4, 0.9));
   done.computed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!sculpted) return about(sculpted.error());
   done.sculpted = std::move(*sculpted);
+  if (request.layer) {
+    const VolumeSnapshot& whole = *done.sculpted.part;
+    done.sculpted.part = withLayerShare(whole, whole.layers->all().size() - 1, request.layer->strength, true).volume;
+    if (done.sculpted.part->volume.isEmpty()) return about(Error{VolumeErrors::NothingLeft, {}, {}, {}});
+  }
   DocumentFile file;
   file.displayUnit = done.file.displayUnit;
   file.assigned = done.file.assigned;
@@ -108,6 +142,13 @@ nlohmann::ordered_json reportOf(const ClayAnswer& done, const ClayRequest& reque
                                    {"computed_s", done.computed},
                                    {"radius_mm", done.brush.radius},
                                    {"voxel_mm", after.voxel()}};
+  if (request.layer) {
+    const std::vector<ClayLayer>& layers = sculpted.part->layers->all();
+    report["layer"] = {{"name", layers.back().name},
+                       {"strength", layers.back().strength},
+                       {"blocks", layers.back().change->blocks().size()}};
+    report["layers"] = layers.size();
+  }
   notice.addTo(report);
   return report;
 }
@@ -115,10 +156,13 @@ nlohmann::ordered_json reportOf(const ClayAnswer& done, const ClayRequest& reque
 std::string textOf(const ClayAnswer& done, const ClayRequest& request) {
   const Sculpted& sculpted = done.sculpted;
   std::string text = request.output.string() + ": ";
-  if (sculpted.changedBlocks == 0) return text + "unchanged, as no stroke comes to the material.\n";
+  if (sculpted.changedBlocks == 0 && !request.layer) return text + "unchanged, as no stroke comes to the material.\n";
   text += roundedText(sculpted.added) + " mm³ added, " + roundedText(sculpted.removed) + " mm³ removed by a tool of " +
           roundedText(done.brush.radius) + " mm radius, voxels of " + roundedText(done.before->volume.voxel()) +
           " mm.\n";
+  if (request.layer)
+    text += "They are on the layer “" + request.layer->name + "” with a strength of " +
+            roundedText(request.layer->strength) + ".\n";
   return text + std::to_string(sculpted.changedBlocks) + " blocks of voxels are others. Strokes of " +
          roundedText(sculpted.seconds) + " s took " + roundedText(done.computed, 3) + " s.\n";
 }
@@ -134,6 +178,9 @@ CommandSpec claySpec() {
         "The tool's middle: CSV with the columns t_s, x_mm, y_mm, z_mm; a column stroke numbers strokes, 0 being "
         "none of them"}}};
   for (OptionSpec& option : optionsOf(clayOperation())) spec.options.push_back(std::move(option));
+  spec.options.push_back({"layer", 0, "NAME[:STRENGTH]",
+                          "Put the strokes on this layer: the topmost one, or a new one; with this strength, 0 to 1, "
+                          "after them. Only a .handwheel keeps layers"});
   spec.options.push_back({"output", 'o', "OUT", "The volume (.handwheel, .vdb, .nrrd), or its surface as a mesh"});
   for (OptionSpec& option : optionsOf(voxelizeOperation(), {"method", "wall"})) {
     if (option.name == "voxel")
@@ -151,6 +198,11 @@ int runClay(const Arguments& arguments, const DocumentKinds& kinds) {
   OperationValues values(clayOperation()), sampling(voxelizeOperation());
   std::string problem = readOptions(arguments, values);
   if (problem.empty()) problem = readOptions(arguments, sampling);
+  std::optional<WantedLayer> layer;
+  if (problem.empty() && arguments.has("layer")) {
+    layer = layerOf(std::string(arguments.valueOf("layer")));
+    if (!layer) problem = "--layer takes a name, and after a colon a strength from 0 to 1, such as wrinkles:0.5.";
+  }
   if (problem.empty() && !arguments.has("strokes")) problem = "The option --strokes FILE is missing.";
   if (problem.empty() && !arguments.has("output")) problem = "The option -o OUT is missing.";
   if (!problem.empty()) return failUsage(problem, "clay");
@@ -163,7 +215,8 @@ int runClay(const Arguments& arguments, const DocumentKinds& kinds) {
   }
   const TipTrajectory path = readTipTrajectory(*text, StrokeColumn::Read);
   if (!path.problem.empty()) return refuse(strokes.string() + ": " + path.problem);
-  ClayRequest request{arguments.operands[0], arguments.valueOf("output"), sampling.given("voxel"), strokesOf(path), {}};
+  ClayRequest request{
+      arguments.operands[0], arguments.valueOf("output"), sampling.given("voxel"), strokesOf(path), {}, layer};
   if (request.strokes.empty())
     return refuse(strokes.string() + ": The column stroke has only 0, so the hand does nothing; number its strokes.");
   request.read.partial = arguments.has("partial");

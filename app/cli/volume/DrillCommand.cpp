@@ -101,6 +101,7 @@ Status writeResults(const DrillRequest& request, const DrillAnswer& done, const 
     auto snapshot = done.before ? std::make_shared<VolumeSnapshot>(*done.before) : std::make_shared<VolumeSnapshot>();
     snapshot->volume = done.drilled.volume;
     snapshot->surface = VolumeSurface(snapshot->volume, progress.part(0.0, 0.5));
+    snapshot->layers = nullptr;
     snapshot->source = request.part.filename().string();
     snapshot->holes.push_back(done.drilled.hole);
     const Result<WrittenFile> written = saveDocument(kind, file, *snapshot, request.output, progress.part(0.5, 1.0));

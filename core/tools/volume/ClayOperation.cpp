@@ -3,6 +3,7 @@
 #include "tools/volume/ClayOperation.h"
 
 #include "base/NumberText.h"
+#include "document/volume/LayerSteps.h"
 #include "simulation/clay/ClaySimulation.h"
 #include "tools/volume/ClayTool.h"
 #include "tools/volume/VolumeOperations.h"
@@ -215,8 +216,22 @@ Result<ClayBrush> clayBrushOf(const OperationValues& values, const VolumeSnapsho
   return brush;
 }
 
+Result<std::shared_ptr<const VolumeSnapshot>> withLayerOnTop(const std::shared_ptr<const VolumeSnapshot>& part,
+                                                             const std::string& name) {
+  const std::size_t count = part->layers ? part->layers->all().size() : 0;
+  if (count > 0 && part->layers->all().back().name == name) return withLayerShare(*part, count - 1, 1.0, true).volume;
+  for (std::size_t i = 0; i < count; ++i)
+    if (part->layers->all()[i].name == name)
+      return Error{VolumeErrors::LayerBelow, {name, part->layers->all().back().name}, {}, {}};
+  if (count >= ClayLayers::kMostLayers)
+    return Error{VolumeErrors::TooManyLayers, {std::to_string(ClayLayers::kMostLayers)}, {}, {}};
+  return withNewLayer(*part, name).volume;
+}
+
 Result<Sculpted> sculptAlong(const std::shared_ptr<const VolumeSnapshot>& part, const ClayBrush& brush,
                              const std::vector<HandStroke>& strokes, double rate, Progress progress) {
+  if (brush.action != ClayAction::Mask && !takesStrokes(*part))
+    return Error{VolumeErrors::LayerTakesNone, {part->layers->all().back().name}, {}, {}};
   if (const Status can = canBeLed(strokes, brush.radius, rate); !can) return can.error();
   auto begin = std::make_shared<ClayState>();
   begin->volume = part->volume;
@@ -262,6 +277,7 @@ Result<Sculpted> sculptAlong(const std::shared_ptr<const VolumeSnapshot>& part, 
   after->volume = state->volume;
   after->surface = state->surface;
   after->mask = state->mask;
+  if (brush.action != ClayAction::Mask) recordStroke(*after);
   done.part = std::move(after);
   return done;
 }

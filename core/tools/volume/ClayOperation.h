@@ -29,6 +29,11 @@ ClayBrush usualClayBrush(const VolumeSnapshot& part);
 // The tool that the parameters describe. Error: VolumeErrors::ClayRadius.
 Result<ClayBrush> clayBrushOf(const OperationValues& values, const VolumeSnapshot& part);
 
+// The part with a layer of this name on top, on and with a strength of 1: the topmost one, if it is called so, or a new
+// one. Errors: VolumeErrors::LayerBelow, TooManyLayers.
+Result<std::shared_ptr<const VolumeSnapshot>> withLayerOnTop(const std::shared_ptr<const VolumeSnapshot>& part,
+                                                             const std::string& name);
+
 // Where the hand is in a stroke, by time.
 using HandStroke = std::vector<HandPose>;
 
@@ -41,9 +46,10 @@ struct Sculpted {
 };
 
 // Leads a tool along strokes, one after the other, as the simulation of the window does with a hand that it keeps up
-// with: its middle is where the hand is. rate: places a second, Hz. A stroke takes in the poses themselves, too.
-// Errors: VolumeErrors::PathTooLong (kMostPlaces), StrokesTooLong (kMostRadii), TooLarge (once the volume takes more
-// memory than the system has), NothingLeft, Cancelled.
+// with: its middle is where the hand is. They go on the topmost layer where there are layers. rate: places a second,
+// Hz. A stroke takes in the poses themselves, too. Errors: VolumeErrors::LayerTakesNone, PathTooLong (kMostPlaces),
+// StrokesTooLong (kMostRadii), TooLarge (once the volume takes more memory than the system has), NothingLeft,
+// Cancelled.
 Result<Sculpted> sculptAlong(const std::shared_ptr<const VolumeSnapshot>& part, const ClayBrush& brush,
                              const std::vector<HandStroke>& strokes, double rate, Progress progress);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/volume/ClayTool.h"
 
-#include "document/volume/VolumeEdit.h"
+#include "document/volume/LayerSteps.h"
 #include "tools/ToolProperty.h"
 #include "tools/volume/ClayOperation.h"
 #include "volume/VolumeReader.h"
@@ -141,7 +141,13 @@ ToolReply ClayTool::press(const PointerEvent& event) {
     if (!hit) return ToolReply::Ignored;
     m_grip = Grip{m_document.volume(), hit->point, event.ray.direction};
   }
-  if (const ClayBrush brush = brushFor(event.modifiers); brush != m_present) {
+  const ClayBrush brush = brushFor(event.modifiers);
+  if (brush.action != ClayAction::Mask && !takesStrokes(*m_document.volume())) {
+    m_grip.reset();
+    if (m_refused) m_refused();
+    return ToolReply::Used;
+  }
+  if (brush != m_present) {
     m_present = brush;
     m_gesture.restart();
   }
@@ -236,6 +242,7 @@ void ClayTool::complete() {
   after->volume = shaped->volume;
   after->surface = shaped->surface;
   after->mask = shaped->mask;
+  if (brush.action != ClayAction::Mask) recordStroke(*after);
   const QString text = strokeText(brush, after->volume.material() - before->volume.material());
   m_document.commit(text, std::make_unique<VolumeEdit>(std::move(after), shaped->changedBlocks));
 }

@@ -30,6 +30,9 @@ class ClayTool : public VolumeTool {
 
   ClayFeel feelAtDevice() const override;
 
+  // Sets who is told of a stroke that the topmost layer does not take.
+  void whenRefused(std::function<void()> listener) { m_refused = std::move(listener); }
+
   static std::span<const ToolKey> keys();
   std::string id() const override { return "clay"; }
   ToolReply pointer(const PointerEvent& event) override;
@@ -79,6 +82,7 @@ class ClayTool : public VolumeTool {
   bool m_isEnding = false, m_isClosed = false;
   std::vector<PointerEvent> m_waiting;
   std::optional<Grip> m_grip;
+  std::function<void()> m_refused;
   std::optional<Vec3> m_hovered;  // on the surface
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/volume/VolumeEdit.h"
+#include "document/volume/LayerSteps.h"
 #include "tools/ToolProperty.h"
 #include "tools/volume/ClayOperation.h"
 #include "tools/volume/ClayTool.h"
@@ -101,7 +101,10 @@ std::vector<ToolAction> ClayTool::actions() const {
   const bool isIdle = !m_gesture.isOn();
   ToolAction clear = actionOf(kKeys, "clearMask", isIdle && m_document.volume()->mask);
   if (!m_document.volume()->mask) clear.reason = QT_TRANSLATE_NOOP("Tool", "nothing is masked");
-  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "shape the clay")},
+  ToolAction shape{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "shape the clay")};
+  shape.enabled = m_brush.action == ClayAction::Mask || takesStrokes(*m_document.volume());
+  if (!shape.enabled) shape.reason = QT_TRANSLATE_NOOP("Tool", "the top layer is off, or weaker than 1");
+  return {shape,
           {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "smooth")},
           {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "opposite direction")},
           actionOf(kKeys, "smaller", isIdle),

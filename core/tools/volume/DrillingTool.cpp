@@ -236,6 +236,7 @@ ToolReply DrillingTool::release() {
   auto after = std::make_shared<VolumeSnapshot>(*m_document.volume());
   after->volume = m_last->volume;
   after->surface = m_last->surface;
+  after->layers = nullptr;
   auto hole = std::make_shared<DrillRecord>();
   hole->setup = m_begun;
   hole->poses = m_last->poses;

@@ -208,6 +208,7 @@ void ReshapeTool::commit() {
   after->volume = made->state->volume;
   after->surface = made->state->surface;
   after->mask = made->state->mask;
+  after->layers = nullptr;
   m_isProposing = false;
   const std::size_t blocks = after->volume.blockCount();
   m_document.commit(QCoreApplication::translate("Tool", operation(m_change).title),
