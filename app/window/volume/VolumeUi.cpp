@@ -19,6 +19,7 @@
 #include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/tools/ToolHost.h"
+#include "window/volume/ClayLayersView.h"
 #include "window/volume/DrillView.h"
 #include "window/volume/RemeshAction.h"
 #include "window/volume/ReshapeActions.h"
@@ -36,6 +37,7 @@ VolumeUi::VolumeUi(const WindowContext& window, VolumeKind& kind)
       m_kind(kind),
       m_volumeLayer(std::make_shared<VolumeLayer>()),
       m_segmentation(new Segmentation(window, this)),
+      m_layers(new ClayLayersView(window, this)),
       m_drillView(new DrillView(window, this)),
       m_reshape(new ReshapeActions(window, this)),
       m_remesh(new RemeshAction(window, this)),
@@ -46,6 +48,7 @@ VolumeUi::VolumeUi(const WindowContext& window, VolumeKind& kind)
   setFelt(false);  // through the depths of the volume, not through triangles
   window.viewport.addLayer(m_volumeLayer);
   connect(&window.tools, &ToolHost::updated, this, &VolumeUi::followTool);
+  connect(m_layers, &ClayLayersView::message, this, &KindUi::message);
   connect(m_drillView, &DrillView::message, this, &KindUi::message);
   connect(m_reshape, &ReshapeActions::message, this, &KindUi::message);
   connect(m_remesh, &RemeshAction::message, this, &KindUi::message);
@@ -81,6 +84,7 @@ void VolumeUi::setDocument(DocumentTab* opened) {
   if (opened) connect(&opened->document, &Document::changed, this, &VolumeUi::showVolume);
   if (opened) offerStill();
   m_segmentation->setDocument(opened);
+  m_layers->setDocument(opened);
   followTool();
 }
 
@@ -153,7 +157,7 @@ void VolumeUi::followTool() {
 }
 
 QList<QAction*> VolumeUi::menu() {
-  QList<QAction*> all{m_segmentation->action()};
+  QList<QAction*> all{m_segmentation->action(), m_layers->action()};
   auto* const line = new QAction(this);
   line->setSeparator(true);
   all << line << m_reshape->all() << m_stamp->action() << m_remesh->action();
@@ -206,8 +210,10 @@ void VolumeUi::begin(const QString&) {
 std::vector<ToolDescriptor> VolumeUi::tools() {
   const auto make = [this]() -> std::unique_ptr<Tool> {
     const SimulationServices services{parts().servoClock, parts().services.simulation()};
-    return std::make_unique<ClayTool>(static_cast<VolumeDocument&>(document()->document), services,
-                                      m_stamp->services());
+    auto tool =
+        std::make_unique<ClayTool>(static_cast<VolumeDocument&>(document()->document), services, m_stamp->services());
+    tool->whenRefused([this] { m_layers->refuse(); });
+    return tool;
   };
   const auto drill = [this]() -> std::unique_ptr<Tool> {
     const SimulationServices services{parts().servoClock, parts().services.simulation()};

@@ -8,6 +8,7 @@
 
 namespace handwheel {
 
+class ClayLayersView;
 class ClayTool;
 class DrillView;
 class RemeshAction;
@@ -58,6 +59,7 @@ class VolumeUi : public RigidPartsUi {
   std::shared_ptr<VolumeLayer> m_volumeLayer;
   Segmentation* m_segmentation;
   std::shared_ptr<const void> m_drawn;  // the volume in the layer, of the document or of a tool
+  ClayLayersView* m_layers;
   DrillView* m_drillView;
   ReshapeActions* m_reshape;
   RemeshAction* m_remesh;

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/volume/ClayLayersView.h"
+
+#include "controls/ScrolledPanel.h"
+#include "document/volume/VolumeDocument.h"
+#include "panels/DockTitle.h"
+#include "panels/MessageBar.h"
+#include "text/ErrorText.h"
+#include "window/ActionToolTip.h"
+#include "window/documents/DocumentTab.h"
+
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QMainWindow>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <cmath>
+#include <utility>
+
+namespace handwheel {
+namespace {
+
+constexpr int kSliderSteps = 100;  // of a strength of 1
+
+QPushButton* layerButton(const QString& text, const char* name, const QString& tip) {
+  auto* const made = new QPushButton(text);
+  made->setObjectName(QString::fromLatin1(name));
+  made->setToolTip(tip);
+  return made;
+}
+
+}  // namespace
+
+ClayLayersView::ClayLayersView(const WindowContext& parts, QObject* parent)
+    : QObject(parent), m_parts(parts), m_toggle(tr("La&yers"), this) {
+  prepare(m_toggle, "clayLayersToggle", nullptr, tr("Sculpt in layers that can be weakened and turned off"));
+  m_toggle.setCheckable(true);
+  m_toggle.setEnabled(false);
+  connect(&m_toggle, &QAction::triggered, this, &ClayLayersView::show);
+}
+
+VolumeDocument& ClayLayersView::volume() const {
+  return static_cast<VolumeDocument&>(m_document->document);
+}
+
+const std::vector<ClayLayer>& ClayLayersView::layers() const {
+  static const std::vector<ClayLayer> none;
+  return m_shown ? m_shown->all() : none;
+}
+
+int ClayLayersView::chosen() const {
+  const int row = m_list->currentRow();
+  return row < 0 ? -1 : m_list->count() - 1 - row;
+}
+
+void ClayLayersView::makeDock() {
+  auto* const window = qobject_cast<QMainWindow*>(m_parts.window);
+  if (m_dock || !window) return;
+  m_dock = new QDockWidget(tr("Layers"), window);
+  m_dock->setObjectName(QStringLiteral("clayLayersDock"));
+  m_dock->setAccessibleName(tr("Layers"));
+  m_dock->setTitleBarWidget(new DockTitle(m_dock));
+  auto* const content = new QWidget;
+  m_list = new QListWidget;
+  m_list->setObjectName(QStringLiteral("clayLayers"));
+  m_list->setAccessibleName(tr("Layers, the topmost first"));
+  m_strength = new QSlider(Qt::Horizontal);
+  m_strength->setObjectName(QStringLiteral("clayLayerStrength"));
+  m_strength->setAccessibleName(tr("Strength of the layer"));
+  m_strength->setRange(0, kSliderSteps);
+  m_strengthText = new QLabel;
+  m_strengthText->setMinimumWidth(m_strengthText->fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
+  m_add = layerButton(tr("Add"), "clayLayerAdd", tr("Add a layer on top"));
+  m_remove = layerButton(tr("Remove"), "clayLayerRemove", tr("Take the layer and its strokes away"));
+  m_merge = layerButton(tr("Merge down"), "clayLayerMerge",
+                        tr("Make the layer one with that below it, or with the volume, as it is visible now"));
+  m_hint = new QLabel;
+  m_hint->setObjectName(QStringLiteral("clayLayerHint"));
+  m_hint->setProperty("muted", true);
+  m_hint->setWordWrap(true);
+  auto* const strength = new QHBoxLayout;
+  strength->addWidget(new QLabel(tr("Strength")));
+  strength->addWidget(m_strength, 1);
+  strength->addWidget(m_strengthText);
+  auto* const buttons = new QHBoxLayout;
+  for (QPushButton* button : {m_add, m_remove, m_merge}) buttons->addWidget(button);
+  buttons->addStretch();
+  auto* const column = new QVBoxLayout(content);
+  column->setContentsMargins(8, 4, 8, 8);
+  column->addWidget(m_list, 1);
+  column->addLayout(strength);
+  column->addLayout(buttons);
+  column->addWidget(m_hint);
+  m_dock->setWidget(new ScrolledPanel(content, ScrolledPanel::Ways::Both, m_dock));
+  window->addDockWidget(Qt::RightDockWidgetArea, m_dock);
+  connect(m_dock, &QDockWidget::visibilityChanged, this, [this] {
+    if (m_document) m_toggle.setChecked(!m_dock->isHidden());
+  });
+  connect(m_list, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) { take(*item); });
+  connect(m_list, &QListWidget::currentRowChanged, this, &ClayLayersView::refreshChosen);
+  connect(m_strength, &QSlider::valueChanged, this,
+          [this] { setStrength(m_strength->isSliderDown() ? DragPhase::Continues : DragPhase::Ends); });
+  connect(m_strength, &QSlider::sliderReleased, this, [this] { setStrength(DragPhase::Ends); });
+  connect(m_add, &QPushButton::clicked, this, &ClayLayersView::add);
+  connect(m_remove, &QPushButton::clicked, this, [this] {
+    volume().settle();
+    if (chosen() >= 0) commit(tr("Remove layer"), withoutLayer(*volume().volume(), static_cast<std::size_t>(chosen())));
+  });
+  connect(m_merge, &QPushButton::clicked, this, [this] {
+    volume().settle();
+    if (chosen() >= 0)
+      commit(tr("Merge layer"), withLayerMerged(*volume().volume(), static_cast<std::size_t>(chosen())));
+  });
+}
+
+void ClayLayersView::setDocument(DocumentTab* document) {
+  if (m_document) m_document->document.disconnect(this);
+  m_document = document;
+  m_toggle.setEnabled(document != nullptr);
+  m_shown.reset();
+  if (document) {
+    if (volume().volume()->layers) m_toggle.setChecked(true);
+    connect(&document->document, &Document::changed, this, &ClayLayersView::refresh);
+  }
+  show();
+}
+
+void ClayLayersView::show() {
+  const bool isShown = m_document && m_toggle.isChecked();
+  if (isShown) makeDock();
+  if (!m_dock) return;
+  if (isShown) refresh();
+  m_dock->setVisible(isShown);
+  if (isShown) m_dock->raise();
+}
+
+// Items stay as long as there are layers for them: one may be being edited.
+void ClayLayersView::refresh() {
+  if (!m_document || !m_dock) return;
+  const int before = m_list->count();
+  m_shown = volume().volume()->layers;
+  {
+    const QSignalBlocker blocker(m_list);
+    const int count = static_cast<int>(layers().size());
+    while (m_list->count() > count) delete m_list->takeItem(0);
+    while (m_list->count() < count) m_list->insertItem(0, new QListWidgetItem);
+    for (int row = 0; row < count; ++row) {
+      const ClayLayer& layer = layers()[static_cast<std::size_t>(count - 1 - row)];
+      QListWidgetItem& item = *m_list->item(row);
+      item.setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
+      item.setText(QString::fromStdString(layer.name));
+      item.setCheckState(layer.isOn ? Qt::Checked : Qt::Unchecked);
+    }
+    if (count > 0 && (count > before || m_list->currentRow() < 0)) m_list->setCurrentRow(0);
+  }
+  refreshChosen();
+}
+
+void ClayLayersView::refreshChosen() {
+  const int layer = chosen();
+  const bool isThere = layer >= 0 && layer < static_cast<int>(layers().size());
+  for (QWidget* each : std::initializer_list<QWidget*>{m_strength, m_remove, m_merge}) each->setEnabled(isThere);
+  m_add->setEnabled(layers().size() < ClayLayers::kMostLayers);
+  const double strength = isThere ? layers()[static_cast<std::size_t>(layer)].strength : 1.0;
+  m_strengthText->setText(tr("%1 %").arg(QLocale().toString(std::round(100.0 * strength), 'f', 0)));
+  if (!m_strength->isSliderDown()) {
+    const QSignalBlocker blocker(m_strength);
+    m_strength->setValue(static_cast<int>(std::lround(kSliderSteps * strength)));
+  }
+  QString hint = tr("Strokes change the volume itself.");
+  if (!layers().empty())
+    hint = m_shown->canBeSculpted() ? tr("Strokes go on the top layer.")
+                                    : tr("The top layer takes no strokes while it is off or weaker than 100 %.");
+  if (!layers().empty()) hint += QLatin1Char(' ') + tr("Drilling and changes of the whole volume apply all layers.");
+  m_hint->setText(hint);
+}
+
+void ClayLayersView::add() {
+  volume().settle();
+  const std::size_t count = volume().volume()->layers ? volume().volume()->layers->all().size() : 0;
+  if (count >= ClayLayers::kMostLayers) return;
+  commit(tr("Add layer"), withNewLayer(*volume().volume(), tr("Layer %1").arg(count + 1).toStdString()));
+}
+
+void ClayLayersView::commit(const QString& text, const LayerStep& step) {
+  volume().commit(text, step.edit());
+}
+
+void ClayLayersView::take(const QListWidgetItem& item) {
+  const int number = m_list->count() - 1 - m_list->row(&item);
+  const ClayLayer layer = layers()[static_cast<std::size_t>(number)];
+  const bool isOn = item.checkState() == Qt::Checked;
+  const std::string name = item.text().toStdString();
+  if (isOn != layer.isOn) set(number, "on", isOn);
+  if (name != layer.name) set(number, "name", name);
+}
+
+void ClayLayersView::setStrength(DragPhase phase) {
+  const int layer = chosen();
+  if (layer < 0 || layer >= static_cast<int>(layers().size())) return;
+  // A strength between two steps of the slider stays until the slider is moved.
+  const double now = layers()[static_cast<std::size_t>(layer)].strength;
+  const int step = m_strength->value();
+  const bool isSame = step == static_cast<int>(std::lround(kSliderSteps * now));
+  set(layer, "strength", isSame ? now : static_cast<double>(step) / kSliderSteps, phase);
+}
+
+void ClayLayersView::set(int layer, const char* what, const PropertyValue& value, DragPhase phase) {
+  volume().settle();
+  const std::string id = "layer." + std::to_string(layer + 1) + "." + what;
+  if (const Status done = volume().setProperty(id, value, phase); !done) {
+    Message told{Message::Weight::Warning, tr("The layer stays as it is"), errorSentence(done.error()),
+                 errorAdvice(done.error())};
+    told.about = &m_document->document;
+    emit message(told);
+  }
+  refresh();  // what was refused is shown as it is
+}
+
+void ClayLayersView::refuse() {
+  const auto& layers = volume().volume()->layers;
+  if (!layers) return;
+  Message told{
+      Message::Weight::Warning, tr("The top layer takes no strokes"),
+      tr("“%1” is off, or its strength is below 100 %.").arg(QString::fromStdString(layers->all().back().name)),
+      tr("Turn it on at full strength, or add a layer: the panel Layers has both.")};
+  told.about = &m_document->document;
+  told.isOver = [document = &volume()] { return takesStrokes(*document->volume()); };
+  emit message(told);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Document.h"
+#include "document/volume/LayerSteps.h"
+#include "window/kinds/KindUi.h"
+
+#include <QAction>
+#include <QPointer>
+
+class QDockWidget;
+class QLabel;
+class QListWidget;
+class QListWidgetItem;
+class QPushButton;
+class QSlider;
+
+namespace handwheel {
+
+class VolumeDocument;
+
+// The panel of the layers of clay. The topmost layer is first: it is renamed, turned off and on in the list, the slider
+// is its strength. Window thread.
+class ClayLayersView : public QObject {
+  Q_OBJECT
+
+ public:
+  ClayLayersView(const WindowContext& parts, QObject* parent);
+
+  QAction* action() { return &m_toggle; }  // shows and hides the panel
+  // null: no volume is current. A volume with layers shows the panel.
+  void setDocument(DocumentTab* document);
+  // Says why the topmost layer takes no strokes.
+  void refuse();
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  VolumeDocument& volume() const;
+  const std::vector<ClayLayer>& layers() const;
+  int chosen() const;  // number of a layer, the lowest being 0; -1: none
+  void makeDock();
+  void show();
+  void refresh();
+  void refreshChosen();
+  void add();
+  void commit(const QString& text, const LayerStep& step);
+  void take(const QListWidgetItem& item);
+  void setStrength(DragPhase phase);
+  void set(int layer, const char* what, const PropertyValue& value, DragPhase phase = DragPhase::Ends);
+
+  WindowContext m_parts;
+  QAction m_toggle;
+  DocumentTab* m_document = nullptr;
+  std::shared_ptr<const ClayLayers> m_shown;
+  QPointer<QDockWidget> m_dock;
+  QListWidget* m_list = nullptr;
+  QSlider* m_strength = nullptr;
+  QLabel* m_strengthText = nullptr;
+  QLabel* m_hint = nullptr;
+  QPushButton* m_add = nullptr;
+  QPushButton* m_remove = nullptr;
+  QPushButton* m_merge = nullptr;
+};
+
+}  // namespace handwheel
