@@ -13,6 +13,8 @@
 namespace handwheel {
 namespace {
 
+constexpr int kDeepest = VolumeBlock::kFull - 1;  // of samples that a share of a layer gives
+
 using BlockDepths = std::array<float, VolumeBlock::kCount>;
 
 // The slope of depths at a voxel of a block, by its neighbours within the block.
@@ -43,7 +45,7 @@ SparseVolume::Content withShare(const SparseVolume::Content& below, const ClayLa
     const std::int16_t sample = block->depths[i];
     float depth = static_cast<float>(sample) * static_cast<float>(1.0 / VolumeBlock::kUnit);
     // Where the surface below is further away than depths tell, it is about as far as when the layer was made.
-    if (sample == VolumeBlock::kFull || sample == VolumeBlock::kEmpty)
+    if (std::abs(static_cast<int>(sample)) >= kDeepest)
       depth = std::copysign(std::max(kLimit, std::abs(layer.base[i])), depth);
     depths[i] = depth + static_cast<float>(share) * layer.change[i];
   }
@@ -52,9 +54,11 @@ SparseVolume::Content withShare(const SparseVolume::Content& below, const ClayLa
       for (int x = 0; x < VolumeBlock::kSize; ++x) {
         const std::size_t i = VolumeBlock::at(x, y, z);
         const float slope = std::clamp(slopeAt(depths, x, y, z), kLeastSlope, kLargestSlope);
-        // Nothing that the layer leaves alone is touched.
-        block->depths[i] =
-            layer.change[i] == 0.0f ? block->depths[i] : depthSample(static_cast<double>(depths[i] / slope));
+        // Nothing that the layer leaves alone is touched. What it changes never makes a block full or empty: a surface
+        // lies between it and its neighbours whatever these are.
+        if (layer.change[i] == 0.0f) continue;
+        const int sample = depthSample(static_cast<double>(depths[i] / slope));
+        block->depths[i] = static_cast<std::int16_t>(std::clamp(sample, -kDeepest, kDeepest));
       }
   return contentOf(std::move(block));
 }

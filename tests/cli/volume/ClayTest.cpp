@@ -221,6 +221,48 @@ class ClayTest : public QObject {
     QVERIFY(figure(bare, "removed_mm3") > 20.0);
   }
 
+  // Strokes on a layer that has no strength are there all the same: at full strength the part is what it is without
+  // layers, to the last voxel.
+  void layers() {
+    const Bench bench;
+    bench.put("a.off", clayBlock().off());
+    bench.put("s.csv", strokesCsv({{12.0, 12.0, 19.5}, {26.0, 18.0, 19.5}}));
+    const QStringList carve{"--strokes", "s.csv", "--tool", "carve", "--radius", "2"};
+    const auto plain = sculpt(bench, QStringList{"a.off", "--voxel", "0.5", "-o", "plain.handwheel"} + carve);
+    const auto hidden =
+        sculpt(bench, QStringList{"a.off", "--voxel", "0.5", "-o", "hidden.handwheel", "--layer", "dents:0"} + carve);
+    QVERIFY(figure(plain, "removed_mm3") > 10.0);
+    QCOMPARE(figure(hidden, "removed_mm3"), figure(plain, "removed_mm3"));
+    QCOMPARE(figure(hidden, "volume_mm3"), figure(hidden, "volume_before_mm3"));
+    QCOMPARE(figure(hidden, "layers"), 1.0);
+    QCOMPARE(hidden["layer"]["name"].get<std::string>(), std::string("dents"));
+    QCOMPARE(hidden["layer"]["strength"].get<double>(), 0.0);
+    QVERIFY(hidden["layer"]["blocks"].get<int>() > 0);
+    const auto volumeOf = [&](const char* file) {
+      const auto told = nlohmann::json::parse(bench.run({"inspect", file, "--json"}).out.toStdString());
+      return told["document"]["volume"].get<double>();
+    };
+    for (const char* strength : {"1", "0.5"}) {
+      const QString word = QStringLiteral("layer.1.strength=") + QLatin1String(strength);
+      QCOMPARE(bench.run({"set", "hidden.handwheel", word, "-o", QStringLiteral("at%1.handwheel").arg(strength)}).code,
+               0);
+    }
+    QCOMPARE(volumeOf("at1.handwheel"), figure(plain, "volume_mm3"));
+    const double half = volumeOf("at0.5.handwheel");
+    QVERIFY(half > figure(plain, "volume_mm3") && half < figure(plain, "volume_before_mm3"));
+    // A second layer; strokes below it, and on one that is weak, are refused.
+    const auto second = sculpt(bench, QStringList{"at1.handwheel", "-o", "two.handwheel", "--layer", "more"} + carve);
+    QCOMPARE(figure(second, "layers"), 2.0);
+    const auto refused = [&](const char* file, const QStringList& words, const char* says) {
+      const Ran ran = bench.run(QStringList{"clay", file, "-o", "never.handwheel"} + words + carve);
+      return ran.code == 1 && ran.err.contains(says) && !bench.names().contains("never.handwheel");
+    };
+    QVERIFY(refused("two.handwheel", {"--layer", "dents"}, "is above it"));
+    QVERIFY(refused("hidden.handwheel", {}, "takes no strokes"));
+    for (const char* word : {":0.5", "a:2", "a:nan", "a:", "a:-0.1"})
+      QVERIFY2(refused("a.off", {"--layer", word}, "--layer takes a name"), word);
+  }
+
   // A tool is as large as in the window where nothing is said: a twentieth of the part.
   void usualTool() {
     const Bench bench;

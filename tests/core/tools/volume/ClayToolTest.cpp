@@ -3,6 +3,7 @@
 #include "tools/volume/ClayTool.h"
 
 #include "TestClass.h"
+#include "document/volume/LayerSteps.h"
 #include "document/volume/VolumeKind.h"
 #include "tools/ToolRunner.h"
 #include "volume/VolumeReader.h"
@@ -292,6 +293,41 @@ class ClayToolTest : public QObject {
     bench.set("stamp", PropertyValue(99.0));  // there is none
     bench.set("stamp", PropertyValue(0.0));
     QVERIFY(!bench.tool->feelAtDevice().isCutting);
+  }
+
+  // Strokes go on the layer and off with it; while it is weak they are refused, but those of a mask.
+  void layers() {
+    ClayBench bench;
+    int refusals = 0;
+    bench.tool->whenRefused([&] { ++refusals; });
+    const auto change = [&](const LayerStep& step) { bench.document.commit("layer", step.edit()); };
+    const double before = bench.document.volume()->volume.material();
+    change(withNewLayer(*bench.document.volume(), "first"));
+    bench.choose(ClayAction::Carve);
+    bench.set("radius", PropertyValue(4.0));
+    bench.stroke(-5.0, 5.0);
+    QCOMPARE(bench.steps(), 2);
+    const auto carved = bench.document.volume();
+    QVERIFY(carved->volume.material() < before);
+    QVERIFY(!carved->layers->all()[0].change->blocks().empty());
+    change(withLayerShare(*carved, 0, 1.0, false));
+    QCOMPARE(bench.document.volume()->volume.material(), before);
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
+    QVERIFY(!bench.tool->isLive());
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    QCOMPARE(refusals, 1);
+    QCOMPARE(bench.steps(), 3);
+    bench.choose(ClayAction::Mask);
+    bench.stroke(-5.0, 5.0);
+    QCOMPARE(bench.steps(), 4);
+    QVERIFY(bench.document.volume()->mask);
+    QCOMPARE(refusals, 1);
+    bench.document.history()->undo();
+    bench.document.history()->undo();
+    QCOMPARE(bench.document.volume()->volume.material(), carved->volume.material());
+    bench.document.history()->undo();
+    QCOMPARE(bench.document.volume()->volume.material(), before);
+    QVERIFY(bench.document.volume()->layers->all()[0].change->blocks().empty());
   }
 
   // A device carves where its tip is: outside of the clay as through air.

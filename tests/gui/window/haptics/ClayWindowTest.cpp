@@ -9,6 +9,9 @@
 #include "window/documents/DocumentTabs.h"
 #include "window/tools/ToolHost.h"
 
+#include <QListWidget>
+#include <QSlider>
+
 using namespace handwheel;
 using namespace handwheel::test;
 
@@ -201,6 +204,47 @@ class ClayWindowTest : public QObject {
     QTest::mouseRelease(clay.view, Qt::LeftButton, {}, middle + QPoint(40, 0));
     QCOMPARE(clay.document().volume(), before);
     QCOMPARE(clay.document().history()->count(), 0);
+  }
+
+  // A layer is added in its panel, sculpted on, weakened by one drag, turned off and merged; each is an undo step.
+  void layers() {
+    ClayWindow clay;
+    QVERIFY(clay.begin());
+    const auto material = [&] { return clay.document().volume()->volume.material(); };
+    const auto steps = [&] { return clay.document().history()->index(); };
+    const double ball = material();
+    clay.driver.choose("clayLayersToggle");
+    auto* const list = clay.driver.find<QListWidget>("clayLayers");
+    QTRY_VERIFY_WITH_TIMEOUT(list->isVisible(), kPatienceMs);
+    clay.driver.click("clayLayerAdd");
+    QCOMPARE(list->count(), 1);
+    QVERIFY(clay.rests());
+    QTRY_VERIFY_WITH_TIMEOUT(clay.view->isPickingReady(), kPatienceMs);
+    const QPoint middle = clay.view->rect().center();
+    clay.stroke(middle - QPoint(40, 0), middle + QPoint(40, 0));
+    QTRY_COMPARE_WITH_TIMEOUT(steps(), 2, kPatienceMs);
+    const double carved = material();
+    QVERIFY(carved < ball);
+    auto* const strength = clay.driver.find<QSlider>("clayLayerStrength");
+    strength->setSliderDown(true);
+    for (const int value : {80, 60, 50}) strength->setValue(value);
+    strength->setSliderDown(false);
+    QCOMPARE(steps(), 3);
+    QVERIFY(material() > carved && material() < ball);
+    list->item(0)->setCheckState(Qt::Unchecked);
+    QCOMPARE(steps(), 4);
+    QCOMPARE(material(), ball);
+    list->item(0)->setText(QStringLiteral("Groove"));
+    QCOMPARE(steps(), 5);
+    QCOMPARE(clay.document().volume()->layers->all()[0].name, std::string("Groove"));
+    for (int i = 0; i < 3; ++i) clay.document().history()->undo();
+    QCOMPARE(material(), carved);
+    QCOMPARE(strength->value(), 100);
+    QCOMPARE(list->item(0)->checkState(), Qt::Checked);
+    clay.driver.click("clayLayerMerge");
+    QCOMPARE(list->count(), 0);
+    QVERIFY(!clay.document().volume()->layers);
+    QCOMPARE(material(), carved);
   }
 
   // The hand feels the ball with a tool and without; pressed with the button held it carves.
