@@ -13,7 +13,7 @@
 namespace handwheel {
 namespace {
 
-constexpr int kDeepest = VolumeBlock::kFull - 1;  // of samples that a share of a layer gives
+constexpr int kDeepestSample = VolumeBlock::kFull - 1;  // of samples that a share of a layer gives
 
 using BlockDepths = std::array<float, VolumeBlock::kCount>;
 
@@ -45,7 +45,7 @@ SparseVolume::Content withShare(const SparseVolume::Content& below, const ClayLa
     const std::int16_t sample = block->depths[i];
     float depth = static_cast<float>(sample) * static_cast<float>(1.0 / VolumeBlock::kUnit);
     // Where the surface below is further away than depths tell, it is about as far as when the layer was made.
-    if (std::abs(static_cast<int>(sample)) >= kDeepest)
+    if (std::abs(static_cast<int>(sample)) >= kDeepestSample)
       depth = std::copysign(std::max(kLimit, std::abs(layer.base[i])), depth);
     depths[i] = depth + static_cast<float>(share) * layer.change[i];
   }
@@ -58,7 +58,7 @@ SparseVolume::Content withShare(const SparseVolume::Content& below, const ClayLa
         // lies between it and its neighbours whatever these are.
         if (layer.change[i] == 0.0f) continue;
         const int sample = depthSample(static_cast<double>(depths[i] / slope));
-        block->depths[i] = static_cast<std::int16_t>(std::clamp(sample, -kDeepest, kDeepest));
+        block->depths[i] = static_cast<std::int16_t>(std::clamp(sample, -kDeepestSample, kDeepestSample));
       }
   return contentOf(std::move(block));
 }

@@ -109,6 +109,8 @@ void VolumeKind::save(const Snapshot& content, Container& container) const {
   writeVolume(volumeOf(content).volume, container);
   (*container.manifest)["document"]["source"] = volumeOf(content).source;
   if (const auto& mask = volumeOf(content).mask) writeMask(*mask, container);
+  // Null where there are none, so that layers that could not be read are not kept as what a newer program wrote.
+  (*container.manifest)["document"]["layers"] = nullptr;
   if (const auto& layers = volumeOf(content).layers) writeLayers(*layers, volumeOf(content).volume, container);
   writeHoles(volumeOf(content).holes, container);
   if (const auto& scan = volumeOf(content).scan) writeScan(scan->image, volumeOf(content).segment, container);

@@ -31,7 +31,7 @@ std::unique_ptr<VolumeDocument> ballDocument(const VolumeKind& kind) {
 }
 
 // As the clay tool does a stroke.
-void dab(VolumeDocument& document, ClayAction action, const Vec3& centre, double radius) {
+void strokeOn(VolumeDocument& document, ClayAction action, const Vec3& centre, double radius) {
   auto after = std::make_shared<VolumeSnapshot>(*document.volume());
   ClayDab dab;
   dab.action = action;
@@ -81,7 +81,7 @@ void randomStep(VolumeDocument& document, std::mt19937& random) {
     document.commit("share", withLayerShare(now, layer, strength, random() % 4 != 0).edit());
   } else if (takesStrokes(now)) {
     const Vec3 centre = kBall * Vec3(below(2.0) - 1.0, below(2.0) - 1.0, below(2.0) - 1.0);
-    dab(document, random() % 2 == 0 ? ClayAction::Add : ClayAction::Carve, centre, 0.5 + below(1.5));
+    strokeOn(document, random() % 2 == 0 ? ClayAction::Add : ClayAction::Carve, centre, 0.5 + below(1.5));
   } else {
     document.commit("share", withLayerShare(now, count - 1, 1.0, true).edit());
   }
@@ -150,7 +150,7 @@ class LayerStepsTest : public QObject {
     const auto document = ballDocument(kind);
     const double ball = document->volume()->volume.material();
     document->commit("add", withNewLayer(*document->volume(), "nose").edit());
-    dab(*document, ClayAction::Add, Vec3(0, 0, kBall), 1.5);
+    strokeOn(*document, ClayAction::Add, Vec3(0, 0, kBall), 1.5);
     const double full = document->volume()->volume.material();
     QVERIFY(full > ball);
     for (const double strength : {0.8, 0.5, 0.3})
@@ -206,7 +206,7 @@ class LayerStepsTest : public QObject {
     const VolumeKind kind;
     const auto document = ballDocument(kind);
     document->commit("add", withNewLayer(*document->volume(), "a").edit());
-    dab(*document, ClayAction::Carve, Vec3(0, 0, kBall), 1.5);
+    strokeOn(*document, ClayAction::Carve, Vec3(0, 0, kBall), 1.5);
     const VolumeSnapshot& value = *document->volume();
     const auto stack = [](Container& container) -> json& {
       return (*container.manifest)["document"]["layers"]["stack"];
