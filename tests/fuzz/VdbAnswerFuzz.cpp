@@ -9,7 +9,7 @@
 
 // Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The input is what the process that
 // reads VDB answers: a hostile file may have taken it over. What hostile files do to that process itself, where no
-// coverage guides, is in VdbFileTest.
+// coverage guides, is in VdbFileFuzz.
 
 using namespace handwheel;
 

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace handwheel::fuzz {
+
+// A good file with changes: eight bytes of the input each. A library that reads in a process of its own gives no
+// coverage, so files that are random from the start would all be refused at the door.
+inline std::string changedFile(std::string file, const std::uint8_t* data, std::size_t size) {
+  constexpr std::size_t kBytes = 8, kMostChanges = 16;
+  constexpr std::size_t kHead = 600;  // bytes that steer the reader
+  const std::size_t count = std::min(size / kBytes, kMostChanges);
+  for (std::size_t i = 0; i < count && !file.empty(); ++i) {
+    const std::uint8_t* const change = data + i * kBytes;
+    const std::size_t place = std::size_t{change[1]} | std::size_t{change[2]} << 8 | std::size_t{change[3]} << 16;
+    const std::size_t at = place % ((change[0] & 8) != 0 ? std::min(kHead, file.size()) : file.size());
+    const auto* const number = reinterpret_cast<const char*>(change + 4);
+    switch (change[0] & 7) {
+      case 0:  // cut off
+        file.resize(at);
+        break;
+      case 1:
+        file.erase(at, std::size_t{change[4]} + 1);
+        break;
+      case 2:
+        file.insert(at, file.substr((std::size_t{change[4]} | std::size_t{change[5]} << 8) % file.size(), change[6]));
+        break;
+      case 3:
+        file.insert(at, std::string(std::size_t{change[5]} + 1, static_cast<char>(change[4])));
+        break;
+      case 4:  // a number at its limits
+        file.replace(at, 4, 4, static_cast<char>((change[4] & 1) * 255));
+        break;
+      case 5:
+        file.replace(at, 4, number, 4);
+        break;
+      default:
+        file[at] = number[0];
+    }
+  }
+  return file;
+}
+
+// What readers in a process of their own promise of a file that they refuse.
+inline void requireReaderError(ErrorCode code, const char* fuzzer) {
+  if (code == ErrorCode::LibraryFailed || code == ErrorCode::OutOfMemory) return;
+  std::fprintf(stderr, "%s: an error that no reader of its kind gives\n", fuzzer);
+  std::abort();
+}
+
+}  // namespace handwheel::fuzz
