@@ -12,6 +12,7 @@
 #include "cli/volume/BooleanCommand.h"
 #include "cli/volume/ClayCommand.h"
 #include "cli/volume/DrillCommand.h"
+#include "cli/volume/DrillExperimentCommand.h"
 #include "cli/volume/OutputName.h"
 #include "cli/volume/SegmentCommand.h"
 #include "cli/volume/VolumeFiles.h"
@@ -213,6 +214,7 @@ std::vector<Command> volumeCommands() {
   for (Command& command : wallCommands()) commands.push_back(std::move(command));
   commands.push_back(clayCommand());
   commands.push_back(drillCommand());
+  commands.push_back(drillExperimentCommand());
   commands.push_back(segmentCommand());
   return commands;
 }

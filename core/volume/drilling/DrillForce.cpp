@@ -21,6 +21,12 @@ DrillLoad referenceLoad(const DrillTool& tool, double strength, double pressure,
           5.0 * pressure * feed * tool.diameter * tool.diameter / 8.0};
 }
 
+DrillLoad agreeingReference(const DrillMaterial& material, const DrillTool& tool, double feed, double spindle) {
+  const double turns = std::abs(spindle) / (2.0 * M_PI);
+  if (!(turns > 0.0)) return {};
+  return referenceLoad(tool, material.energy / (2.0 * material.tangential), material.energy / 5.0, feed / turns);
+}
+
 double drillVoxel(double feed, double rate, double levels, double step) {
   return levels * feed / (step * rate);
 }

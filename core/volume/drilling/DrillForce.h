@@ -24,6 +24,10 @@ DrillLoad drillLoad(const DrillMaterial& material, const DrillTool& tool, double
 // it says nothing.
 DrillLoad referenceLoad(const DrillTool& tool, double strength, double pressure, double feed);
 
+// The same with the constants by which both laws agree on a ball deep in the material: Ks = kp / (2 ktc), Ru = kp / 5.
+// feed: mm/s; spindle: rad/s. Nothing where it does not turn.
+DrillLoad agreeingReference(const DrillMaterial& material, const DrillTool& tool, double feed, double spindle);
+
 // The voxel at which a head at this feed, mm/s, takes whole steps of density in each cycle of the servo loop, rate in
 // Hz: (3-20). levels: s, of density; step: Δs.
 double drillVoxel(double feed, double rate, double levels = 255.0, double step = 1.0);

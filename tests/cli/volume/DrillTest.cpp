@@ -138,6 +138,24 @@ class DrillTest : public QObject {
     QCOMPARE(alone.code, 1);
     QVERIFY(alone.out.isEmpty() && alone.err.contains("b.off"));
   }
+
+  // The curves of He's runs have the shapes that he states.
+  void experiments() {
+    const Bench bench;
+    const Ran ran = bench.run({"drill-experiments", "resolution", "--plot", "runs.csv", "--json"});
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto experiment = drillJson(ran.out)["experiments"][0];
+    QCOMPARE(experiment["holes"].size(), std::size_t{3});
+    QCOMPARE(experiment["checks"].size(), std::size_t{4});
+    for (const auto& check : experiment["checks"]) QVERIFY(check["holds"].get<bool>());
+    const QByteArray points = bench.content("runs.csv");
+    for (const char* const series : {"Handwheel", "He 2008", "Balance of energy", "(3-22)", "(3-23)"})
+      QVERIFY(points.contains(series));
+    const Ran unknown = bench.run({"drill-experiments", "speed"});
+    QCOMPARE(unknown.code, 1);
+    QVERIFY(unknown.err.contains("There is no experiment speed"));
+  }
 };
 
 HANDWHEEL_TEST(DrillTest)

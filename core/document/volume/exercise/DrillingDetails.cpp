@@ -47,10 +47,8 @@ void addBreakthrough(ReportCurve& curve, const std::vector<DrillMoment>& moments
 
 // By the reference laws of He 2008, (3-22) and (3-23), while the drill cuts.
 DrillLoad referenceAt(const DrillSetup& setup, const DrillMoment& moment) {
-  const double turns = std::abs(setup.spindle) / (2.0 * M_PI);
-  if (!moment.isCutting || !(turns > 0.0)) return {};
-  return referenceLoad(setup.tool, setup.material.energy / (2.0 * setup.material.tangential),
-                       setup.material.energy / 5.0, moment.feed / turns);
+  if (!moment.isCutting) return {};
+  return agreeingReference(setup.material, setup.tool, moment.feed, setup.spindle);
 }
 
 template <class IsNow>
