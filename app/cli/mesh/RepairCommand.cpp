@@ -129,7 +129,8 @@ CommandSpec repairSpec() {
       {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report and in 3MF, nothing is scaled"},
       {"partial", 0, "", "Read the undamaged part of a damaged file"},
       {"report", 0, "FILE",
-       "Write figures before and after, and the result of each loop, as JSON; with several files, of each file"},
+       "Write figures before and after, and the result of each loop, as JSON; with several files, of each file.\n"
+       "--by both, several files: the table, as .csv or .html"},
       {"screenshot", 0, "PNG", "Draw the result; the repair does not depend on it"},
       {"json", 0, "", "Print the result of each file as one line of JSON"},
       {"jobs", 'j', "N", "Repair many: N files at a time, 1 (default) to 64"},

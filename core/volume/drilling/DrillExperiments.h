@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// What a reference run of He (2008) changes from hole to hole: figures 3-38, and 3-40 to 3-42.
+// What a reference run of He (2008, 3.3) changes from hole to hole.
 enum class DrillExperiment { Resolution, Erosion, Radius, Feed };
 inline constexpr std::array kDrillExperiments{DrillExperiment::Resolution, DrillExperiment::Erosion,
                                               DrillExperiment::Radius, DrillExperiment::Feed};

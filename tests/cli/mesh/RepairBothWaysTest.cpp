@@ -81,6 +81,40 @@ class RepairBothWaysTest : public QObject {
     QVERIFY(bench.names().contains("b.off"));
   }
 
+  // One table over several files. What fails is a row, and the others go on.
+  void severalFiles() {
+    const Bench bench;
+    Shape open = cube(10.0);
+    open.faces.pop_back();
+    bench.put("a, open.off", open.off());
+    bench.put("flat.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
+    bench.put("none.off", "OFF\n");
+    const QStringList words{"repair", "a, open.off", "flat.off", "none.off", "-o",
+                            "out",    "--by",        "both",     "--voxel",  "0.5"};
+    const Ran table = bench.run(words + QStringList{"--report", "t.csv"});
+    QCOMPARE(table.code, 1);
+    QVERIFY2(table.out.contains("encloses no volume"), table.out.constData());
+    const QList<QByteArray> lines = bench.content("t.csv").trimmed().split('\n');
+    QCOMPARE(lines.size(), 6);  // of a header, twice two ways, and a failure
+    QVERIFY2(lines[1].startsWith("\"a, open.off\",triangles,yes,") && lines[1].contains(",12,"), lines[1]);
+    QVERIFY2(lines[2].startsWith("\"a, open.off\",volume,yes,"), lines[2]);
+    QVERIFY2(lines[3].startsWith("flat.off,triangles,no,") && lines[4].startsWith("flat.off,volume,no,"), lines[4]);
+    QVERIFY2(lines[5].startsWith("none.off,,no,no result,"), lines[5]);
+    QCOMPARE(inspected(bench, "out/a, open.off").at("volume_mm3").get<double>(), 1000.0);
+    // A folder, too.
+    QVERIFY(QDir(bench.path()).mkdir("in"));
+    bench.put("in/open.off", open.off());
+    const Ran folder =
+        bench.run({"repair", "in", "-o", "all", "--by", "both", "--voxel", "0.5", "--report", "t.html", "--json"});
+    QCOMPARE(folder.code, 0);
+    const auto repairs = nlohmann::json::parse(folder.out.toStdString())["repairs"];
+    QCOMPARE(repairs.size(), std::size_t{2});
+    QVERIFY(repairs[0]["written"].get<bool>() && !repairs[1]["written"].get<bool>());
+    QCOMPARE(bench.content("t.html").count("<tr>"), 3);
+    QVERIFY(!bench.content("all/open.off").isEmpty());
+    QCOMPARE(bench.run(words + QStringList{"--report", "t.json"}).code, 1);
+  }
+
   void refusals() {
     const Bench bench;
     bench.put("a.off", cube(10.0).off());
