@@ -35,7 +35,8 @@ struct ClosedSurfaceInVoxels {
 double nearShare(const SparseVolume& volume, const std::vector<Vec3>& places, const Progress& progress);
 
 // The error where a volume is none of the surface that it was made of: it kept less than kLeastKept of what bounds it,
-// or of what it encloses. Errors: VolumeErrors::SurfaceIsLost, MaterialIsLost. expected: mm³, that it has to hold.
+// or of what it encloses, by its samples and up to its surface. Errors: VolumeErrors::SurfaceIsLost, MaterialIsLost.
+// expected: mm³, that it has to hold.
 std::optional<Error> lossRefusal(const SparseVolume& volume, double nearShare, double expected);
 
 // wideFrom: as of closeBoundaries(). alignedTo: as of volumeOfSurface(). O(n log n). Errors: MeshError::NoTriangles,

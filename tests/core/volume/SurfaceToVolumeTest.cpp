@@ -223,6 +223,23 @@ class SurfaceToVolumeTest : public QObject {
     QVERIFY(volumeOfSurface(thrice, 0.5).hasValue());
   }
 
+  // A cube of two voxels or more keeps its surface, wherever its faces lie between samples, or on them: of four voxels
+  // with faces on samples 27 of 64 voxels are inside by their samples.
+  void smallCubesStay() {
+    static constexpr double kVoxel = 0.5;
+    const auto isKept = [](double voxels, const Vec3& offset) {
+      const Result<SurfaceVolume> made =
+          volumeOfSurface(cube(kVoxel * voxels, kVoxel * offset), kVoxel, {}, Vec3(Vec3::Zero()));
+      return made.hasValue();
+    };
+    for (const double voxels : {2.0, 3.0, 4.0, 4.8, 5.0, 6.0}) QVERIFY(isKept(voxels, Vec3::Zero()));
+    QVERIFY(rc::check([&] {
+      const auto tenths = [](int low, int high) { return 0.1 * *rc::gen::inRange(low, high); };
+      const double voxels = tenths(20, 80);
+      RC_ASSERT(isKept(voxels, Vec3(tenths(0, 11), tenths(0, 11), tenths(0, 11))));
+    }));
+  }
+
   // Where a surface takes all of the time, half of the voxel takes four times as long.
   void secondsArePredicted() {
     const double area = 75.0 * 90.0 * 6.0;  // mm²
