@@ -102,6 +102,12 @@ void HybridPart::keep(std::span<const VoxelIndex> blocks) {
   count();
 }
 
+std::vector<VoxelIndex> HybridPart::cutBlocks() const {
+  std::vector<VoxelIndex> blocks;
+  for (const Key& key : m_cut) blocks.push_back(hybridIndex(key));
+  return blocks;
+}
+
 double HybridPart::depthBefore(const Vec3& place) {
   const Vec3 at = (place - m_before.origin()) / m_before.voxel();
   if (at.allFinite() && m_extent.contains(at)) {

@@ -14,6 +14,7 @@
 #include <memory>
 #include <set>
 #include <span>
+#include <vector>
 
 namespace handwheel {
 
@@ -49,6 +50,7 @@ class HybridPart {
   void make(std::span<const VoxelIndex> tiles);
   // Blocks of left() that were changed: they are kept.
   void keep(std::span<const VoxelIndex> blocks);
+  std::vector<VoxelIndex> cutBlocks() const;  // all that were kept, in one order
   // How deep a place was below the surface before anything was cut, mm; as VolumeReader::depthAt(). Makes what it
   // needs.
   double depthBefore(const Vec3& place);

@@ -13,13 +13,16 @@
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "document/formats/MeshExport.h"
+#include "document/mesh/MeshSnapshot.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "document/volume/exercise/DrillingTask.h"
 #include "tools/volume/DrillOperation.h"
 #include "volume/VolumeErrors.h"
 #include "volume/drilling/DrillProgram.h"
+#include "volume/drilling/DrilledTriangles.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
@@ -33,6 +36,8 @@ struct DrillRequest {
   fs::path part, path, output, forces;
   ReadOptions read;
   bool isWhole = false;  // voxels are made of all of the part
+
+  bool isMeshWritten() const { return !output.empty() && !isContainerName(output); }
 };
 
 // The voxels that were made of triangles.
@@ -49,7 +54,30 @@ struct DrillAnswer {
   double voxel = 0.0;
   std::shared_ptr<const VolumeSnapshot> before;  // of a part that is a volume
   std::optional<MadeVoxels> made;                // of any other
+  std::optional<Subtraction> joined;             // the triangles of the part with the hole, where a mesh is written
+  std::string notJoined;                         // why it is the surface of all voxels
 };
+
+NumberType numbersIn(const OpenedFile& opened) {
+  const auto mesh = std::dynamic_pointer_cast<const MeshSnapshot>(opened.content);
+  return mesh ? mesh->numbers : NumberType::Float64;
+}
+
+std::string reasonOf(SubtractionProblem problem) {
+  switch (problem) {
+    case SubtractionProblem::None:
+      break;
+    case SubtractionProblem::NotClosed:
+      return "the part is not closed and manifold";
+    case SubtractionProblem::IntersectsItself:
+      return "the part intersects itself";
+    case SubtractionProblem::TooManyIntersections:
+      return "the hole meets too many triangles";
+    case SubtractionProblem::Unsound:
+      return "the triangles could not be joined soundly";
+  }
+  return {};
+}
 
 // The mean speed of the head while it moves, mm/s.
 double feedOf(const std::vector<HandPose>& poses) {
@@ -91,9 +119,15 @@ std::string forcesText(const Drilled& drilled) {
   return text;
 }
 
-Status writeResults(const DrillRequest& request, const DrillAnswer& done, const DocumentKinds& kinds,
-                    Progress progress) {
-  if (!request.output.empty()) {
+// numbers: of the part.
+Status writeResults(const DrillRequest& request, const DrillAnswer& done, NumberType numbers,
+                    const DocumentKinds& kinds, Progress progress) {
+  if (done.joined) {
+    const HalfEdgeMesh& mesh = done.joined->mesh;
+    if (mesh.liveFaceCount() == 0) return Error{VolumeErrors::NothingLeft, {}, {}, {}};
+    const Result<ExportReport> written = exportMesh(mesh, numbers, request.output, progress);
+    if (!written) return written.error();
+  } else if (!request.output.empty()) {
     const DocumentKind& kind = *kinds.withId("volume");
     DocumentFile file;
     file.displayUnit = done.file.displayUnit;
@@ -133,18 +167,40 @@ Status drillWhole(const DrillRequest& request, const OpenedFile& opened, const P
   return Done{};
 }
 
-// Drills a part that gets voxels near the head only. False: they are not certain to be those of the whole part, and
-// nothing is drilled.
+// Puts the hole into the triangles of the part, where a mesh is written. False: into its voxels it has to go.
+Result<bool> joinHole(const DrillRequest& request, const OpenedFile& opened, const HybridPart& part, DrillAnswer& done,
+                      Progress progress) {
+  const Result<MeshFormat> format = formatForOutput(request.output);
+  if (!format) return format.error();
+  Subtraction joined = drilledTriangles(placedSoup(opened.kind->display(*opened.content)), part, *done.drilled.hole,
+                                        numberTypeOf(*format, numbersIn(opened)), progress);
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  done.notJoined = reasonOf(joined.problem);
+  if (joined.problem == SubtractionProblem::None) done.joined = std::move(joined);
+  return done.joined.has_value();
+}
+
+// Drills a part that gets voxels near the head only. False: they are not certain to be those of the whole part, or a
+// mesh of it cannot be made of them, and nothing is drilled.
 Result<bool> drillHybrid(const DrillRequest& request, const OpenedFile& opened, const PoseTrajectory& path, double rate,
                          DrillAnswer& done, Progress progress) {
-  Result<HybridPart> part = hybridOf(opened, request.part, done.voxel, progress.part(0.0, 0.4));
+  if (request.isMeshWritten() && std::isfinite(done.setup.erosion)) {
+    done.notJoined = "--erosion leaves material in the head";
+    return false;
+  }
+  if (request.isMeshWritten()) done.notJoined = "voxels near the head are not certain to be those of the whole part";
+  Result<HybridPart> part = hybridOf(opened, request.part, done.voxel, progress.part(0.0, 0.3));
   // Bodies that are inside out can outweigh sound ones, which voxels tell.
   if (!part && part.error().code == VolumeErrors::NothingInside) return false;
   if (!part) return part.error();
-  Result<Drilled> drilled = drillAlong(*part, done.setup, path, rate, progress.part(0.4, 1.0));
+  Result<Drilled> drilled = drillAlong(*part, done.setup, path, rate, progress.part(0.3, 0.7));
   if (!drilled) return drilled.error();
   if (!part->isExact()) return false;
   done.drilled = std::move(*drilled);
+  if (request.isMeshWritten()) {
+    const Result<bool> isJoined = joinHole(request, opened, *part, done, progress.part(0.7, 1.0));
+    if (!isJoined || !*isJoined) return isJoined;
+  }
   const HybridPart::Figures& figures = part->figures();
   done.made = MadeVoxels{true, figures.blocksMade, figures.mostBlocks, figures.mostBytes};
   return true;
@@ -156,7 +212,7 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   if (!setup) return setup.error();
   const Result<OpenedFile> opened = kinds.open(request.part, request.read, progress.part(0.0, 0.1));
   if (!opened) return opened.error();
-  DrillAnswer done{opened->file, {}, {}, *setup, 0.0, {}, {}};
+  DrillAnswer done{opened->file, {}, {}, *setup, 0.0, {}, {}, {}, {}};
   if (const auto before = volumeIn(*opened)) {
     done.before = before;
   } else {
@@ -169,9 +225,9 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   const double rate = values.number("rate"), feed = feedOf(poses);
   done.voxel = values.given("voxel").value_or(feed > 0.0 ? drillVoxel(feed, rate) : kVoxelAtRest);
   const PoseTrajectory path(poses);
-  // All voxels are needed where the part is saved.
+  // All voxels are needed where they are saved.
   bool isDrilled = false;
-  if (!done.before && !request.isWhole && request.output.empty()) {
+  if (!done.before && !request.isWhole && (request.output.empty() || request.isMeshWritten())) {
     const Result<bool> hybrid = drillHybrid(request, *opened, path, rate, done, progress.part(0.1, 0.5));
     if (!hybrid) return hybrid.error();
     isDrilled = *hybrid;
@@ -179,7 +235,7 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   if (!isDrilled)
     if (const Status whole = drillWhole(request, *opened, path, rate, notice, done, progress.part(0.5, 0.8)); !whole)
       return whole.error();
-  const Status written = writeResults(request, done, kinds, progress.part(0.8, 1.0));
+  const Status written = writeResults(request, done, numbersIn(*opened), kinds, progress.part(0.8, 1.0));
   if (!written) return written.error();
   return done;
 }
@@ -203,6 +259,13 @@ nlohmann::ordered_json reportOf(const DrillAnswer& done, const MemoryNotice& not
     report["voxels_at_most"] = VolumeBlock::kCount * done.made->mostBlocks;
     report["voxel_MB_at_most"] = static_cast<double>(done.made->mostBytes) / 1e6;
   }
+  if (done.joined || !done.notJoined.empty()) report["joined"] = done.joined.has_value();
+  if (done.joined) {
+    report["triangles"] = done.joined->mesh.liveFaceCount();
+    report["kept_triangles"] = done.joined->kept;
+  } else if (!done.notJoined.empty()) {
+    report["not_joined"] = done.notJoined;
+  }
   notice.addTo(report);
   return report;
 }
@@ -215,6 +278,10 @@ std::string textOf(const DrillAnswer& done) {
   if (done.made)
     text += "Voxels were made " + std::string(done.made->isHybrid ? "near the head" : "of all of the part") +
             ": at most " + roundedText(static_cast<double>(done.made->mostBytes) / 1e6, 3) + " MB.\n";
+  if (done.joined)
+    text += "The hole is in the triangles of the part: " + std::to_string(done.joined->kept) + " of " +
+            std::to_string(done.joined->mesh.liveFaceCount()) + " are as they were.\n";
+  if (!done.notJoined.empty()) text += "The surface of all voxels was written, because " + done.notJoined + ".\n";
   if (drilled.breakthrough) text += "Breakthrough after " + roundedText(*drilled.breakthrough, 5) + " s.\n";
   if (!done.setup.material.isVerified)
     text += "The constants of " + done.setup.material.id + " are not verified: " + done.setup.material.source + ".\n";
@@ -227,8 +294,10 @@ CommandSpec drillSpec() {
       "PART",
       "Drills a part along the path of a head and reports thrust, torque and work. Only the head removes "
       "material; its shank\npoints up, along z. The part may be any document. Of triangles, voxels are made near the "
-      "head only, unless the drilled\npart is saved. Work on an exercise is drilled with the exercise's drill, along "
-      "its planned path, and can be handed in.\nExit code 0: done; 1: error.",
+      "head only, and a mesh (-o) has\nthe hole in the triangles of the part; a volume takes voxels of all of the "
+      "part. "
+      "Work on an exercise is drilled with the\nexercise's drill, along its planned path, and can be handed in.\n"
+      "Exit code 0: done; 1: error.",
       {{"path", 0, "FILE", "The head's centre: CSV with the columns t_s, x_mm, y_mm, z_mm"},
        {"program", 0, "FILE", "Or a program: G0, G1, G81 to G83; X, Y, Z of the foremost point, S the spindle"},
        {"output", 'o', "OUT", "The drilled part: a .handwheel, or a mesh"},

@@ -69,6 +69,64 @@ class DrillTest : public QObject {
     QVERIFY(figures["voxel_MB_at_most"].get<double>() < 10.0 && figures["voxels_made"].get<double>() > 0.0);
   }
 
+  // A mesh has the hole in the triangles of the part, whether its numbers are those of STL or not: the volume is that
+  // of the cube less the hole, and the eight triangles of the sides are as they were.
+  void holeInTheTriangles() {
+    const Bench bench;
+    bench.put("a.off", cube(20.0).off());
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.3,9.4,23\n1,10.3,9.4,-4\n");
+    const QStringList words{"drill",   "a.off", "--path", "p.csv", "--tool", "ball:4",
+                            "--voxel", "0.25",  "--rate", "200",   "-o"};
+    for (const QString name : {"b.off", "b.stl"}) {
+      const Ran ran = bench.run(QStringList(words) << name << "--json");
+      QCOMPARE(ran.err, QByteArray());
+      QCOMPARE(ran.code, 0);
+      const auto figures = drillJson(ran.out);
+      QVERIFY(figures["hybrid"].get<bool>() && figures["joined"].get<bool>() && !figures.contains("not_joined"));
+      QCOMPARE(figures["kept_triangles"].get<int>(), 8);
+      const auto mesh = drillJson(bench.run({"inspect", name, "--json"}).out);
+      QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
+      QCOMPARE(mesh["self_intersecting_pairs"].get<int>(), 0);
+      QCOMPARE(mesh["triangles"].get<int>(), figures["triangles"].get<int>());
+      const double hole = 8000.0 - mesh["volume_mm3"].get<double>();
+      QVERIFY2(std::abs(hole / (M_PI * 4.0 * 20.0) - 1.0) < 0.01, QByteArray::number(hole));
+    }
+    QVERIFY(bench.run(QStringList(words) << "c.ply").out.contains("8 of"));
+    const auto whole = drillJson(bench
+                                     .run(QStringList(words) << "d.off"
+                                                             << "--whole"
+                                                             << "--json")
+                                     .out);
+    QVERIFY(!whole["hybrid"].get<bool>() && !whole.contains("joined"));
+  }
+
+  // Where that cannot be, the surface of all voxels is written, and the report says why.
+  void holeInTheVoxels_data() {
+    QTest::addColumn<bool>("isOpen");
+    QTest::addColumn<QStringList>("more");
+    QTest::newRow("open part") << true << QStringList{};
+    QTest::newRow("material left in the head") << false << QStringList{"--erosion", "2"};
+  }
+  void holeInTheVoxels() {
+    QFETCH(bool, isOpen);
+    QFETCH(QStringList, more);
+    const Bench bench;
+    bench.put("a.off", isOpen ? openCube(20.0).off() : cube(20.0).off());
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.3,9.4,23\n1,10.3,9.4,-4\n");
+    const QStringList words = QStringList{"drill",   "a.off", "--path", "p.csv", "--tool", "ball:4",
+                                          "--voxel", "0.25",  "--rate", "200",   "-o",     "b.off"} +
+                              more;
+    const Ran ran = bench.run(QStringList(words) << "--json");
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto figures = drillJson(ran.out);
+    QVERIFY(!figures["hybrid"].get<bool>() && !figures["joined"].get<bool>());
+    QVERIFY(!figures["not_joined"].get<std::string>().empty());
+    const auto mesh = drillJson(bench.run({"inspect", "b.off", "--json"}).out);
+    QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
+    QVERIFY(bench.run(words).out.contains("because"));
+  }
+
   // Columns that a path does not need may hold anything, also those that number the strokes of a hand elsewhere.
   void otherColumns() {
     const Bench bench;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/repair/intersections/Autorefinement.h"
 
-#include "base/Tolerance.h"
 #include "mesh/structure/BitRange.h"
 #include "mesh/structure/DisjointSets.h"
 #include "mesh/structure/EdgeTable.h"
@@ -161,8 +160,9 @@ int bitsOf(const TriangleSoup& soup, std::span<const TrianglePair> pairs) {
 
 class Cutter {
  public:
-  Cutter(const TriangleSoup& soup, const SharedPlanes& planes, NumberType numbers, Progress progress)
-      : m_soup(soup), m_planes(planes), m_numbers(numbers), m_progress(progress) {
+  Cutter(const TriangleSoup& soup, const SharedPlanes& planes, NumberType numbers, std::size_t mostCuts,
+         Progress progress)
+      : m_soup(soup), m_planes(planes), m_numbers(numbers), m_mostCuts(mostCuts), m_progress(progress) {
     for (const auto& [v, of] : planes.planesOf) m_placeOf.emplace(v, placeIn(of, soup.points[v]));
   }
 
@@ -186,7 +186,7 @@ class Cutter {
     }
     markMoved();
     for (const auto& [t, marks] : m_marks) {
-      if (marks.segments.size() > tolerance::kCutsPerFace) return cuts;
+      if (marks.segments.size() > m_mostCuts) return cuts;
     }
     spreadOverEdges();
     keepCorners();
@@ -380,6 +380,7 @@ class Cutter {
   const TriangleSoup& m_soup;
   const SharedPlanes& m_planes;
   NumberType m_numbers;
+  std::size_t m_mostCuts;
   Progress m_progress;
   std::size_t m_exactSteps = 0;               // of Effort, for each point
   std::map<std::uint32_t, Point3> m_placeOf;  // by point of the soup, of those in planes
@@ -394,10 +395,10 @@ class Cutter {
 }  // namespace
 
 Autorefinement autorefine(const TriangleSoup& soup, std::span<const TrianglePair> pairs, NumberType numbers,
-                          Progress progress, const SharedPlanes& planes) {
+                          Progress progress, const SharedPlanes& planes, std::size_t mostCuts) {
   const QuietCgal quiet;
   try {
-    return Cutter(soup, planes, numbers, progress).run(pairs);
+    return Cutter(soup, planes, numbers, mostCuts, progress).run(pairs);
   } catch (const std::bad_alloc&) {
     throw;                           // for lack of memory nothing is done in another way
   } catch (const std::exception&) {  // a precondition of the library

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "base/Tolerance.h"
 #include "mesh/repair/intersections/SharedPlanes.h"
 #include "mesh/structure/TriangleSoup.h"
 #include "proximity/SelfIntersection.h"
@@ -25,11 +26,12 @@ struct Autorefinement {
 // points rounded to numbers: pieces that lose a corner by it are left out, so what was closed stays closed, and a piece
 // may come to lie across another by the last digit. Indices of points of the soup that share a position must be equal;
 // triangles must have area. O(m log m) for m intersections beside one pass over the soup. Nothing is cut when a
-// triangle would be cut more than tolerance::kCutsPerFace times (that is a folded region, and would take minutes),
+// triangle would be cut more than mostCuts times (by default, that is a folded region, and would take minutes),
 // where coordinates range over more than tolerance::kCutBits, or where the library gives up. The result is invalid if
 // cancelled. Triangles with corners in shared planes are cut as if these lay in them exactly, so that surfaces that lie
 // on each other but for rounding have equal pieces; the corners themselves stay where they are.
 Autorefinement autorefine(const TriangleSoup& soup, std::span<const TrianglePair> pairs, NumberType numbers,
-                          Progress progress = {}, const SharedPlanes& planes = {});
+                          Progress progress = {}, const SharedPlanes& planes = {},
+                          std::size_t mostCuts = tolerance::kCutsPerFace);
 
 }  // namespace handwheel

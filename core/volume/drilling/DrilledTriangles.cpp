@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/drilling/DrilledTriangles.h"
+
+#include "mesh/structure/CancelPolling.h"
+#include "volume/repair/DepthWindow.h"
+#include "volume/surface/VolumeToSurface.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace handwheel {
+namespace {
+
+constexpr int kJoinTries = 4;
+const Vec3 kJoinStep(0.37e-3, 0.61e-3, 0.83e-3);  // voxels, along no axis and no diagonal
+constexpr std::size_t kPosesPerPoll = 256;
+
+using BlockKey = std::array<int, 3>;
+
+VoxelIndex besideBlock(const VoxelIndex& block, int k) {
+  return block + VoxelIndex(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+}
+
+BlockKey blockKeyOf(const VoxelIndex& block) {
+  return {block.x(), block.y(), block.z()};
+}
+
+// The blocks and those beside them, also at edges and corners.
+std::set<BlockKey> withBlocksBeside(const std::vector<VoxelIndex>& blocks) {
+  std::set<BlockKey> all;
+  for (const VoxelIndex& block : blocks)
+    for (int k = 0; k < 27; ++k) all.insert(blockKeyOf(besideBlock(block, k)));
+  return all;
+}
+
+// What was taken of a block that was full. Where the block is at the end of the blocks, it has samples in any case: the
+// surface passes between it and nothing.
+SparseVolume::Content takenOf(const SparseVolume::Content& left, bool isAtEnd) {
+  if (!left.block && left.isFull) return {};
+  if (!left.block && !isAtEnd) return {nullptr, true};
+  const std::shared_ptr<VolumeBlock> samples = samplesOf(left);
+  for (std::int16_t& depth : samples->depths) depth = static_cast<std::int16_t>(-depth);
+  return {samples, false};
+}
+
+}  // namespace
+
+TriangleSoup surfaceOfSweep(const HybridPart& part, const DrillRecord& hole, Progress progress) {
+  const std::set<BlockKey> blocks = withBlocksBeside(part.cutBlocks());
+  SparseVolume left(part.left().origin(), part.left().voxel());
+  for (const BlockKey& key : blocks) left.setContent({key[0], key[1], key[2]}, {nullptr, true});
+  DrillRun run(left, hole.setup);
+  for (std::size_t i = 0; i < hole.poses.size() && !blocks.empty(); ++i) {
+    if (!pollProgress(i, hole.poses.size(), progress.part(0.0, 0.7), kPosesPerPoll)) return {};
+    move(run, hole.poses[i]);
+    run.takeChangedBlocks();
+  }
+  SparseVolume taken(left.origin(), left.voxel());
+  for (const BlockKey& key : blocks) {
+    const VoxelIndex block(key[0], key[1], key[2]);
+    bool isAtEnd = false;
+    for (int k = 0; k < 27 && !isAtEnd; ++k) isAtEnd = !blocks.contains(blockKeyOf(besideBlock(block, k)));
+    taken.setContent(block, takenOf(left.content(block), isAtEnd));
+  }
+  return surfaceOf(taken, progress.part(0.7, 1.0));
+}
+
+Subtraction drilledTriangles(const TriangleSoup& triangles, const HybridPart& part, const DrillRecord& hole,
+                             NumberType numbers, Progress progress) {
+  TriangleSoup head = surfaceOfSweep(part, hole, progress.part(0.0, 0.4));
+  Subtraction done;
+  for (int i = 0; i < kJoinTries && !progress.cancelled(); ++i) {
+    const double from = 0.4 + 0.6 * i / kJoinTries;
+    done = subtractSolid(triangles, head, numbers, progress.part(from, from + 0.6 / kJoinTries));
+    if (done.problem != SubtractionProblem::Unsound) break;
+    for (Vec3& p : head.points) p += part.left().voxel() * kJoinStep;
+  }
+  return done;
+}
+
+}  // namespace handwheel
