@@ -19,6 +19,7 @@
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeShapes.h"
 #include "volume/drilling/DrillRun.h"
+#include "volume/drilling/DrilledTriangles.h"
 
 using namespace handwheel;
 
@@ -286,6 +287,15 @@ void holes(benchmark::State& state) {
 }
 BENCHMARK(holes)->Iterations(1)->Unit(benchmark::kMillisecond);
 
+double volumeOf(const HalfEdgeMesh& mesh) {
+  double six = 0.0;
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    const TrianglePoints p = mesh.points(f);
+    six += p[0].dot(p[1].cross(p[2]));
+  }
+  return six / 6.0;
+}
+
 // A block of 300 mm at 0.1 mm, with voxels near a ball of 3 mm only: what they take, and the cycles that make them.
 void holeInALargePart(benchmark::State& state) {
   const TriangleSoup block = test::box({-150.0, -150.0, -300.0}, {300.0, 300.0, 300.0});
@@ -295,15 +305,27 @@ void holeInALargePart(benchmark::State& state) {
     DrillSetup setup;
     setup.tool.diameter = 3.0;
     DrillRun run(*part, setup);
+    DrillRecord record;
+    record.setup = setup;
     std::vector<double> seconds;
-    for (int i = 0; i <= 2000; ++i)
-      seconds.push_back(bench::secondsOf([&] { run.move({0.013, -0.021, 2.0 - 0.01 * i}, Vec3::UnitZ(), 0.001 * i); }));
+    for (int i = 0; i <= 2000; ++i) {
+      record.poses.push_back(DrillPose::of({0.013, -0.021, 2.0 - 0.01 * i}, Vec3::UnitZ(), 0.001 * i));
+      seconds.push_back(bench::secondsOf([&] { move(run, record.poses[record.poses.size() - 1]); }));
+    }
     bars.atMost("0.1 mm on 300 mm, voxels near the drill, MB", 10.0,
                 static_cast<double>(part->figures().mostBytes) / 1e6);
     bars.tell("the same, voxels of the whole part as predicted, MB",
               predictedVolumeBytes(surfaceArea(block), 0.1) / 1e6);
     bars.tell("the same, cycle, p99, ms", 1e3 * percentile(seconds, 0.99));
     bars.tell("the same, longest cycle, ms", 1e3 * percentile(seconds, 1.0));
+    Subtraction joined;
+    const double join = bench::secondsOf([&] { joined = drilledTriangles(block, *part, record, NumberType::Float64); });
+    if (joined.problem != SubtractionProblem::None) return bars.failed(state, "hole in triangles", "it was refused");
+    // 18 mm below the top is the centre of the ball at the end.
+    const double exact = M_PI * 2.25 * 18.0 + 2.0 / 3.0 * M_PI * 3.375;
+    const double missing = std::pow(300.0, 3.0) - volumeOf(joined.mesh);
+    bars.atMost("the same, hole in the triangles: error of volume", 0.01, std::abs(missing / exact - 1.0));
+    bars.tell("the same, hole in the triangles, ms", 1e3 * join);
   }
 }
 BENCHMARK(holeInALargePart)->Iterations(1)->Unit(benchmark::kMillisecond);

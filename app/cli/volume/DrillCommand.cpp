@@ -9,6 +9,7 @@
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/TipTrajectory.h"
+#include "cli/volume/DrillReport.h"
 #include "cli/volume/VolumeFiles.h"
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
@@ -17,7 +18,6 @@
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "document/volume/exercise/DrillingTask.h"
-#include "tools/volume/DrillOperation.h"
 #include "volume/VolumeErrors.h"
 #include "volume/drilling/DrillProgram.h"
 #include "volume/drilling/DrilledTriangles.h"
@@ -40,43 +40,9 @@ struct DrillRequest {
   bool isMeshWritten() const { return !output.empty() && !isContainerName(output); }
 };
 
-// The voxels that were made of triangles.
-struct MadeVoxels {
-  bool isHybrid = false;                                  // near the head only
-  std::size_t blocks = 0, mostBlocks = 0, mostBytes = 0;  // in all, and at once
-};
-
-struct DrillAnswer {
-  DocumentFile file;
-  std::string refusal;
-  Drilled drilled;
-  DrillSetup setup;
-  double voxel = 0.0;
-  std::shared_ptr<const VolumeSnapshot> before;  // of a part that is a volume
-  std::optional<MadeVoxels> made;                // of any other
-  std::optional<Subtraction> joined;             // the triangles of the part with the hole, where a mesh is written
-  std::string notJoined;                         // why it is the surface of all voxels
-};
-
 NumberType numbersIn(const OpenedFile& opened) {
   const auto mesh = std::dynamic_pointer_cast<const MeshSnapshot>(opened.content);
   return mesh ? mesh->numbers : NumberType::Float64;
-}
-
-std::string reasonOf(SubtractionProblem problem) {
-  switch (problem) {
-    case SubtractionProblem::None:
-      break;
-    case SubtractionProblem::NotClosed:
-      return "the part is not closed and manifold";
-    case SubtractionProblem::IntersectsItself:
-      return "the part intersects itself";
-    case SubtractionProblem::TooManyIntersections:
-      return "the hole meets too many triangles";
-    case SubtractionProblem::Unsound:
-      return "the triangles could not be joined soundly";
-  }
-  return {};
 }
 
 // The mean speed of the head while it moves, mm/s.
@@ -106,19 +72,6 @@ Result<std::vector<HandPose>> posesOfProgram(std::string_view text, OperationVal
   return poses;
 }
 
-std::string forcesText(const Drilled& drilled) {
-  std::string text = "t_s,x_mm,y_mm,z_mm,thrust_N,torque_Nmm,fx_N,fy_N,fz_N,removed_mm3\n";
-  double removed = 0.0;
-  for (const DrillTick& tick : drilled.ticks) {
-    removed += tick.removed;
-    for (const double x : {tick.time, tick.place.x(), tick.place.y(), tick.place.z(), tick.thrust, tick.torque.norm(),
-                           tick.force.x(), tick.force.y(), tick.force.z()})
-      text += roundedText(x) + ",";
-    text += roundedText(removed) + "\n";
-  }
-  return text;
-}
-
 // numbers: of the part.
 Status writeResults(const DrillRequest& request, const DrillAnswer& done, NumberType numbers,
                     const DocumentKinds& kinds, Progress progress) {
@@ -142,7 +95,7 @@ Status writeResults(const DrillRequest& request, const DrillAnswer& done, Number
     if (!written) return written.error();
   }
   if (request.forces.empty()) return Done{};
-  return writeFileAtomically(request.forces, forcesText(done.drilled));
+  return writeFileAtomically(request.forces, drillForces(done.drilled));
 }
 
 // The drill of the exercise that the part is work on, its shank along the planned path; what the words name is another.
@@ -175,7 +128,7 @@ Result<bool> joinHole(const DrillRequest& request, const OpenedFile& opened, con
   Subtraction joined = drilledTriangles(placedSoup(opened.kind->display(*opened.content)), part, *done.drilled.hole,
                                         numberTypeOf(*format, numbersIn(opened)), progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  done.notJoined = reasonOf(joined.problem);
+  done.notJoined = notJoinedReason(joined.problem);
   if (joined.problem == SubtractionProblem::None) done.joined = std::move(joined);
   return done.joined.has_value();
 }
@@ -238,54 +191,6 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   const Status written = writeResults(request, done, numbersIn(*opened), kinds, progress.part(0.8, 1.0));
   if (!written) return written.error();
   return done;
-}
-
-nlohmann::ordered_json reportOf(const DrillAnswer& done, const MemoryNotice& notice) {
-  const Drilled& drilled = done.drilled;
-  nlohmann::ordered_json report = {{"removed_mm3", drilled.removed},
-                                   {"max_thrust_N", drilled.maxThrust},
-                                   {"max_torque_Nmm", drilled.maxTorque},
-                                   {"energy_J", drilled.energy},
-                                   {"breakthrough_s", nullptr},
-                                   {"time_s", drilled.seconds},
-                                   {"voxel_mm", done.voxel},
-                                   {"material", done.setup.material.id},
-                                   {"material_verified", done.setup.material.isVerified},
-                                   {"material_source", done.setup.material.source}};
-  if (drilled.breakthrough) report["breakthrough_s"] = *drilled.breakthrough;
-  if (done.made) {
-    report["hybrid"] = done.made->isHybrid;
-    report["voxels_made"] = VolumeBlock::kCount * done.made->blocks;
-    report["voxels_at_most"] = VolumeBlock::kCount * done.made->mostBlocks;
-    report["voxel_MB_at_most"] = static_cast<double>(done.made->mostBytes) / 1e6;
-  }
-  if (done.joined || !done.notJoined.empty()) report["joined"] = done.joined.has_value();
-  if (done.joined) {
-    report["triangles"] = done.joined->mesh.liveFaceCount();
-    report["kept_triangles"] = done.joined->kept;
-  } else if (!done.notJoined.empty()) {
-    report["not_joined"] = done.notJoined;
-  }
-  notice.addTo(report);
-  return report;
-}
-
-std::string textOf(const DrillAnswer& done) {
-  const Drilled& drilled = done.drilled;
-  std::string text = "Removed " + roundedText(drilled.removed) + " mm³ in voxels of " + roundedText(done.voxel) +
-                     " mm: at most " + roundedText(drilled.maxThrust, 4) + " N and " +
-                     roundedText(drilled.maxTorque, 4) + " N·mm, " + roundedText(drilled.energy, 4) + " J.\n";
-  if (done.made)
-    text += "Voxels were made " + std::string(done.made->isHybrid ? "near the head" : "of all of the part") +
-            ": at most " + roundedText(static_cast<double>(done.made->mostBytes) / 1e6, 3) + " MB.\n";
-  if (done.joined)
-    text += "The hole is in the triangles of the part: " + std::to_string(done.joined->kept) + " of " +
-            std::to_string(done.joined->mesh.liveFaceCount()) + " are as they were.\n";
-  if (!done.notJoined.empty()) text += "The surface of all voxels was written, because " + done.notJoined + ".\n";
-  if (drilled.breakthrough) text += "Breakthrough after " + roundedText(*drilled.breakthrough, 5) + " s.\n";
-  if (!done.setup.material.isVerified)
-    text += "The constants of " + done.setup.material.id + " are not verified: " + done.setup.material.source + ".\n";
-  return text;
 }
 
 CommandSpec drillSpec() {
@@ -354,7 +259,7 @@ int runDrill(const Arguments& arguments, const DocumentKinds& kinds) {
   const DrillAnswer& done = result->value();
   reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
-  return print(arguments.has("json") ? reportOf(done, notice).dump() + "\n" : textOf(done));
+  return print(arguments.has("json") ? drillReport(done, notice).dump() + "\n" : drillText(done));
 }
 
 }  // namespace
