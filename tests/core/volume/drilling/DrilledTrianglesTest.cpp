@@ -12,6 +12,7 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 
 using namespace handwheel;
@@ -165,6 +166,26 @@ class DrilledTrianglesTest : public QObject {
         return std::hypot(ball.points[v].x() - 0.613, ball.points[v].y() + 0.421) > 1.5 + edge;
       });
     QVERIFY(drilled.joined.kept >= far && 10 * far > 9 * ball.triangles.size());
+  }
+
+  // Through a ball anyhow: a handle each time, and nothing but the hole is taken, as voxels count it. Lines through the
+  // middle run through corners of voxels and triangles.
+  void anyWayThrough() {
+    const TriangleSoup ball = test::moved(test::icosphere(3), Vec3::Zero(), 7.0);
+    std::mt19937 random(20);
+    std::uniform_real_distribution<double> within(-1.0, 1.0);
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 along = i == 0   ? Vec3(1.0, 0.0, 0.0)
+                         : i == 1 ? Vec3(1.0, 1.0, 1.0).normalized()
+                                  : Vec3(within(random), within(random), within(random)).normalized();
+      const Vec3 beside = i < 2 ? Vec3(Vec3::Zero()) : Vec3(2.0 * Vec3(within(random), within(random), within(random)));
+      const JoinedDrilling drilled(ball, 0.2, "ball:3", {beside + 12.0 * along, beside - 12.0 * along}, Vec3::UnitZ(),
+                                   i % 2 == 0 ? NumberType::Float64 : NumberType::Float32);
+      QCOMPARE(drilled.flaw(), std::string());
+      QCOMPARE(test::eulerCharacteristic(drilled.joined.mesh), 0L);
+      QVERIFY(std::abs(drilled.missing / drilled.removed - 1.0) < 0.03);
+      if (i % 2 == 0) QCOMPARE(strangers(drilled.joined, ball), std::size_t{0});
+    }
   }
 
   // A saw goes through a block that lies anyhow, and parts it.
