@@ -318,7 +318,7 @@ void holeInALargePart(benchmark::State& state) {
               predictedVolumeBytes(surfaceArea(block), 0.1) / 1e6);
     bars.tell("the same, cycle, p99, ms", 1e3 * percentile(seconds, 0.99));
     bars.tell("the same, longest cycle, ms", 1e3 * percentile(seconds, 1.0));
-    Subtraction joined;
+    DrilledTriangles joined;
     const double join = bench::secondsOf([&] { joined = drilledTriangles(block, *part, record, NumberType::Float64); });
     if (joined.problem != SubtractionProblem::None) return bars.failed(state, "hole in triangles", "it was refused");
     // 18 mm below the top is the centre of the ball at the end.

@@ -20,7 +20,6 @@
 #include "document/volume/exercise/DrillingTask.h"
 #include "volume/VolumeErrors.h"
 #include "volume/drilling/DrillProgram.h"
-#include "volume/drilling/DrilledTriangles.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -125,8 +124,8 @@ Result<bool> joinHole(const DrillRequest& request, const OpenedFile& opened, con
                       Progress progress) {
   const Result<MeshFormat> format = formatForOutput(request.output);
   if (!format) return format.error();
-  Subtraction joined = drilledTriangles(placedSoup(opened.kind->display(*opened.content)), part, *done.drilled.hole,
-                                        numberTypeOf(*format, numbersIn(opened)), progress);
+  DrilledTriangles joined = drilledTriangles(placedSoup(opened.kind->display(*opened.content)), part,
+                                             *done.drilled.hole, numberTypeOf(*format, numbersIn(opened)), progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   done.notJoined = notJoinedReason(joined.problem);
   if (joined.problem == SubtractionProblem::None) done.joined = std::move(joined);

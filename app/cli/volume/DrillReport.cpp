@@ -14,7 +14,7 @@ std::string notJoinedReason(SubtractionProblem problem) {
     case SubtractionProblem::None:
       break;
     case SubtractionProblem::NotClosed:
-      return "the part is not closed and manifold";
+      return "the part cannot be closed to a manifold";
     case SubtractionProblem::IntersectsItself:
       return "the part intersects itself";
     case SubtractionProblem::TooManyIntersections:
@@ -61,6 +61,7 @@ nlohmann::ordered_json drillReport(const DrillAnswer& done, const MemoryNotice& 
   if (done.joined) {
     report["triangles"] = done.joined->mesh.liveFaceCount();
     report["kept_triangles"] = done.joined->kept;
+    report["closing_triangles"] = done.joined->closing;
   } else if (!done.notJoined.empty()) {
     report["not_joined"] = done.notJoined;
   }
@@ -79,6 +80,8 @@ std::string drillText(const DrillAnswer& done) {
   if (done.joined)
     text += "The hole is in the triangles of the part: " + std::to_string(done.joined->kept) + " of " +
             std::to_string(done.joined->mesh.liveFaceCount()) + " are as they were.\n";
+  if (done.joined && done.joined->closing > 0)
+    text += "Holes that the part had were closed by " + std::to_string(done.joined->closing) + " triangles before.\n";
   if (!done.notJoined.empty()) text += "The surface of all voxels was written, because " + done.notJoined + ".\n";
   if (drilled.breakthrough) text += "Breakthrough after " + roundedText(*drilled.breakthrough, 5) + " s.\n";
   if (!done.setup.material.isVerified)

@@ -4,8 +4,8 @@
 
 #include "document/DocumentFile.h"
 #include "document/volume/VolumeSnapshot.h"
-#include "mesh/repair/intersections/SolidSubtraction.h"
 #include "tools/volume/DrillOperation.h"
+#include "volume/drilling/DrilledTriangles.h"
 
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -31,7 +31,7 @@ struct DrillAnswer {
   double voxel = 0.0;
   std::shared_ptr<const VolumeSnapshot> before;  // of a part that is a volume
   std::optional<MadeVoxels> made;                // of any other
-  std::optional<Subtraction> joined;             // the triangles of the part with the hole, where a mesh is written
+  std::optional<DrilledTriangles> joined;        // the triangles of the part with the hole, where a mesh is written
   std::string notJoined;                         // why it is the surface of all voxels
 };
 

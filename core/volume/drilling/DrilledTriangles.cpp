@@ -3,13 +3,18 @@
 #include "volume/drilling/DrilledTriangles.h"
 
 #include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/Weld.h"
+#include "volume/repair/BoundaryCaps.h"
 #include "volume/repair/DepthWindow.h"
+#include "volume/repair/WindingNumberFill.h"
 #include "volume/surface/VolumeToSurface.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace handwheel {
@@ -47,6 +52,46 @@ SparseVolume::Content takenOf(const SparseVolume::Content& left, bool isAtEnd) {
   return {samples, false};
 }
 
+// A part as its voxels were made of it. What closes it comes last, and has tips that no other triangle has.
+struct ClosedPart {
+  TriangleSoup soup;
+  std::size_t closing = 0;  // triangles
+  std::vector<Vec3> tips;
+};
+
+ClosedPart closedAsForVoxels(const TriangleSoup& triangles, const SparseVolume& grid, Progress progress) {
+  ClosedPart closed;
+  closed.soup = weld(triangles, progress);
+  const std::size_t points = closed.soup.points.size(), own = closed.soup.triangles.size();
+  TriangleSoup inVoxels = closed.soup;
+  for (Vec3& p : inVoxels.points) p = (p - grid.origin()) / grid.voxel();
+  closeBoundaries(inVoxels, WindingNumberFill::kWide, progress);
+  for (std::size_t i = points; i < inVoxels.points.size(); ++i)
+    closed.tips.push_back(grid.origin() + grid.voxel() * inVoxels.points[i]);
+  closed.soup.points.insert(closed.soup.points.end(), closed.tips.begin(), closed.tips.end());
+  closed.soup.triangles = std::move(inVoxels.triangles);
+  closed.closing = closed.soup.triangles.size() - own;
+  return closed;
+}
+
+// How many of the first faces of a mesh have one of these corners, as a file of these numbers stores them.
+std::size_t facesAtTips(const HalfEdgeMesh& mesh, std::size_t faces, const std::vector<Vec3>& tips,
+                        NumberType numbers) {
+  std::set<std::array<double, 3>> places;
+  for (const Vec3& tip : tips) {
+    const Vec3 p = rounded(tip, numbers);
+    places.insert({p.x(), p.y(), p.z()});
+  }
+  std::size_t count = 0;
+  for (Face f = 0; f < faces && !places.empty(); ++f) {
+    const TrianglePoints corners = mesh.points(f);
+    count += std::any_of(corners.begin(), corners.end(), [&](const Vec3& p) {
+      return places.contains({p.x(), p.y(), p.z()});
+    });
+  }
+  return count;
+}
+
 }  // namespace
 
 TriangleSoup surfaceOfSweep(const HybridPart& part, const DrillRecord& hole, Progress progress) {
@@ -69,16 +114,21 @@ TriangleSoup surfaceOfSweep(const HybridPart& part, const DrillRecord& hole, Pro
   return surfaceOf(taken, progress.part(0.7, 1.0));
 }
 
-Subtraction drilledTriangles(const TriangleSoup& triangles, const HybridPart& part, const DrillRecord& hole,
-                             NumberType numbers, Progress progress) {
+DrilledTriangles drilledTriangles(const TriangleSoup& triangles, const HybridPart& part, const DrillRecord& hole,
+                                  NumberType numbers, Progress progress) {
   TriangleSoup head = surfaceOfSweep(part, hole, progress.part(0.0, 0.4));
-  Subtraction done;
+  const ClosedPart closed = closedAsForVoxels(triangles, part.left(), progress.part(0.4, 0.45));
+  DrilledTriangles done;
   for (int i = 0; i < kJoinTries && !progress.cancelled(); ++i) {
-    const double from = 0.4 + 0.6 * i / kJoinTries;
-    done = subtractSolid(triangles, head, numbers, progress.part(from, from + 0.6 / kJoinTries));
+    const double from = 0.45 + 0.55 * i / kJoinTries;
+    static_cast<Subtraction&>(done) =
+        subtractSolid(closed.soup, head, numbers, progress.part(from, from + 0.55 / kJoinTries));
     if (done.problem != SubtractionProblem::Unsound) break;
     for (Vec3& p : head.points) p += part.left().voxel() * kJoinStep;
   }
+  if (done.problem != SubtractionProblem::None) return done;
+  done.kept -= facesAtTips(done.mesh, done.kept, closed.tips, numbers);
+  done.closing = closed.closing;
   return done;
 }
 

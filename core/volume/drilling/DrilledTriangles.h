@@ -16,10 +16,16 @@ namespace handwheel {
 // infinite). It is gone through once more. Empty where nothing was cut; invalid if cancelled.
 TriangleSoup surfaceOfSweep(const HybridPart& part, const DrillRecord& hole, Progress progress = {});
 
+// The result of drilledTriangles().
+struct DrilledTriangles : Subtraction {  // kept: without those that close holes of the part
+  std::size_t closing = 0;               // triangles that were added to close holes that the part had, before it is cut
+};
+
 // The triangles that a part was made of, with the hole that was drilled in it: where the head was, its surface, and
-// elsewhere the triangles as they are. Where the surfaces lie on each other, that of the head is tried again a
-// thousandth of a voxel aside. hole: as above. Invalid if cancelled.
-Subtraction drilledTriangles(const TriangleSoup& triangles, const HybridPart& part, const DrillRecord& hole,
-                             NumberType numbers, Progress progress = {});
+// elsewhere the triangles as they are. Holes that the part had before are closed as they are for its voxels
+// (closeBoundaries()). Where the surfaces lie on each other, that of the head is tried again a thousandth of a voxel
+// aside. hole: as above. Invalid if cancelled.
+DrilledTriangles drilledTriangles(const TriangleSoup& triangles, const HybridPart& part, const DrillRecord& hole,
+                                  NumberType numbers, Progress progress = {});
 
 }  // namespace handwheel

@@ -92,26 +92,31 @@ class DrillTest : public QObject {
       QVERIFY2(std::abs(hole / (M_PI * 4.0 * 20.0) - 1.0) < 0.01, QByteArray::number(hole));
     }
     QVERIFY(bench.run(QStringList(words) << "c.ply").out.contains("8 of"));
-    const auto whole = drillJson(bench
-                                     .run(QStringList(words) << "d.off"
-                                                             << "--whole"
-                                                             << "--json")
-                                     .out);
+    const auto whole = drillJson(bench.run(QStringList(words) + QStringList{"d.off", "--whole", "--json"}).out);
     QVERIFY(!whole["hybrid"].get<bool>() && !whole.contains("joined"));
+    // A top that is missing is closed by a lid of four.
+    bench.put("a.off", openCube(20.0).off());
+    const auto lidded = drillJson(bench.run(QStringList(words) + QStringList{"e.off", "--json"}).out);
+    QVERIFY(lidded["joined"].get<bool>());
+    QCOMPARE(lidded["closing_triangles"].get<int>(), 4);
+    QCOMPARE(lidded["kept_triangles"].get<int>(), 8);
+    QVERIFY(bench.run(QStringList(words) << "e.off").out.contains("closed by 4 triangles"));
   }
 
   // Where that cannot be, the surface of all voxels is written, and the report says why.
   void holeInTheVoxels_data() {
-    QTest::addColumn<bool>("isOpen");
+    QTest::addColumn<bool>("isCrossing");
     QTest::addColumn<QStringList>("more");
-    QTest::newRow("open part") << true << QStringList{};
+    QTest::newRow("bodies that overlap elsewhere") << true << QStringList{};
     QTest::newRow("material left in the head") << false << QStringList{"--erosion", "2"};
   }
   void holeInTheVoxels() {
-    QFETCH(bool, isOpen);
+    QFETCH(bool, isCrossing);
     QFETCH(QStringList, more);
     const Bench bench;
-    bench.put("a.off", isOpen ? openCube(20.0).off() : cube(20.0).off());
+    Shape part = cube(20.0);
+    if (isCrossing) part.add(cube(10.0), {40.0, 40.0, 40.0}).add(cube(10.0), {45.0, 45.0, 45.0});
+    bench.put("a.off", part.off());
     bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.3,9.4,23\n1,10.3,9.4,-4\n");
     const QStringList words = QStringList{"drill",   "a.off", "--path", "p.csv", "--tool", "ball:4",
                                           "--voxel", "0.25",  "--rate", "200",   "-o",     "b.off"} +

@@ -25,7 +25,7 @@ TriangleSoup flatPlate(double edge, double thickness) {
 }
 
 struct JoinedDrilling {
-  Subtraction joined;
+  DrilledTriangles joined;
   bool isExact = false;
   double removed = 0.0;  // mm³, by voxels
   double missing = 0.0;  // mm³, by triangles
@@ -206,12 +206,32 @@ class DrilledTrianglesTest : public QObject {
     QVERIFY(std::abs(drilled.missing) < 1e-9);
   }
 
-  // Where the part has no inside of its own, it is not guessed.
+  // A flat hole that the part had is closed by a cone, as it is for voxels: one face of a side is missing, three are
+  // put there. They are not among those that are kept.
   void openPart() {
     TriangleSoup open = flatPlate(20.0, 4.0);
+    const Triangle gone = open.triangles.back();  // of a side
     open.triangles.pop_back();
+    for (const std::uint32_t v : gone) QCOMPARE(open.points[v].x(), 10.0);
     const JoinedDrilling drilled(open, 0.25, "ball:4", {{0.1, 0.2, 6.0}, {0.1, 0.2, -9.0}});
-    QVERIFY(drilled.joined.problem == SubtractionProblem::NotClosed);
+    QCOMPARE(drilled.flaw(), std::string());
+    QCOMPARE(drilled.joined.closing, std::size_t{3});
+    QCOMPARE(drilled.joined.kept, std::size_t{7});
+    QCOMPARE(strangers(drilled.joined, open), std::size_t{0});
+    const double left = test::volume(drilled.joined.mesh.compact().soup);
+    QVERIFY(std::abs((20.0 * 20.0 * 4.0 - left) / (M_PI * 4.0 * 4.0) - 1.0) < 0.01);
+    const JoinedDrilling whole(flatPlate(20.0, 4.0), 0.25, "ball:4", {{0.1, 0.2, 6.0}, {0.1, 0.2, -9.0}});
+    QCOMPARE(whole.joined.closing, std::size_t{0});
+  }
+
+  // A part that intersects itself far from the hole is left to voxels.
+  void crossingPart() {
+    TriangleSoup crossing = flatPlate(20.0, 4.0);
+    test::append(crossing, test::box({40, 40, 40}, {10, 10, 10}));
+    test::append(crossing, test::box({45, 45, 45}, {10, 10, 10}));
+    const JoinedDrilling drilled(crossing, 0.25, "ball:4", {{0.1, 0.2, 6.0}, {0.1, 0.2, -9.0}});
+    QVERIFY(drilled.isExact);
+    QVERIFY(drilled.joined.problem == SubtractionProblem::IntersectsItself);
     QCOMPARE(drilled.joined.mesh.liveFaceCount(), std::size_t{0});
   }
 };
