@@ -209,9 +209,7 @@ CommandSpec drillSpec() {
   for (OptionSpec& option : optionsOf(drillOperation())) spec.options.push_back(std::move(option));
   spec.options.push_back({"whole", 0, "", "Make voxels of all of the part, not near the head only"});
   spec.options.push_back(consentOption());
-  spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
-  spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
-  spec.options.push_back({"help", 'h', "", "Show this help"});
+  addVolumeOptions(spec.options);
   return spec;
 }
 

@@ -66,13 +66,6 @@ int deliver(const std::optional<Result<Answer>>& result, const Arguments& argume
   return code == kExitDone && !done.isSound ? kExitSomethingLeft : code;
 }
 
-std::vector<OptionSpec> withShared(std::vector<OptionSpec> options) {
-  options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
-  options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
-  options.push_back({"help", 'h', "", "Show this help"});
-  return options;
-}
-
 // The endings of files that hold a volume as such.
 std::vector<std::string> volumeEndings() {
   return {".vdb", ".nrrd", std::string(kContainerEnding)};
@@ -162,7 +155,7 @@ CommandSpec voxelizeSpec() {
   for (OptionSpec& option : optionsOf(voxelizeOperation())) spec.options.push_back(std::move(option));
   spec.options.push_back({"fidelity", 0, "LIST", "draft, balanced or exact, and single values: volume.voxels=400,..."});
   spec.options.push_back(consentOption());
-  spec.options = withShared(std::move(spec.options));
+  addVolumeOptions(spec.options);
   return spec;
 }
 
@@ -175,7 +168,7 @@ CommandSpec remeshSpec() {
                       "or has triangles without area.",
                       {{"output", 'o', "OUT", "The mesh, in any format of meshes"}}};
   for (OptionSpec& option : optionsOf(remeshOperation())) spec.options.push_back(std::move(option));
-  spec.options = withShared(std::move(spec.options));
+  addVolumeOptions(spec.options);
   return spec;
 }
 

@@ -9,6 +9,12 @@
 
 namespace handwheel {
 
+void addVolumeOptions(std::vector<OptionSpec>& options) {
+  options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
+  options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
+  options.push_back({"help", 'h', "", "Show this help"});
+}
+
 std::shared_ptr<const VolumeSnapshot> volumeIn(const OpenedFile& opened) {
   return std::dynamic_pointer_cast<const VolumeSnapshot>(opened.content);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/Arguments.h"
 #include "document/DocumentKind.h"
 #include "document/volume/VolumeSnapshot.h"
 #include "volume/HybridPart.h"
@@ -13,6 +14,9 @@
 namespace handwheel {
 
 class MemoryNotice;
+
+// Adds the options that all commands on volumes end with: --partial, --json and --help.
+void addVolumeOptions(std::vector<OptionSpec>& options);
 
 // The content of a document of a volume; null where it is of another kind.
 std::shared_ptr<const VolumeSnapshot> volumeIn(const OpenedFile& opened);

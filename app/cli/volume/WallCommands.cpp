@@ -121,9 +121,7 @@ CommandSpec specOf(const Operation& operation, std::string_view summary) {
   for (OptionSpec& option : optionsOf(voxelizeOperation(), {"method", "wall"}))
     spec.options.push_back(std::move(option));
   spec.options.push_back(consentOption());
-  spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
-  spec.options.push_back({"json", 0, "", "Print the figures as one line of JSON"});
-  spec.options.push_back({"help", 'h', "", "Show this help"});
+  addVolumeOptions(spec.options);
   return spec;
 }
 
