@@ -5,6 +5,7 @@
 #include "ClosedSurface.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "document/volume/LayerSteps.h"
 #include "document/volume/VolumeKind.h"
 #include "tools/ToolRunner.h"
 #include "tools/volume/VolumeOperations.h"
@@ -118,6 +119,20 @@ class ReshapeToolTest : public QObject {
       bench.work();
       QVERIFY(isNear(*bench.figure("after"), ball(kRadius + distance)));
     }
+  }
+
+  // Layers of clay are applied by a change of the whole volume, and come back when it is undone.
+  void appliesLayers() {
+    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Shell);
+    bench.document->commit("layer", withNewLayer(*bench.document->volume(), "first").edit());
+    QVERIFY(bench.document->volume()->layers);
+    bench.set("wall", 2.0);
+    bench.work();
+    QCOMPARE(bench.runner.perform("commit"), ToolReply::Used);
+    QVERIFY(isNear(bench.material(), ball(kRadius) - ball(kRadius - 2.0)));
+    QVERIFY(!bench.document->volume()->layers);
+    bench.document->history()->undo();
+    QVERIFY(bench.document->volume()->layers);
   }
 
   // The three combinations with a ball beside, against the volume of the lens that both have.
