@@ -1591,6 +1591,30 @@
         <source>Check the unit of the places, or divide the strokes.</source>
         <translation>Prüfen Sie die Einheit der Orte, oder teilen Sie die Striche auf.</translation>
     </message>
+    <message>
+        <source>the layer “%1” takes no strokes, as it is off, or its strength is below 1</source>
+        <translation>die Ebene „%1“ nimmt keine Striche an, weil sie aus ist oder ihre Stärke unter 1 liegt</translation>
+    </message>
+    <message>
+        <source>Turn it on with a strength of 1, or add a layer above it.</source>
+        <translation>Schalten Sie sie mit der Stärke 1 ein, oder fügen Sie darüber eine Ebene hinzu.</translation>
+    </message>
+    <message>
+        <source>the layer “%1” takes no strokes, as the layer “%2” is above it</source>
+        <translation>die Ebene „%1“ nimmt keine Striche an, weil die Ebene „%2“ darüber liegt</translation>
+    </message>
+    <message>
+        <source>Merge the layers above it, or name a new layer.</source>
+        <translation>Verschmelzen Sie die Ebenen darüber, oder nennen Sie eine neue Ebene.</translation>
+    </message>
+    <message>
+        <source>a volume has at most %1 layers</source>
+        <translation>ein Volumen hat höchstens %1 Ebenen</translation>
+    </message>
+    <message>
+        <source>Merge some of them first.</source>
+        <translation>Verschmelzen Sie zuerst einige davon.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -3153,6 +3177,10 @@
     <message>
         <source>frames</source>
         <translation>Bezugssysteme</translation>
+    </message>
+    <message>
+        <source>the volume was changed without them</source>
+        <translation>das Volumen wurde ohne sie geändert</translation>
     </message>
 </context>
 <context>
@@ -7701,6 +7729,14 @@
         <source>Volume of all bodies added up (mm³)</source>
         <translation>Volumen aller Körper zusammengezählt (mm³)</translation>
     </message>
+    <message>
+        <source>Layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Memory of the layers (MB)</source>
+        <translation>Speicher der Ebenen (MB)</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -9352,10 +9388,6 @@
         <translation>dort platzieren</translation>
     </message>
     <message>
-        <source>select a body or robot</source>
-        <translation>Körper oder Roboter auswählen</translation>
-    </message>
-    <message>
         <source>move it without snapping</source>
         <translation>ohne Einrasten bewegen</translation>
     </message>
@@ -9642,6 +9674,14 @@
     <message>
         <source>Shape clay</source>
         <translation>Ton formen</translation>
+    </message>
+    <message>
+        <source>select a body, robot or frame</source>
+        <translation>wählen Sie einen Körper, einen Roboter oder ein Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>the top layer is off, or weaker than 1</source>
+        <translation>die oberste Ebene ist aus oder schwächer als 1</translation>
     </message>
 </context>
 <context>
@@ -10213,6 +10253,17 @@
     <message>
         <source>Preparing the cell for collisions</source>
         <translation>Zelle wird für Kollisionen vorbereitet</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellContactMarks</name>
+    <message>
+        <source>Show where things to&amp;uch</source>
+        <translation>Zeigen, wo sich Dinge &amp;berühren</translation>
+    </message>
+    <message>
+        <source>Mark the places where links and bodies collide, with the way out of each other</source>
+        <translation>Die Stellen markieren, an denen Glieder und Körper kollidieren, mit der Richtung auseinander</translation>
     </message>
 </context>
 <context>
@@ -10892,6 +10943,26 @@
         <source>Store %1 in %2</source>
         <translation>%1 in %2 speichern</translation>
     </message>
+    <message>
+        <source>Its frames are in the cell now: %1.</source>
+        <translation>Seine Koordinatensysteme sind jetzt in der Zelle: %1.</translation>
+    </message>
+    <message>
+        <source>It is in frames of the cell: %1.</source>
+        <translation>Es steht in Koordinatensystemen der Zelle: %1.</translation>
+    </message>
+    <message>
+        <source>There are too many frames in the cell for these: %1.</source>
+        <translation>In der Zelle sind zu viele Koordinatensysteme für diese: %1.</translation>
+    </message>
+    <message>
+        <source>%1 was opened</source>
+        <translation>%1 wurde geöffnet</translation>
+    </message>
+    <message>
+        <source>To write programs in one of its frames again, choose to work in it.</source>
+        <translation>Um Programme wieder in einem seiner Koordinatensysteme zu schreiben, wählen Sie, darin zu arbeiten.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -11027,6 +11098,109 @@
     <message>
         <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
         <translation>Einen Bericht der zwei ausgewählten Arbeiten nebeneinander schreiben (Strg+Klick wählt eine zweite aus)</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ClayLayersView</name>
+    <message>
+        <source>La&amp;yers</source>
+        <translation>&amp;Ebenen</translation>
+    </message>
+    <message>
+        <source>Sculpt in layers that can be weakened and turned off</source>
+        <translation>In Ebenen modellieren, die sich abschwächen und ausschalten lassen</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Layers, the topmost first</source>
+        <translation>Ebenen, die oberste zuerst</translation>
+    </message>
+    <message>
+        <source>Strength of the layer</source>
+        <translation>Stärke der Ebene</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a layer on top</source>
+        <translation>Obenauf eine Ebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the layer and its strokes away</source>
+        <translation>Die Ebene mit ihren Strichen entfernen</translation>
+    </message>
+    <message>
+        <source>Merge down</source>
+        <translation>Nach unten verschmelzen</translation>
+    </message>
+    <message>
+        <source>Make the layer one with that below it, or with the volume, as it is visible now</source>
+        <translation>Die Ebene, wie sie jetzt sichtbar ist, mit der darunter oder mit dem Volumen vereinen</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Remove layer</source>
+        <translation>Ebene entfernen</translation>
+    </message>
+    <message>
+        <source>Merge layer</source>
+        <translation>Ebene verschmelzen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Strokes change the volume itself.</source>
+        <translation>Striche ändern das Volumen selbst.</translation>
+    </message>
+    <message>
+        <source>Strokes go on the top layer.</source>
+        <translation>Striche kommen auf die oberste Ebene.</translation>
+    </message>
+    <message>
+        <source>The top layer takes no strokes while it is off or weaker than 100 %.</source>
+        <translation>Die oberste Ebene nimmt keine Striche an, solange sie aus ist oder schwächer als 100 %.</translation>
+    </message>
+    <message>
+        <source>Drilling and changes of the whole volume apply all layers.</source>
+        <translation>Bohren und Änderungen des ganzen Volumens wenden alle Ebenen an.</translation>
+    </message>
+    <message>
+        <source>Add layer</source>
+        <translation>Ebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation>Ebene %1</translation>
+    </message>
+    <message>
+        <source>The layer stays as it is</source>
+        <translation>Die Ebene bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>The top layer takes no strokes</source>
+        <translation>Die oberste Ebene nimmt keine Striche an</translation>
+    </message>
+    <message>
+        <source>“%1” is off, or its strength is below 100 %.</source>
+        <translation>„%1“ ist aus, oder ihre Stärke liegt unter 100 %.</translation>
+    </message>
+    <message>
+        <source>Turn it on at full strength, or add a layer: the panel Layers has both.</source>
+        <translation>Schalten Sie sie mit voller Stärke ein, oder fügen Sie eine Ebene hinzu: Das Feld „Ebenen“ hat beides.</translation>
     </message>
 </context>
 <context>

@@ -1590,6 +1590,30 @@
         <source>Check the unit of the places, or divide the strokes.</source>
         <translation>请检查位置的单位，或拆分笔划。</translation>
     </message>
+    <message>
+        <source>the layer “%1” takes no strokes, as it is off, or its strength is below 1</source>
+        <translation>图层“%1”不接受笔画，因为它已关闭或强度小于 1</translation>
+    </message>
+    <message>
+        <source>Turn it on with a strength of 1, or add a layer above it.</source>
+        <translation>请以强度 1 打开它，或在其上添加一个图层。</translation>
+    </message>
+    <message>
+        <source>the layer “%1” takes no strokes, as the layer “%2” is above it</source>
+        <translation>图层“%1”不接受笔画，因为图层“%2”在其上方</translation>
+    </message>
+    <message>
+        <source>Merge the layers above it, or name a new layer.</source>
+        <translation>请合并其上方的图层，或指定一个新图层。</translation>
+    </message>
+    <message>
+        <source>a volume has at most %1 layers</source>
+        <translation>一个体积最多有 %1 个图层</translation>
+    </message>
+    <message>
+        <source>Merge some of them first.</source>
+        <translation>请先合并其中一些。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -3152,6 +3176,10 @@
     <message>
         <source>frames</source>
         <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>the volume was changed without them</source>
+        <translation>体积在没有它们的情况下被更改</translation>
     </message>
 </context>
 <context>
@@ -7699,6 +7727,14 @@
         <source>Volume of all bodies added up (mm³)</source>
         <translation>所有实体体积之和 (mm³)</translation>
     </message>
+    <message>
+        <source>Layer</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>Memory of the layers (MB)</source>
+        <translation>图层占用内存 (MB)</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -9301,10 +9337,6 @@
         <translation>放到此处</translation>
     </message>
     <message>
-        <source>select a body or robot</source>
-        <translation>选择物体或机器人</translation>
-    </message>
-    <message>
         <source>move it without snapping</source>
         <translation>移动（不吸附）</translation>
     </message>
@@ -9591,6 +9623,14 @@
     <message>
         <source>Shape clay</source>
         <translation>塑泥</translation>
+    </message>
+    <message>
+        <source>select a body, robot or frame</source>
+        <translation>请选择物体、机器人或坐标系</translation>
+    </message>
+    <message>
+        <source>the top layer is off, or weaker than 1</source>
+        <translation>最上层已关闭或强度小于 1</translation>
     </message>
 </context>
 <context>
@@ -10157,6 +10197,17 @@
     <message>
         <source>Preparing the cell for collisions</source>
         <translation>正在为碰撞检测准备单元</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellContactMarks</name>
+    <message>
+        <source>Show where things to&amp;uch</source>
+        <translation>显示接触位置(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Mark the places where links and bodies collide, with the way out of each other</source>
+        <translation>标记连杆与物体碰撞的位置及其分离方向</translation>
     </message>
 </context>
 <context>
@@ -10823,6 +10874,26 @@
         <source>Store %1 in %2</source>
         <translation>将 %1 存储到 %2</translation>
     </message>
+    <message>
+        <source>Its frames are in the cell now: %1.</source>
+        <translation>其坐标系现已在单元中：%1。</translation>
+    </message>
+    <message>
+        <source>It is in frames of the cell: %1.</source>
+        <translation>它位于单元的坐标系中：%1。</translation>
+    </message>
+    <message>
+        <source>There are too many frames in the cell for these: %1.</source>
+        <translation>单元中的坐标系过多，无法添加：%1。</translation>
+    </message>
+    <message>
+        <source>%1 was opened</source>
+        <translation>已打开 %1</translation>
+    </message>
+    <message>
+        <source>To write programs in one of its frames again, choose to work in it.</source>
+        <translation>若要再次在其某个坐标系中编写程序，请选择在其中工作。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -10958,6 +11029,109 @@
     <message>
         <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
         <translation>将两份所选作业写成对照报告（Ctrl+单击可选择第二份）</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ClayLayersView</name>
+    <message>
+        <source>La&amp;yers</source>
+        <translation>图层(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Sculpt in layers that can be weakened and turned off</source>
+        <translation>在可减弱和关闭的图层中雕刻</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>Layers, the topmost first</source>
+        <translation>图层，最上层在前</translation>
+    </message>
+    <message>
+        <source>Strength of the layer</source>
+        <translation>图层强度</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Add a layer on top</source>
+        <translation>在顶部添加图层</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Take the layer and its strokes away</source>
+        <translation>移除该图层及其笔画</translation>
+    </message>
+    <message>
+        <source>Merge down</source>
+        <translation>向下合并</translation>
+    </message>
+    <message>
+        <source>Make the layer one with that below it, or with the volume, as it is visible now</source>
+        <translation>将图层按当前可见状态与下方图层或体积合并</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>Remove layer</source>
+        <translation>移除图层</translation>
+    </message>
+    <message>
+        <source>Merge layer</source>
+        <translation>合并图层</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Strokes change the volume itself.</source>
+        <translation>笔画直接更改体积本身。</translation>
+    </message>
+    <message>
+        <source>Strokes go on the top layer.</source>
+        <translation>笔画作用于最上层。</translation>
+    </message>
+    <message>
+        <source>The top layer takes no strokes while it is off or weaker than 100 %.</source>
+        <translation>最上层关闭或强度低于 100 % 时不接受笔画。</translation>
+    </message>
+    <message>
+        <source>Drilling and changes of the whole volume apply all layers.</source>
+        <translation>钻孔和对整个体积的更改会应用所有图层。</translation>
+    </message>
+    <message>
+        <source>Add layer</source>
+        <translation>添加图层</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation>图层 %1</translation>
+    </message>
+    <message>
+        <source>The layer stays as it is</source>
+        <translation>图层保持不变</translation>
+    </message>
+    <message>
+        <source>The top layer takes no strokes</source>
+        <translation>最上层不接受笔画</translation>
+    </message>
+    <message>
+        <source>“%1” is off, or its strength is below 100 %.</source>
+        <translation>“%1”已关闭，或其强度低于 100 %。</translation>
+    </message>
+    <message>
+        <source>Turn it on at full strength, or add a layer: the panel Layers has both.</source>
+        <translation>请以全强度打开它或添加图层：“图层”面板中二者皆有。</translation>
     </message>
 </context>
 <context>
