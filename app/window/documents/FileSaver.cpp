@@ -40,6 +40,13 @@ QStringList lossesOf(const WrittenFile& written) {
   return losses;
 }
 
+// Keeps what the file of the document looked like when its saving began; nothing if it was closed before.
+std::function<void()> stampAtStart(QPointer<const Document> open, std::shared_ptr<std::optional<FileTimestamp>> stamp) {
+  return [open = std::move(open), stamp = std::move(stamp)] {
+    if (open) *stamp = open->file().stamp;
+  };
+}
+
 }  // namespace
 
 FileSaver::FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent)
@@ -59,9 +66,7 @@ void FileSaver::save(DocumentTab* document, const QString& path, std::function<v
   const auto stamp = std::make_shared<std::optional<FileTimestamp>>(document->document.file().stamp);
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
-  job.starting = [open, stamp] {
-    if (open) *stamp = open->file().stamp;
-  };
+  job.starting = stampAtStart(open, stamp);
   const auto failed = [this, document, open, path, ended](const Error& error) {
     reportFailure(open ? document : nullptr, path, error);
     if (ended) ended(false);

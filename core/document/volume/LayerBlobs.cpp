@@ -11,7 +11,7 @@
 namespace handwheel {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 constexpr const char* kLayersFolder = "document/layers/";
 
@@ -59,9 +59,9 @@ void shareBlocks(SparseVolume& volume, const std::vector<VoxelIndex>& blocks, co
 }
 
 // Reads the blocks of a folder that an object of the manifest counts. False where they are not all there.
-bool readBlocks(const Container& container, const json& object, const char* count, const std::string& folder,
+bool readBlocks(const Container& container, const Json& object, const char* count, const std::string& folder,
                 SparseVolume& volume, std::size_t& bytes) {
-  const std::optional<std::size_t> chunks = chunkCountOf(object.value(count, json()));
+  const std::optional<std::size_t> chunks = chunkCountOf(object.value(count, Json()));
   if (!chunks || *chunks > container.blobs.size()) return false;
   const ChunksRead read = readChunks(container, folder, chunks, volume, {});
   bytes += read.bytes;
@@ -69,11 +69,11 @@ bool readBlocks(const Container& container, const json& object, const char* coun
 }
 
 // The layer that an object of the manifest describes; none where that makes no sense.
-std::optional<ClayLayer> readLayer(const Container& container, const json& object, std::size_t number,
+std::optional<ClayLayer> readLayer(const Container& container, const Json& object, std::size_t number,
                                    const SparseVolume& visible) {
   if (!object.is_object()) return std::nullopt;
-  const json name = object.value("name", json()), strength = object.value("strength", json()),
-             isOn = object.value("on", json());
+  const Json name = object.value("name", Json()), strength = object.value("strength", Json()),
+             isOn = object.value("on", Json());
   if (!name.is_string() || !strength.is_number() || !isOn.is_boolean()) return std::nullopt;
   ClayLayer layer{name.get<std::string>(), strength.get<double>(), isOn.get<bool>(), nullptr};
   if (layer.name.size() > ClayLayers::kLongestName || !(layer.strength >= 0.0 && layer.strength <= 1.0))
@@ -91,15 +91,15 @@ std::optional<ClayLayer> readLayer(const Container& container, const json& objec
 }
 
 // Null where they make no sense; the problem says why then.
-std::shared_ptr<const ClayLayers> layersIn(const Container& container, const json& found, const SparseVolume& visible,
+std::shared_ptr<const ClayLayers> layersIn(const Container& container, const Json& found, const SparseVolume& visible,
                                            std::string& problem) {
-  const json layers = found.is_object() ? found.value("stack", json()) : json();
+  const Json layers = found.is_object() ? found.value("stack", Json()) : Json();
   if (!layers.is_array() || layers.empty() || layers.size() > ClayLayers::kMostLayers) return nullptr;
-  if (found.value("voxel", json()) != gridOf(visible)["voxel"] ||
-      found.value("origin", json()) != gridOf(visible)["origin"])
+  if (found.value("voxel", Json()) != gridOf(visible)["voxel"] ||
+      found.value("origin", Json()) != gridOf(visible)["origin"])
     return nullptr;
   std::vector<ClayLayer> read;
-  for (const json& object : layers) {
+  for (const Json& object : layers) {
     std::optional<ClayLayer> layer = readLayer(container, object, read.size(), visible);
     if (!layer) return nullptr;
     read.push_back(std::move(*layer));
@@ -108,7 +108,7 @@ std::shared_ptr<const ClayLayers> layersIn(const Container& container, const jso
   std::size_t bytes = 0;
   if (!readBlocks(container, found, "root_chunks", rootFolder(), below, bytes)) return nullptr;
   const std::vector<VoxelIndex> blocks = blocksOfAll(read);
-  if (found.value("visible", json()) != fingerprintOf(visible, blocks)) {
+  if (found.value("visible", Json()) != fingerprintOf(visible, blocks)) {
     problem = "the volume was changed without them";
     return nullptr;
   }
@@ -121,10 +121,10 @@ std::shared_ptr<const ClayLayers> layersIn(const Container& container, const jso
 
 void writeLayers(const ClayLayers& layers, const SparseVolume& visible, Container& container) {
   const std::vector<VoxelIndex> blocks = blocksOfAll(layers.all());
-  json written = gridOf(visible);
+  Json written = gridOf(visible);
   written["root_chunks"] = writeChunks(onlyBlocks(layers.root(), blocks), rootFolder(), container);
   written["visible"] = fingerprintOf(visible, blocks);
-  written["stack"] = json::array();
+  written["stack"] = Json::array();
   for (std::size_t i = 0; i < layers.all().size(); ++i) {
     const ClayLayer& layer = layers.all()[i];
     const auto write = [&](const SparseVolume& volume, const char* what) {
@@ -141,7 +141,7 @@ void writeLayers(const ClayLayers& layers, const SparseVolume& visible, Containe
 
 std::shared_ptr<const ClayLayers> readLayers(const Container& container, const SparseVolume& visible,
                                              std::vector<Error>& damage) {
-  const json found = (*container.manifest)["document"].value("layers", json());
+  const Json found = (*container.manifest)["document"].value("layers", Json());
   if (found.is_null()) return nullptr;
   std::string problem = "it is impossible";
   std::shared_ptr<const ClayLayers> layers = layersIn(container, found, visible, problem);

@@ -18,7 +18,7 @@ namespace {
 constexpr double kTick = 0.001;  // s that the device takes for an exchange
 
 // A device that notes what its motors got, and when.
-struct Motors : Session {
+struct Motors : handwheel::Session {
   struct Sent {
     double time;
     Vec3 force;

@@ -30,7 +30,7 @@ struct ThreadedDeviceBoard {
   std::atomic<bool> closed{false};
 };
 
-class SlowSession final : public Session {
+class SlowSession final : public handwheel::Session {
  public:
   explicit SlowSession(ThreadedDeviceBoard& board) : m_board(board) {}
   DeviceCapabilities capabilities() const override { return {}; }

@@ -28,7 +28,7 @@ Report report(std::uint8_t id, const std::vector<int>& numbers) {
   return bytes;
 }
 
-Counts after(const std::vector<Report>& all) {
+spacemouse::Counts after(const std::vector<Report>& all) {
   Reports reports;
   for (const Report& each : all) reports.take(each);
   return reports.counts();
@@ -48,18 +48,18 @@ class SpaceMouseReportsTest : public QObject {
  private slots:
   // Captured from a SpaceMouse Compact.
   void realReports() {
-    QCOMPARE(after({{0x02, 0x20, 0, 0, 0, 0x17, 0}}), (Counts{{}, {32, 0, 23}}));
-    QCOMPARE(after({{0x01, 0x12, 0, 0, 0, 0xf8, 0}}), (Counts{{18, 0, 248}, {}}));
+    QCOMPARE(after({{0x02, 0x20, 0, 0, 0, 0x17, 0}}), (spacemouse::Counts{{}, {32, 0, 23}}));
+    QCOMPARE(after({{0x01, 0x12, 0, 0, 0, 0xf8, 0}}), (spacemouse::Counts{{18, 0, 248}, {}}));
     QCOMPARE(after({{0x02, 0x20, 0, 0, 0, 0x19, 0}, {0x01, 0x12, 0, 0, 0, 0x12, 0x01}}),
-             (Counts{{18, 0, 274}, {32, 0, 25}}));
+             (spacemouse::Counts{{18, 0, 274}, {32, 0, 25}}));
     QCOMPARE(after({{0x02, 0x1d, 0, 0, 0, 0x1b, 0}, {0x01, 0x0d, 0, 0, 0, 0x25, 0x01}}),
-             (Counts{{13, 0, 293}, {29, 0, 27}}));
+             (spacemouse::Counts{{13, 0, 293}, {29, 0, 27}}));
   }
 
   void theLengthTellsTheFormat() {
     const bool ok = rc::check([](const std::array<std::int16_t, 6>& n) {
       const std::vector<int> first(n.begin(), n.begin() + 3), last(n.begin() + 3, n.end()), all(n.begin(), n.end());
-      const Counts expected{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+      const spacemouse::Counts expected{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
       RC_ASSERT(after({report(1, first), report(2, last)}) == expected);
       RC_ASSERT(after({report(1, all)}) == expected);
     });
