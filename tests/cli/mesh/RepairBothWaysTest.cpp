@@ -100,7 +100,7 @@ class RepairBothWaysTest : public QObject {
     QVERIFY2(lines[2].startsWith("\"a, open.off\",volume,yes,"), lines[2]);
     QVERIFY2(lines[3].startsWith("flat.off,triangles,no,") && lines[4].startsWith("flat.off,volume,no,"), lines[4]);
     QVERIFY2(lines[5].startsWith("none.off,,no,no result,"), lines[5]);
-    QCOMPARE(inspected(bench, "out/a, open.off").at("volume_mm3").get<double>(), 1000.0);
+    QCOMPARE(bench.inspected("out/a, open.off").at("volume_mm3").get<double>(), 1000.0);
     // A folder, too.
     QVERIFY(QDir(bench.path()).mkdir("in"));
     bench.put("in/open.off", open.off());

@@ -129,7 +129,7 @@ class SpaceMouseSessionTest : public QObject {
   void neverBothWays() {
     const QTemporaryDir folder;
     const std::string path = folder.filePath("spnav.sock").toStdString();
-    Driver driver(oneHid(), {path});
+    spacemouse::Driver driver(oneHid(), {path});
     QCOMPARE(driver.find().size(), std::size_t(1));
     QCOMPARE(driver.find()[0].address, std::string("/dev/hidraw7"));
     {
@@ -149,7 +149,7 @@ class SpaceMouseSessionTest : public QObject {
     const QTemporaryDir folder;
     const std::string path = folder.filePath("spnav.sock").toStdString();
     { const Listener gone(path); }
-    Driver driver(oneHid(), {path});
+    spacemouse::Driver driver(oneHid(), {path});
     QCOMPARE(driver.find()[0].address, std::string("/dev/hidraw7"));
   }
 
@@ -157,7 +157,7 @@ class SpaceMouseSessionTest : public QObject {
     const QTemporaryDir folder;
     const std::string path = folder.filePath("spnav.sock").toStdString();
     const Listener daemon(path);
-    Driver driver(oneHid(), {path});
+    spacemouse::Driver driver(oneHid(), {path});
     const std::unique_ptr<Device> device = driver.make(path);
     QVERIFY(device != nullptr);
     ::close(daemon.accept());  // the question whether somebody listens
