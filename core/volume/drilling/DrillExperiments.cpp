@@ -86,7 +86,8 @@ Result<std::vector<float>> drilled(const SteppedHole& hole, const DrillSetup& se
 EvenLoad evenLoadOf(const SteppedHole& hole, const DrillSetup& setup, const std::vector<float>& thrust) {
   const double way = hole.feed / hole.rate, radius = 0.5 * hole.diameter;
   // From the centre in the plate on, until the tip comes out.
-  const double first = std::ceil((radius + kStockMargin) / way), last = std::floor((hole.thickness - kStockMargin) / way);
+  const double first = std::ceil((radius + kStockMargin) / way),
+               last = std::floor((hole.thickness - kStockMargin) / way);
   double sum = 0.0, squares = 0.0, count = 0.0;
   for (double cycle = first; cycle <= last && cycle < static_cast<double>(thrust.size()); ++cycle, ++count) {
     const auto value = static_cast<double>(thrust[static_cast<std::size_t>(cycle)]);
