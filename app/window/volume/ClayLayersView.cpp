@@ -99,6 +99,8 @@ void ClayLayersView::makeDock() {
   column->addWidget(m_hint);
   m_dock->setWidget(new ScrolledPanel(content, ScrolledPanel::Ways::Both, m_dock));
   window->addDockWidget(Qt::RightDockWidgetArea, m_dock);
+  if (auto* const kind = window->findChild<QDockWidget*>(QStringLiteral("kindDock")))
+    window->tabifyDockWidget(kind, m_dock);
   connect(m_dock, &QDockWidget::visibilityChanged, this, [this] {
     if (m_document) m_toggle.setChecked(!m_dock->isHidden());
   });
