@@ -55,8 +55,10 @@ class RobotScene {
   Nearest nearest(const ArmValues& values, double enough, QueryCounts* counts = nullptr) const;
   // The same of the obstacles alone.
   Nearest nearestObstacle(const ArmValues& values, double enough, QueryCounts* counts = nullptr) const;
-  // The distance of the links from a body that is none of the obstacles, where it is below `enough`.
-  Nearest nearestTo(const CollisionBody& body, const Pose& pose, const ArmValues& values, double enough) const;
+  // The distance of the links from a body that is none of the obstacles, where it is below `enough`. without: links
+  // that do not count.
+  Nearest nearestTo(const CollisionBody& body, const Pose& pose, const ArmValues& values, double enough,
+                    std::span<const std::uint32_t> without = {}) const;
   // What meets, or is nearer than it may be: of obstacles nearer than `clearance`, of links to each other
   // `ownClearance`; the one that is nearer by most. No link: nothing is.
   Nearest tooNear(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts = nullptr) const;
@@ -69,9 +71,9 @@ class RobotScene {
   // that are looked at. way: of the robot as a whole, where it is moved with its base.
   std::vector<ClosestPoints> touches(const ArmValues& values, const Nearest& nearest, std::size_t most,
                                      const Pose& way = Pose::Identity()) const;
-  // The same of all links with a body that is none of the obstacles.
+  // The same of all links but these with a body that is none of the obstacles.
   std::vector<ClosestPoints> touches(const ArmValues& values, const CollisionBody& body, const Pose& pose,
-                                     std::size_t most) const;
+                                     std::size_t most, std::span<const std::uint32_t> without = {}) const;
   // All pairs of links that meet, with the depth as a distance below 0 (see ClosestPoints).
   std::vector<Nearest> overlappingLinks(const ArmValues& values) const;
   // What meets obstacles with the robot moved as a whole, its base, too, while these stand. Parts that stand and meet

@@ -221,11 +221,12 @@ RobotScene::Nearest RobotScene::nearestObstacle(const ArmValues& values, double 
 }
 
 RobotScene::Nearest RobotScene::nearestTo(const CollisionBody& body, const Pose& pose, const ArmValues& values,
-                                          double enough) const {
+                                          double enough, std::span<const std::uint32_t> without) const {
   Places places;
   placesAt(values, places);
   Nearest least{enough};
   for (const Part& part : m_parts) {
+    if (std::ranges::find(without, part.link) != without.end()) continue;
     const double distance = distanceBetween(part.body, places.of(part.joint), body, pose, least.distance);
     if (distance < least.distance) least = {distance, part.link};
   }
@@ -301,11 +302,13 @@ std::vector<ClosestPoints> RobotScene::touches(const ArmValues& values, const Ne
 }
 
 std::vector<ClosestPoints> RobotScene::touches(const ArmValues& values, const CollisionBody& body, const Pose& pose,
-                                               std::size_t most) const {
+                                               std::size_t most, std::span<const std::uint32_t> without) const {
   Places places;
   placesAt(values, places);
   PlacedBodies placed;
-  for (const Part& part : m_parts) placed.add(part.body, places.of(part.joint));
+  for (const Part& part : m_parts) {
+    if (std::ranges::find(without, part.link) == without.end()) placed.add(part.body, places.of(part.joint));
+  }
   const std::size_t own = placed.bodies.size();
   placed.add(body, pose);
   return touchesOf(std::move(placed), own, most);

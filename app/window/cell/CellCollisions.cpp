@@ -121,8 +121,9 @@ std::vector<CellCollision> CellCollisions::mark(DisplayModel& shown, const Joint
   const auto markOf = [&](const std::shared_ptr<const CellScene>& scene) {
     CellCollision here{scene, scene->planned(joints), {}};
     if (moved) {
+      here.without = scene->ownLinksOf(moved->id);
       RobotScene::Nearest nearest =
-          scene->scene.nearestTo(body, moved->pose, here.values, std::numeric_limits<double>::min());
+          scene->scene.nearestTo(body, moved->pose, here.values, std::numeric_limits<double>::min(), here.without);
       nearest.owner = moved->id;
       if (nearest.link != kNone) here.pairs.push_back(nearest);
       here.moved = body;

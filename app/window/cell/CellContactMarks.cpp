@@ -75,7 +75,11 @@ void CellContactMarks::find() {
   if (!collisions) return;
   Job job;
   job.owner = this;
-  job.failed = [this](const Error&) { m_isUnderWay = false; };
+  job.failed = [this](const Error&) {
+    m_isUnderWay = false;
+    m_layer->setContacts({});
+    if (m_isStale) find();
+  };
   job.work = [this, cell = m_cell, collisions = *collisions](Progress progress) -> Job::Finish {
     std::vector<ContactMark> marks;
     for (const CellContact& contact : contactsOf(collisions, kMostMarked, progress))

@@ -158,6 +158,13 @@ std::optional<BodyId> CellScene::bodyOfLink(std::uint32_t link) const {
   return link == kNone || link < own ? std::nullopt : std::optional(carried[link - own]);
 }
 
+std::vector<std::uint32_t> CellScene::ownLinksOf(BodyId body) const {
+  const auto found = std::find(carried.begin(), carried.end(), body);
+  if (found == carried.end()) return {};
+  const auto itself = static_cast<std::uint32_t>(robot->model.links.size() + (found - carried.begin()));
+  return {itself, carrierOf(*bodies.withId(body), robot->model)};
+}
+
 bool CellScene::standsAs(const JointValues& joints) const {
   return whole(planned(joints)) == joints;
 }

@@ -51,6 +51,9 @@ struct CellScene {
   std::pair<std::string, std::string> namesOf(const RobotScene::Nearest& nearest) const;
   // The body that this link of the scene is; none: it is one of the robot.
   std::optional<BodyId> bodyOfLink(std::uint32_t link) const;
+  // The links that a carried body does not collide with while it is moved by hand: what it is itself, which is still
+  // where it was, and what carries it. Empty: it stands.
+  std::vector<std::uint32_t> ownLinksOf(BodyId body) const;
   // Obstacles of these owners are links of other robots, by their numbers in the model; all others are bodies.
   static constexpr std::uint32_t kLinkOwners = 0x8000'0000;
   static std::uint32_t linkOfOwner(std::uint32_t owner) {

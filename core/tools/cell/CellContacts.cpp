@@ -23,15 +23,19 @@ std::vector<std::vector<ClosestPoints>> touchesByPair(std::span<const CellCollis
     std::erase_if(touches, [](const ClosestPoints& touch) { return !isMet(touch); });
     if (!touches.empty()) found.push_back(std::move(touches));
   };
-  std::set<std::pair<std::string, std::string>> seen;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> seen;  // as owners of obstacles, which are the same for all robots
   for (const CellCollision& each : collisions) {
     const RobotScene& scene = each.scene->scene;
-    if (!each.moved.isEmpty()) keep(scene.touches(each.values, each.moved, each.movedPose, kLookedAt));
+    const auto ownerOf = [&](std::uint32_t link) {
+      const auto body = each.scene->bodyOfLink(link);
+      return body ? *body : CellScene::kLinkOwners + link;
+    };
+    if (!each.moved.isEmpty()) keep(scene.touches(each.values, each.moved, each.movedPose, kLookedAt, each.without));
     for (const RobotScene::Nearest& pair : each.pairs) {
       if (progress.cancelled()) return found;
-      auto [first, second] = each.scene->namesOf(pair);
-      if (second < first) std::swap(first, second);
-      if (each.moved.isEmpty() && seen.emplace(first, second).second)
+      const std::uint32_t first = ownerOf(pair.link);
+      const std::uint32_t second = pair.owner == kNone ? ownerOf(pair.otherLink) : pair.owner;
+      if (each.moved.isEmpty() && seen.insert(std::minmax(first, second)).second)
         keep(scene.touches(each.values, pair, kLookedAt, each.way));
     }
   }

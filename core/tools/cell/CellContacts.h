@@ -18,6 +18,7 @@ struct CellCollision {
   // A body that is moved by hand, in place of the pairs; empty: none is.
   CollisionBody moved = {};
   Pose movedPose = Pose::Identity();
+  std::vector<std::uint32_t> without = {};  // links that it does not collide with
 };
 
 // A place where two things in a cell touch.

@@ -97,6 +97,23 @@ class CellContactsTest : public QObject {
     QVERIFY(contactsOf({&found, 1}, 100, {}).empty());
   }
 
+  // One that a link carries meets neither that link nor where it was itself while the hand moves it.
+  void aCarriedBodyThatIsMoved() {
+    Body ball = ballAt(7, {100.0, 90.0, 0.0}, 50.0);
+    ball.carrier = "upper";
+    CellCollision found = collisionWith({ball, ballAt(8, {100.0, 900.0, 0.0}, 50.0)});
+    const CellScene& scene = *found.scene;
+    QVERIFY(scene.ownLinksOf(8).empty() && scene.ownLinksOf(9).empty());
+    QCOMPARE(scene.ownLinksOf(7).size(), std::size_t{2});
+    QVERIFY(scene.bodyOfLink(scene.ownLinksOf(7)[0]) == std::optional<BodyId>(7));
+    found.moved = collisionBodyOf(*ball.geometry, m_meshes);
+    found.movedPose.translation() = Vec3(100.0, 95.0, 0.0);
+    QVERIFY(!contactsOf({&found, 1}, 100, {}).empty());
+    found.without = scene.ownLinksOf(7);
+    QVERIFY(contactsOf({&found, 1}, 100, {}).empty());
+    QVERIFY(scene.scene.nearestTo(found.moved, found.movedPose, found.values, 1.0, found.without).link == kNone);
+  }
+
   // Moved as a whole by 820 mm the robot meets what stood away from it.
   void aRobotThatIsMoved() {
     CellCollision found = collisionWith({ballAt(7, {100.0, 910.0, 0.0}, 50.0)});
