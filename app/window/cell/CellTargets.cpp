@@ -4,6 +4,7 @@
 
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/CellFrames.h"
 #include "document/cell/RobotCellDocument.h"
 #include "tools/cell/path/IkSolutionText.h"
 #include "viewport/Viewport.h"
@@ -18,7 +19,6 @@ namespace handwheel {
 namespace {
 
 constexpr double kShownAxis = 40.0;       // mm of x and y; z, along which the tool works, is twice as long
-constexpr double kFrameAxis = 80.0;       // mm of each axis of a named frame
 constexpr std::size_t kMostShown = 1000;  // targets; frames
 
 TargetReach reachOf(const CellScene& scene, const CellPlans& plans, const NamedTarget& target,
@@ -145,7 +145,8 @@ void CellTargets::show() {
     const Result<Pose> pose = poseOfFrame(plans.frames[i], cell().placement());
     if (!pose) continue;
     for (int axis = 0; axis < 3; ++axis)
-      lines->push_back({{pose->translation(), *pose * Vec3(kFrameAxis * Vec3::Unit(axis))}, PathLine::Look::Thread});
+      lines->push_back(
+          {{pose->translation(), *pose * Vec3(kShownFrameAxis * Vec3::Unit(axis))}, PathLine::Look::Thread});
   }
   m_layer->setLines(lines->empty() ? nullptr : lines);
 }

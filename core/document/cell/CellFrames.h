@@ -11,6 +11,8 @@
 
 namespace handwheel {
 
+inline constexpr double kShownFrameAxis = 80.0;  // mm of each axis of a named frame that is shown
+
 // Where the frames and targets of a cell are. All poses are in the frame of the root, unless it is said.
 
 // What that depends on.

@@ -33,7 +33,6 @@ constexpr double kGripPixels = 7.0;                      // logical, to either s
 constexpr double kDeviceGripPixels = 14.0;               // a tip in space is harder to aim
 constexpr double kSnapPixels = 4.0;                      // the least distance of two snapped positions in the view
 constexpr double kTurnStep = 5.0 * kRadiansPerDegree;    // of snapped turns
-constexpr double kFrameAxisLength = 80.0;                // mm, as frames are shown
 constexpr Limits kMoves{-kFarthestBody, kFarthestBody};  // mm
 constexpr Limits kTurns{-2.0 * M_PI, 2.0 * M_PI};
 
@@ -293,8 +292,9 @@ std::unique_ptr<Edit> PlaceTool::editTo(const Subject& placed, const Pose& pose)
   if (placed.isFrame) {
     CellPlans plans = *m_document.plans();
     const auto frame = std::ranges::find(plans.frames, placed.name, &NamedFrame::name);
-    if (frame == plans.frames.end() || !isRigid(pose)) return nullptr;
+    if (frame == plans.frames.end()) return nullptr;
     *frame = frameAt(*frame, pose, m_document.placement());
+    if (!isRigid(frame->pose)) return nullptr;
     return m_document.plansEdit(std::move(plans));
   }
   Body changed = *placed.body;
@@ -383,7 +383,7 @@ ToolPreview PlaceTool::preview() const {
     return preview;
   }
   for (int axis = 0; axis < 3; ++axis)
-    preview.lines.push_back({there.translation(), there * Vec3(kFrameAxisLength * Vec3::Unit(axis))});
+    preview.lines.push_back({there.translation(), there * Vec3(kShownFrameAxis * Vec3::Unit(axis))});
   return preview;
 }
 

@@ -29,8 +29,8 @@ struct PlaceServices {
 // link of the robot, it moves over the horizontal plane, with Shift up and down. A device that grabs the body itself
 // moves and turns it freely. Numbers that are typed move and turn it from where it is; they are shown and hold when
 // they are committed. A selected frame is placed by its handles or numbers, whatever carries it. Each release or commit
-// is one edit. A body that the robot carries is placed on its carrier. The
-// robot on the root has no handles, as everything is measured from its base.
+// is one edit. A body that the robot carries is placed on its carrier. The robot on the root has no handles, as
+// everything is measured from its base.
 class PlaceTool : public Tool {
  public:
   // The selection must outlive the tool.

@@ -114,6 +114,23 @@ class PlaceToolTest : public QObject {
     QVERIFY(make().handles());  // those of the body
   }
 
+  // Where it would be too far from what carries it to be read again it stays.
+  void aFrameTooFar() {
+    const BodyId far = m_cell->addBox({20, 20, 20}, {9e6, 0.0, 0.0});
+    CellPlans plans;
+    plans.frames = {{"F", poseOf({-5e6, 0.0, 0.0}, Vec3::Zero()), far}};
+    m_cell->plan(plans);
+    m_frame = "F";
+    const int steps = m_cell->steps();
+    PlaceTool tool = make();
+    tool.setSetting("move_x", -1e7);
+    QCOMPARE(tool.perform("commit"), ToolReply::Used);
+    QCOMPARE(m_cell->steps(), steps);
+    tool.setSetting("move_x", 1e6);
+    QCOMPARE(tool.perform("commit"), ToolReply::Used);
+    QCOMPARE(m_cell->steps(), steps + 1);
+  }
+
   // By a ring it turns about its middle.
   void aRing() {
     PlaceTool tool = make();
