@@ -249,7 +249,7 @@ class FanucReading {
   void readRemark(LineReader line) {
     if (m_named) {
       line.take("!");
-      if (const std::string_view name = line.name(); !name.empty()) m_frameNames[*m_named] = name;
+      if (const std::string_view name = line.name(); !name.empty()) m_frameNames[*m_named] = readFrameName(name);
       m_named.reset();
     } else if (line.take(kSetsFrame)) {
       m_named = line.number();
@@ -280,6 +280,7 @@ class FanucReading {
       readRemark(line);
       return Done{};
     }
+    m_named.reset();
     // A time-out leads elsewhere: "WAIT DI[1]=ON TIMEOUT,LBL[2]".
     if (LineReader(line).take("WAIT") && lowerCase(std::string(line.rest())).find("timeout") != std::string::npos)
       return unread(line.rest(), statement.line);

@@ -89,6 +89,11 @@ std::string frameIdentifier(const RobotProgram& program, std::span<const char* c
   return identifierOf(name, longest - kDigits - 1) + "_" + hashDigits(name, kDigits);
 }
 
+std::string readFrameName(std::string_view name) {
+  constexpr std::size_t kLongestRead = 200, kShortened = 60;
+  return name.size() <= kLongestRead ? std::string(name) : identifierOf(std::string(name), kShortened);
+}
+
 std::vector<std::string> headRemarks(const RobotProgram& program) {
   std::vector<std::string> remarks{identifierOf(program.robot, 60)};
   if (!program.frameName.empty())

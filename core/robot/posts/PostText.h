@@ -31,6 +31,10 @@ std::string lowerCase(std::string text);  // of ASCII
 // a number that other names hardly have, where they would be the same.
 std::string frameIdentifier(const RobotProgram& program, std::span<const char* const> words, std::size_t longest);
 
+// What a program that is read calls a frame: shortened where it is longer than any language allows, as each motion
+// keeps it.
+std::string readFrameName(std::string_view name);
+
 // Turns about z, y and x, in this order about axes that move along (KUKA's A, B, C; Fanuc's R, P, W); rad. Where two
 // axes are in line the last is 0.
 Vec3 zyxAngles(const Eigen::Matrix3d& turn);

@@ -247,7 +247,7 @@ class RapidReading {
     line.name();
     const bool isNamed = line.take("\\WObj") && line.take(":=");
     const std::string_view name = isNamed ? line.name() : std::string_view();
-    return folded(name) == "wobj0" ? std::string() : std::string(name);
+    return folded(name) == "wobj0" ? std::string() : readFrameName(name);
   }
 
   // "tool", "tool\WObj:=frame" of a motion to this pose.

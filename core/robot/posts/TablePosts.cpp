@@ -49,7 +49,7 @@ CsvFrame csvFrame(const std::vector<std::string_view>& lines) {
       std::find_if(lines.begin(), lines.end(), [](std::string_view line) { return line.starts_with(kCsvFrame); });
   if (found == lines.end()) return {};
   LineReader line(found->substr(kCsvFrame.size()), 0);
-  const std::string name(line.name());
+  const std::string name = readFrameName(line.name());
   std::vector<double> numbers;
   while (line.take(",") && numbers.size() < 7) {
     const auto value = line.number();
@@ -170,7 +170,7 @@ class JsonPost : public PostProcessor {
     if (!json->is_object() || list == json->end() || !list->is_array() || list->size() > kMostMotions)
       return wrong("a list was expected");
     const std::optional<Pose> inFrame = poseOfNumbers(numbersAt(*json, "frame", 7));
-    const std::string name = stringAt(*json, "frame_name");
+    const std::string name = readFrameName(stringAt(*json, "frame_name"));
     std::vector<ReadMotion> motions;
     for (const nlohmann::json& each : *list) {
       const std::vector<double> q = numbersAt(each, "q", static_cast<std::size_t>(frame.arm.size()));

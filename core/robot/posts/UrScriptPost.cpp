@@ -145,7 +145,8 @@ Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion:
     const auto frame = line.take("(") ? frames.find(line.name()) : frames.end();
     if (frame == frames.end() || !line.take(",")) return unread(call, number);
     motion.frame = frame->second;
-    motion.frameName = frame->first.substr(frame->first.starts_with(kUrFramePrefix) ? kUrFramePrefix.size() : 0);
+    const std::string_view name = frame->first;
+    motion.frameName = readFrameName(name.substr(name.starts_with(kUrFramePrefix) ? kUrFramePrefix.size() : 0));
   }
   const bool isPose = line.take("p");
   const auto numbers = line.numbersWithin('[', ']', 6);

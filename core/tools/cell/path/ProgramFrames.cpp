@@ -3,10 +3,13 @@
 #include "tools/cell/path/ProgramFrames.h"
 
 #include "base/Units.h"
+#include "document/scene/BodyChanges.h"
 #include "robot/posts/PostText.h"
 #include "scene/RigidPose.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace handwheel {
 
@@ -18,24 +21,40 @@ bool isSamePlace(const Pose& a, const Pose& b) {
   return (a.translation() - b.translation()).norm() <= kDistance && angle <= kAngle;
 }
 
-// Whether programs in some language call a frame of the cell like this.
-bool isCalled(const CellPlans& plans, const NamedFrame& frame, const std::string& name) {
-  if (frame.name == name) return true;
+// What programs in the languages call a frame of the cell, in lower case.
+std::set<std::string> namesInPrograms(const CellPlans& plans, const NamedFrame& frame) {
   RobotProgram program;
   program.frameName = frame.name;
   for (const NamedFrame& other : plans.frames) {
     if (other.name != frame.name) program.otherFrames.push_back(other.name);
   }
-  const std::string wanted = lowerCase(name);
-  const auto isIt = [&](const std::string& identifier) {
-    const std::string lower = lowerCase(identifier);
-    return wanted == lower || wanted == "wobj_" + lower;
-  };
+  std::set<std::string> names;
   constexpr std::size_t kLongest[] = {24, 25, 50, 60};  // Fanuc, RAPID, URScript; KRL and tables
-  return std::ranges::any_of(kLongest, [&](std::size_t longest) {
-    return isIt(frameIdentifier(program, {}, longest)) || isIt(identifierOf(frame.name, longest));
-  });
+  for (const std::size_t longest : kLongest) {
+    names.insert(lowerCase(frameIdentifier(program, {}, longest)));
+    names.insert(lowerCase(identifierOf(frame.name, longest)));
+  }
+  return names;
 }
+
+// The frames of a plan as programs call them. There are few frames in a cell, but each has many names.
+class KnownFrames {
+ public:
+  explicit KnownFrames(const CellPlans& plans) {
+    for (const NamedFrame& frame : plans.frames) add(plans, frame);
+  }
+  void add(const CellPlans& plans, const NamedFrame& frame) { m_names[frame.name] = namesInPrograms(plans, frame); }
+  bool isCalled(const NamedFrame& frame, const std::string& name) const {
+    constexpr std::string_view kRapidPrefix = "wobj_";
+    const std::set<std::string>& names = m_names.at(frame.name);
+    const std::string lower = lowerCase(name);
+    return frame.name == name || names.contains(lower) ||
+           (lower.starts_with(kRapidPrefix) && names.contains(lower.substr(kRapidPrefix.size())));
+  }
+
+ private:
+  std::map<std::string, std::set<std::string>> m_names;
+};
 
 // "fixture 2" of "fixture".
 bool isNumbered(const std::string& name, const std::string& wish) {
@@ -49,7 +68,10 @@ std::vector<NamedFrame> framesOf(const std::vector<ReadMotion>& motions, const P
   std::vector<NamedFrame> frames;
   for (const ReadMotion& motion : motions) {
     if (!motion.frame || motion.frameName.empty() || isSamePlace(*motion.frame, Pose::Identity())) continue;
-    const NamedFrame frame{motion.frameName, base * *motion.frame};
+    constexpr std::size_t kShortened = 60;
+    const bool isUsable = isBodyName(motion.frameName);
+    const NamedFrame frame{isUsable ? motion.frameName : identifierOf(motion.frameName, kShortened),
+                           base * *motion.frame};
     if (!isRigid(frame.pose) || frames.size() >= CellPlans::kMostFrames) continue;
     const bool isThere = std::ranges::any_of(frames, [&](const NamedFrame& other) {
       return other.name == frame.name && isSamePlace(other.pose, frame.pose);
@@ -61,13 +83,15 @@ std::vector<NamedFrame> framesOf(const std::vector<ReadMotion>& motions, const P
 
 TakenFrames takeFrames(const std::vector<NamedFrame>& read, const CellPlacement& cell, CellPlans& plans) {
   TakenFrames taken;
+  KnownFrames known(plans);
   for (const NamedFrame& frame : read) {
     const auto called =
-        std::ranges::find_if(plans.frames, [&](const NamedFrame& known) { return isCalled(plans, known, frame.name); });
-    const std::string wish = called == plans.frames.end() ? frame.name : called->name;
-    const auto same = std::ranges::find_if(plans.frames, [&](const NamedFrame& known) {
-      const Result<Pose> pose = poseOfFrame(known, cell);
-      return (isCalled(plans, known, frame.name) || isNumbered(known.name, wish)) && pose &&
+        std::ranges::find_if(plans.frames, [&](const NamedFrame& each) { return known.isCalled(each, frame.name); });
+    const bool isOwnName = plans.frame(frame.name) || called == plans.frames.end();
+    const std::string wish = isOwnName ? frame.name : called->name;
+    const auto same = std::ranges::find_if(plans.frames, [&](const NamedFrame& each) {
+      const Result<Pose> pose = poseOfFrame(each, cell);
+      return (known.isCalled(each, frame.name) || isNumbered(each.name, wish)) && pose &&
              isSamePlace(*pose, frame.pose);
     });
     if (same != plans.frames.end()) {
@@ -77,6 +101,7 @@ TakenFrames takeFrames(const std::vector<NamedFrame>& read, const CellPlacement&
     } else {
       const std::string name = plans.frameNames().take(wish);
       plans.frames.push_back({name, frame.pose});
+      known.add(plans, plans.frames.back());
       taken.made.push_back(name);
     }
   }

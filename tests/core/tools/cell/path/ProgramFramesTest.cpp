@@ -118,6 +118,43 @@ class ProgramFramesTest : public QObject {
     QVERIFY(isAt(frames[0].pose, base * fixture()));
     QVERIFY(framesOf({}, base).empty());
   }
+
+  // Names that cells cannot have become such ones; of several that programs call alike the one with the very name is
+  // numbered on.
+  void names() {
+    for (const std::string& name : {std::string(1'000'000, 'x'), std::string("a\nb"), std::string(" jig ")}) {
+      const auto frames = framesOf({ReadMotion{.frame = fixture(), .frameName = name}}, Pose::Identity());
+      QCOMPARE(frames.size(), std::size_t{1});
+      QVERIFY(isBodyName(frames[0].name) && frames[0].name.size() <= 60);
+    }
+    ArmCell cell;
+    const RobotCellSnapshot content = cell.content();
+    const Pose moved = fixture() * Eigen::Translation3d(0.0, 0.0, 1.0);
+    CellPlans plans;
+    plans.frames = {{"fixture 1", Pose::Identity()}, {"fixture_1", fixture()}};
+    QCOMPARE(takeFrames({{"fixture_1", moved}}, placementOf(content), plans).made,
+             std::vector<std::string>{"fixture_1 2"});
+  }
+
+  // A name that is in a program once is not kept whole by each of its motions.
+  void aHugeName() {
+    ArmCell cell;
+    RobotProgram read;
+    read.arm = cell.scene()->armFromBase();
+    const std::pair<const char*, const char*> all[] = {
+        {"csv", "# frame,"}, {"json", "frame_name"}, {"krl", "$BASE is"}};
+    for (const auto& [post, before] : all) {
+      std::string text = written(cell, post, "fixture", fixture());
+      const std::size_t at = text.find("fixture", text.find(before));
+      QVERIFY2(at != text.npos, post);
+      const auto motions = postCalled(post)->read(text.replace(at, 7, std::string(100'000, 'x')), read);
+      QVERIFY2(motions.hasValue() && motions->size() == 2, post);
+      for (const ReadMotion& motion : *motions) {
+        QVERIFY2(motion.frame && motion.frameName.starts_with("xxx"), post);
+        QVERIFY2(motion.frameName.size() <= 200, post);
+      }
+    }
+  }
 };
 
 HANDWHEEL_TEST(ProgramFramesTest)
