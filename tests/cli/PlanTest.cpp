@@ -347,6 +347,48 @@ class PlanTest : public QObject {
     }
   }
 
+  // A program is stored as a path of the cell, with its frame; opened again it finds that.
+  void programsBecomePaths() {
+    const PlannedCell cell;
+    const QByteArray joints = ",[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0\\WObj:=jig;\n";
+    cell.put(
+        "seam.mod",
+        "MODULE m\nPERS wobjdata jig:=[FALSE,TRUE,\"\",[[100,20,30],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\nPROC main()\n"
+        "MoveAbsJ [[60,0,0,0,0,0]" +
+            joints + "MoveAbsJ [[80,0,0,0,0,0]" + joints + "ENDPROC\nENDMODULE\n");
+    const QStringList open{"configuration", "cell.handwheel", "--open", "seam.mod", "-o", "cell.handwheel"};
+    const Ran first = cell.run(open);
+    QVERIFY2(first.code == 0, first.err);
+    QVERIFY2(first.out.contains("path seam, 2 places\n") && first.out.contains("frame jig\n"), first.out);
+    const Ran verified = cell.run({"verify", "cell.handwheel", "seam", "--json"});
+    QVERIFY2(verified.code == 0, verified.err);
+    QCOMPARE(jsonOf(verified.out)["waypoints"].get<int>(), 2);
+    // Joint 1 turns by 20 degrees.
+    QVERIFY(std::abs(jsonOf(verified.out)["length_rad"].get<double>() - M_PI / 9.0) < 1e-6);
+    const nlohmann::json again = jsonOf(cell.run(open + QStringList{"--json"}).out);
+    QCOMPARE(again["paths"].size(), std::size_t{2});
+    QCOMPARE(again["paths"][1]["name"].get<std::string>(), std::string("seam 2"));
+    QCOMPARE(again["frames"].size(), std::size_t{1});
+    QVERIFY(again["frames_made"].empty());
+    QCOMPARE(again["frames_used"][0].get<std::string>(), std::string("jig"));
+    // A name that is given is that of the path, whatever was called so.
+    const nlohmann::json named = jsonOf(cell.run(open + QStringList{"--name", "seam", "--json"}).out);
+    QCOMPARE(named["paths"].size(), std::size_t{2});
+    QCOMPARE(named["paths"][1]["name"].get<std::string>(), std::string("seam"));
+    // What cannot be read leaves the cell as it is.
+    const QByteArray before = cell.read("cell.handwheel");
+    cell.put("loop.mod", "MODULE m\nPROC main()\nMoveC p1,p2,v100,fine,tool0;\nENDPROC\nENDMODULE\n");
+    for (const char* file : {"loop.mod", "none.mod"}) {
+      const Ran refused = cell.run({"configuration", "cell.handwheel", "--open", file, "-o", "cell.handwheel"});
+      QCOMPARE(refused.code, 1);
+      QVERIFY2(refused.err.contains(file), refused.err);
+    }
+    QCOMPARE(cell.run(open + QStringList{"--name", "a\nb"}).code, 1);
+    QCOMPARE(cell.run({"configuration", "cell.handwheel", "--name", "x", "--add", "x", "-o", "cell.handwheel"}).code,
+             1);
+    QVERIFY(cell.read("cell.handwheel") == before);
+  }
+
   // MoveAbsJ with v100: the tool's centre point goes with 100 mm/s. With joint 1 it is 374 mm from the axis, which
   // turns by at most 250 degrees a second (data sheet of the IRB 120).
   void speedsOfTheTool() {

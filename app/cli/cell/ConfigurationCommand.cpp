@@ -3,6 +3,7 @@
 #include "cli/cell/ConfigurationCommand.h"
 
 #include "base/NumberText.h"
+#include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/OperationJson.h"
 #include "cli/OperationOptions.h"
@@ -11,10 +12,14 @@
 #include "document/FileBytes.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/PlansEdit.h"
+#include "document/scene/BodyChanges.h"
+#include "document/scene/BodyErrors.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/ConfigurationOperation.h"
 #include "tools/cell/ConfigurationPoses.h"
 #include "tools/cell/path/IkSolutionText.h"
+#include "tools/cell/path/PathExport.h"
+#include "tools/cell/path/ProgramFrames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,12 +44,34 @@ Result<CellPlans> withSrdf(CellPlans plans, const std::string& path, const Robot
   return changed ? changed : named(changed.error());
 }
 
-std::string configurationsReport(const nlohmann::json& described, bool asJson) {
+// Adds the path of a program or a path file, called as the arguments say or as the file, and the frames that it gives.
+Result<TakenFrames> openPath(const Arguments& arguments, RobotCellSnapshot& cell, Progress progress) {
+  const std::filesystem::path file = arguments.valueOf("open");
+  const std::string name = arguments.has("name") ? arguments.valueOf("name") : file.stem().string();
+  if (arguments.has("name") && !isBodyName(name))
+    return Error{BodyError::NameUnusable, {name, std::to_string(kLongestBodyName)}, {}, {}};
+  CollisionMeshes meshes;
+  const Result<CellScene> scene = sceneOf(cell, meshes);
+  if (!scene) return scene.error();
+  Result<ProgramPath> read = pathFromFile(*scene, cell, file, progress);
+  if (!read) return read.error();
+  CellPlans plans = *cell.plans;
+  if (arguments.has("name")) std::erase_if(plans.paths, [&](const RobotPath& path) { return path.name == name; });
+  read->path.name = plans.freePathName(isBodyName(name) ? name : "path");
+  plans.paths.push_back(std::move(read->path));
+  TakenFrames frames = takeFrames(read->frames, {*cell.plans, cell.bodies, cell.robot->model, cell.joints}, plans);
+  cell.plans = std::make_shared<const CellPlans>(std::move(plans));
+  return frames;
+}
+
+std::string configurationsReport(const nlohmann::json& described, const TakenFrames& frames, bool asJson) {
   if (asJson)
     return textOf({{"configurations", described["configurations"]},
                    {"targets", described["targets"]},
                    {"frames", described["frames"]},
-                   {"paths", described["paths"]}});
+                   {"paths", described["paths"]},
+                   {"frames_made", frames.made},
+                   {"frames_used", frames.used}});
   std::string text;
   for (const nlohmann::json& each : described["configurations"])
     text += "configuration " + each["name"].get<std::string>() + "\n";
@@ -54,6 +81,8 @@ std::string configurationsReport(const nlohmann::json& described, bool asJson) {
     text += "path " + each["name"].get<std::string>() + ", " + std::to_string(each["places"].get<std::size_t>()) +
             " places\n";
   }
+  for (const std::string& frame : frames.made) text += "The program's frame " + frame + " is in the cell now.\n";
+  for (const std::string& frame : frames.used) text += "The program is in the frame " + frame + " of the cell.\n";
   return text;
 }
 
@@ -106,6 +135,7 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
     return failUsage(sentenceOf(problem), id);
   const bool isListing = values.flag("solutions");
   if (!isListing && !arguments.has("output")) return failUsage("The option -o OUT is missing.", id);
+  if (arguments.has("name") && !arguments.has("open")) return failUsage("The option --name needs --open.", id);
   const Result<CellFile> file = openCellForArm(arguments, kinds);
   if (!file) return fail(file.error());
   if (isListing) return listWays(values, *file->cell, arguments.has("json"));
@@ -116,12 +146,18 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
     if (!plans) return fail(plans.error());
     changed->plans = std::move(plans).value();
   }
-  if (const Status fits = checkCounts(changed->plans); !fits) return fail(fits.error());
   RobotCellSnapshot cell = *file->cell;
   cell.plans = std::make_shared<const CellPlans>(std::move(changed->plans));
   cell.joints = changed->joints;
+  Result<TakenFrames> frames = TakenFrames();
+  if (arguments.has("open"))
+    runInterruptible("Reading", [&](CommandJob& job) { frames = openPath(arguments, cell, job.progress()); });
+  if (!frames) return fail(frames.error());
+  for (const std::string& frame : frames->leftOut)
+    complain("warning: there are too many frames in the cell for " + frame + " of the program");
+  if (const Status fits = checkCounts(*cell.plans); !fits) return fail(fits.error());
   if (const int code = saveCell(*file, cell, arguments.valueOf("output")); code != kExitDone) return code;
-  return print(configurationsReport(file->opened.kind->describe(cell), arguments.has("json")));
+  return print(configurationsReport(file->opened.kind->describe(cell), *frames, arguments.has("json")));
 }
 
 }  // namespace
@@ -130,12 +166,18 @@ Command configurationCommand() {
   CommandSpec spec = {configurationOperation().id,
                       "CELL",
                       "Stores named joint values, targets and frames in a robot cell, between which paths are planned, "
-                      "and moves the robot.\n"
+                      "and paths of programs, and moves the robot.\n"
                       "CELL is a document, a URDF, a table after Denavit and Hartenberg, or a built-in robot (irb120).",
                       {}};
   spec.options = optionsOf(configurationOperation());
   spec.options.push_back(armOption());
   spec.options.push_back({"srdf", 0, "FILE", "Adds the pairs that may touch and the states of a semantic description"});
+  spec.options.push_back({"open", 0, "FILE",
+                          "Stores the path of a robot program, or of a path file, and the frames that it gives; not "
+                          "verified"});
+  spec.options.push_back({"name", 0, "NAME",
+                          "The name of that path (default: that of the file, with a number if it is taken); a path of "
+                          "that name is replaced"});
   spec.options.push_back({"output", 'o', "OUT", "The document to write, .handwheel; may be CELL"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});

@@ -4,8 +4,6 @@
 
 #include "base/NumberText.h"
 #include "cli/Messages.h"
-#include "document/FileBytes.h"
-#include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "planning/PlanningFidelity.h"
 #include "robot/program/PathFile.h"
@@ -147,21 +145,8 @@ Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& ce
   if (const RobotPath* path = cell.plans->path(name)) return *path;
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored)) return Error{CellError::PathMissing, {name}, {}, {}};
-  const Result<std::string> bytes = readFileHead(name, PostProcessor::kLargestText + 1);  // what is larger is refused
-  const PostProcessor* const post = postForEnding(name);
-  const auto fromProgram = [&]() -> Result<RobotPath> {
-    Result<ProgramPath> read = pathFromProgram(scene, cell, *post, *bytes);
-    return read ? Result<RobotPath>(std::move(read->path)) : Result<RobotPath>(read.error());
-  };
-  Result<RobotPath> path =
-      !bytes ? Result<RobotPath>(bytes.error())
-      : post ? fromProgram()
-             : readPath(*bytes, cell.robot->model, cell.joints, dofsOfArm(*cell.robot, scene.armNumber));
-  if (path) path->arm = cell.plans->arm;  // a file may have been made for a robot of another name
-  if (path) return path;
-  Error error = path.error();
-  error.subject = name;
-  return error;
+  Result<ProgramPath> read = pathFromFile(scene, cell, name);
+  return read ? Result<RobotPath>(std::move(read->path)) : Result<RobotPath>(read.error());
 }
 
 }  // namespace handwheel

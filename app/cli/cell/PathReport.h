@@ -25,7 +25,7 @@ OptionSpec resolutionOption();
 nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 
 // A path of a cell by its name, or read from a file: as JSON, or a program of a controller. Errors: PathMissing, those
-// of readPath() and pathFromProgram().
+// of pathFromFile().
 Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& name);
 
 }  // namespace handwheel

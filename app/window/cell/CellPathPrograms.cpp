@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The actions that read and write programs of controllers.
-#include "document/FileBytes.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/RobotCellDocument.h"
-#include "robot/program/PathFile.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/PathStatus.h"
@@ -235,27 +233,12 @@ void CellPaths::importProgram(const QString& file) {
   job.failed = [this, &tab](const Error& error) { report(&tab, error); };
   job.work = [this, &tab, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
               file](Progress progress) -> Job::Finish {
-    const std::string name = QFile::encodeName(file).toStdString();
-    const Result<std::string> bytes = readFileHead(name, PostProcessor::kLargestText + 1);  // what is larger is refused
-    const PostProcessor* const post = postForEnding(name);
-    const auto fromFile = [&]() -> Result<ProgramPath> {
-      if (!bytes) return bytes.error();
-      if (post) return pathFromProgram(*scene, *content, *post, *bytes, progress);
-      Result<RobotPath> path =
-          readPath(*bytes, content->robot->model, content->joints, dofsOfArm(*content->robot, scene->armNumber));
-      return path ? Result<ProgramPath>(ProgramPath{std::move(path).value()}) : Result<ProgramPath>(path.error());
-    };
-    Result<ProgramPath> read = fromFile();
-    return [this, &tab, content, file, name, read = std::move(read)]() mutable {
+    Result<ProgramPath> read = pathFromFile(*scene, *content, QFile::encodeName(file).toStdString(), progress);
+    return [this, &tab, content, file, read = std::move(read)]() mutable {
       if (content->robot.get() != &cellIn(tab).robot()) return;
-      if (!read) {
-        Error error = read.error();
-        error.subject = name;
-        return report(&tab, error);
-      }
+      if (!read) return report(&tab, read.error());
       CellPlans changed = *cellIn(tab).plans();
       RobotPath& path = read->path;
-      path.arm = content->plans->arm;
       path.name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
       const PlanTree::Entry entry{PlanTree::Entry::Kind::Path, path.name};
       changed.paths.push_back(std::move(path));

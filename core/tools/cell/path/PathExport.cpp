@@ -5,6 +5,8 @@
 #include "base/NumberText.h"
 #include "document/AtomicFile.h"
 #include "document/DocumentErrors.h"
+#include "document/FileBytes.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/CellFrames.h"
 #include "robot/arm/NumericalIk.h"
@@ -175,6 +177,27 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
     path.places.push_back(std::move(place));
   }
   return ProgramPath{std::move(path), framesOf(*motions, basePose(cell.robot->model, scene.plannedArm()))};
+}
+
+Result<ProgramPath> pathFromFile(const CellScene& scene, const RobotCellSnapshot& cell,
+                                 const std::filesystem::path& file, Progress progress) {
+  const auto read = [&]() -> Result<ProgramPath> {
+    const Result<std::string> bytes = readFileHead(file, PostProcessor::kLargestText + 1);  // what is larger is refused
+    if (!bytes) return bytes.error();
+    if (const PostProcessor* const post = postForEnding(file.string()))
+      return pathFromProgram(scene, cell, *post, *bytes, progress);
+    Result<RobotPath> path = readPath(*bytes, cell.robot->model, cell.joints, dofsOfArm(*cell.robot, scene.armNumber));
+    if (!path) return path.error();
+    return ProgramPath{std::move(path).value()};
+  };
+  Result<ProgramPath> made = read();
+  if (!made) {
+    Error error = made.error();
+    error.subject = file.string();
+    return error;
+  }
+  made->path.arm = cell.plans->arm;  // a file may have been made for a robot of another name
+  return made;
 }
 
 }  // namespace handwheel

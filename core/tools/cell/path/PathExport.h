@@ -50,4 +50,9 @@ struct ProgramPath {
 Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
                                     std::string_view text, Progress progress = {});
 
+// The same from a file: a program, by its ending, or a path file (PathFile.h). The path is of the robot that the cell
+// plans for. Errors: those of readFileHead() and readPath(), too, all about the file.
+Result<ProgramPath> pathFromFile(const CellScene& scene, const RobotCellSnapshot& cell,
+                                 const std::filesystem::path& file, Progress progress = {});
+
 }  // namespace handwheel
