@@ -375,6 +375,17 @@ class PlanTest : public QObject {
     const nlohmann::json named = jsonOf(cell.run(open + QStringList{"--name", "seam", "--json"}).out);
     QCOMPARE(named["paths"].size(), std::size_t{2});
     QCOMPARE(named["paths"][1]["name"].get<std::string>(), std::string("seam"));
+    // A second module in this frame leaves its data to the first one.
+    const QStringList post{"post", "cell.handwheel", "seam", "--frame", "jig", "-o", "second.mod", "--controller"};
+    const Ran second = cell.run(post + QStringList{"rapid", "--without-wobjdata"});
+    QVERIFY2(second.code == 0, second.err);
+    QVERIFY(!cell.read("second.mod").contains("\n  PERS wobjdata"));
+    QVERIFY(cell.read("second.mod").contains("\\WObj:=jig;"));
+    QCOMPARE(cell.run(post + QStringList{"krl", "--without-wobjdata"}).code, 1);
+    const Ran back =
+        cell.run({"configuration", "cell.handwheel", "--open", "second.mod", "-o", "other.handwheel", "--json"});
+    QVERIFY2(back.code == 0, back.err);
+    QCOMPARE(jsonOf(back.out)["frames_used"][0].get<std::string>(), std::string("jig"));
     // What cannot be read leaves the cell as it is.
     const QByteArray before = cell.read("cell.handwheel");
     cell.put("loop.mod", "MODULE m\nPROC main()\nMoveC p1,p2,v100,fine,tool0;\nENDPROC\nENDMODULE\n");

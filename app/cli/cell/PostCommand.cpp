@@ -26,6 +26,9 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "post");
   const PostProcessor* const post = postCalled(arguments.valueOf("controller"));
   if (!post) return failUsage("The option --controller takes one of " + controllers() + ".", "post");
+  const bool leavesOutFrame = arguments.has("without-wobjdata");
+  if (leavesOutFrame && post->id() != std::string_view("rapid"))
+    return failUsage("The option --without-wobjdata needs --controller rapid.", "post");
   const Result<CellFile> file = openCellForArm(arguments, kinds, arguments.operands[1]);
   if (!file) return fail(file.error());
   PathCheckSettings check{.clearance = file->cell->plans->clearance};
@@ -51,7 +54,8 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   }
   const Result<WrittenProgram> written =
       writeProgram(*scene, plans, *path, *checked, *post, output,
-                   arguments.has("outdated") ? OutdatedPath::Write : OutdatedPath::Refuse);
+                   arguments.has("outdated") ? OutdatedPath::Write : OutdatedPath::Refuse,
+                   leavesOutFrame ? FrameData::AtController : FrameData::InProgram);
   if (!written) return fail(written.error());
   const PostCheck& readBack = written->check;
   if (!written->otherRobot.empty()) {
@@ -95,6 +99,8 @@ Command postCommand() {
   spec.options.push_back({"frame", 0, "NAME",
                           "The frame of the cell that the places are written in (default: the one chosen in the cell); "
                           "'base': that of the robot"});
+  spec.options.push_back({"without-wobjdata", 0, "",
+                          "RAPID: only name the frame of the cell; another module of the same task has its data"});
   spec.options.push_back(resolutionOption());
   spec.options.push_back({"outdated", 0, "",
                           "Write it even if the part that it was planned along stands elsewhere now; a comment of the "

@@ -171,8 +171,11 @@ void CellPaths::exportProgram(const PostProcessor& post, const QString& file, co
   const auto stillOpen = [this, of = &tab]() -> const DocumentTab* { return m_parts.tabs.contains(of) ? of : nullptr; };
   job.failed = [this, stillOpen](const Error& error) { report(stillOpen(), error); };
   job.work = [this, stillOpen, scene, known, plans = cell().plans(), path = request.path, &post, file,
-              outdated = request.outdated](Progress) -> Job::Finish {
-    auto written = writeProgram(*scene, *plans, path, *known, post, QFile::encodeName(file).toStdString(), outdated);
+              outdated = request.outdated,
+              frameData = m_declareFrame.isChecked() ? FrameData::InProgram
+                                                     : FrameData::AtController](Progress) -> Job::Finish {
+    auto written =
+        writeProgram(*scene, *plans, path, *known, post, QFile::encodeName(file).toStdString(), outdated, frameData);
     return [this, stillOpen, &post, file, partMoved = known->partMoved, written = std::move(written)] {
       if (!written) return report(stillOpen(), written.error());
       reportWritten(stillOpen(), *written, post, file, QString::fromStdString(partMoved));

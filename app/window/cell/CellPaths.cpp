@@ -48,6 +48,7 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
       m_verifyAll(tr("Verif&y all paths"), this),
       m_export(tr("&Export a robot program…"), this),
       m_import(tr("Open a robot program as a pa&th…"), this),
+      m_declareFrame(tr("&Declare the frame in RAPID programs"), this),
       m_semantics(tr("Read allowed pairs (S&RDF)…"), this),
       m_rename(tr("Re&name"), this),
       m_remove(tr("Remo&ve from the plan"), this),
@@ -88,6 +89,11 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
   prepare(m_export, "exportProgram", "save-as",
           tr("Write the path for a controller (RAPID, KRL, Fanuc, URScript, CSV, JSON), if it is free of collisions"));
   prepare(m_import, "importProgram", nullptr, tr("Read a program of a controller as a path of this cell"));
+  prepare(m_declareFrame, "declareFrame", nullptr,
+          tr("Write the data of the frame (wobjdata) into each RAPID program; two modules of one task must not both "
+             "have them"));
+  m_declareFrame.setCheckable(true);
+  m_declareFrame.setChecked(true);
   prepare(m_semantics, "readSemantics", nullptr,
           tr("Read the pairs of links that may touch, and named states, of the selected robot, or else of the one to "
              "plan for"));

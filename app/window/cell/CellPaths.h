@@ -44,7 +44,7 @@ class CellPaths : public QObject {
   QList<QAction*> ofPaths() {
     return {&m_plan, &m_again, &m_optimise, &m_insert, &m_here, &m_up, &m_down, &m_straight};
   }
-  QList<QAction*> ofPrograms() { return {&m_export, &m_import}; }
+  QList<QAction*> ofPrograms() { return {&m_export, &m_import, &m_declareFrame}; }
   QList<QAction*> ofVerification() { return {&m_verify, &m_verifyAll, &m_semantics}; }
   QList<QAction*> ofRows() { return {&m_rename, &m_remove}; }
   QAction* choosing() { return &m_choose; }                                                        // the robot
@@ -186,7 +186,8 @@ class CellPaths : public QObject {
   std::map<const DocumentTab*, WantedProcess> m_wanted;  // one at most of a document
   std::uint64_t m_remakes = 0;                           // that were begun
   QAction m_store, m_storeTarget, m_storeFrame, m_workIn, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down,
-      m_straight, m_verify, m_verifyAll, m_export, m_import, m_semantics, m_rename, m_remove, m_optimise, m_choose;
+      m_straight, m_verify, m_verifyAll, m_export, m_import, m_declareFrame, m_semantics, m_rename, m_remove,
+      m_optimise, m_choose;
   QMenu* m_menu;  // owned by the window
 };
 

@@ -3,6 +3,7 @@
 #include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
+#include "robot/posts/RapidNames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,33 +13,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kLongestRapidName = 32;
-constexpr std::size_t kLongestRapidSuffix = 7;  // "_module"
 constexpr std::size_t kMotionsOfARoutine = 1'000;
 constexpr double kLargestRapidSpeed = 5'000.0;  // mm/s, of VelSet at the start of a task
 constexpr const char* kNoAxes = "[9E9,9E9,9E9,9E9,9E9,9E9]";
-// Words of the language that a path may be called, and the procedure that a task begins with.
-constexpr const char* kRapidWords[] = {
-    "alias",  "and",    "backward", "case",    "connect",   "const",    "default",   "div",       "do",      "else",
-    "elseif", "endfor", "endfunc",  "endif",   "endmodule", "endproc",  "endrecord", "endtest",   "endtrap", "endwhile",
-    "error",  "exit",   "false",    "for",     "from",      "func",     "goto",      "if",        "inout",   "local",
-    "main",   "mod",    "module",   "movej",   "movel",     "nostepin", "not",       "noview",    "or",      "pers",
-    "proc",   "raise",  "readonly", "record",  "retry",     "return",   "step",      "sysmodule", "test",    "then",
-    "to",     "trap",   "true",     "trynext", "undo",      "var",      "viewonly",  "while",     "with",    "xor"};
-
-std::string rapidName(const std::string& name) {
-  return identifierBeside(kRapidWords, name, kLongestRapidName - kLongestRapidSuffix);
-}
-
-// Data that every controller has: a frame is not to hide them.
-bool isStandardData(const std::string& name) {
-  const std::size_t letters = std::min(name.find_first_of("0123456789"), name.size());
-  const std::string head = name.substr(0, letters), number = name.substr(letters);
-  const bool isNumber = !number.empty() && number.find_first_not_of("0123456789") == number.npos;
-  const bool isNumbered =
-      isNumber && (head == "v" || head == "z" || head == "tool" || head == "wobj" || head == "load");
-  return isNumbered || name == "fine" || name == "vmax";
-}
 
 std::string rapidPose(const Pose& pose) {
   const Vec3 at = pose.translation();
@@ -73,7 +50,7 @@ std::string zoneText(double blend) {
 class RapidWriting {
  public:
   explicit RapidWriting(const RobotProgram& program)
-      : m_program(program), m_name(rapidName(program.name)), m_frame(frameName()) {
+      : m_program(program), m_name(rapidName(program.name)), m_frame(rapidFrameName(program)) {
     for (const ProgramMotion& motion : program.motions) {
       if (motion.kind == ProgramMotion::Kind::Linear) m_largestSpeed = std::max(m_largestSpeed, motion.speed);
     }
@@ -103,20 +80,14 @@ class RapidWriting {
     text += "  ! The load of the tool is an assumption (" + mass + " kg): enter mass and centre of gravity of yours.\n";
     text += "  PERS tooldata " + m_name + "_tool:=[TRUE,[" + rapidPose(m_program.tool) + "],[" + mass +
             ",[0,0,1],[1,0,0,0],0,0,0]];\n";
-    if (!m_program.frameName.empty())
-      text += "  ! Other programs in this frame have this line, too: within one task keep it in one of them only.\n";
-    return text + "  PERS wobjdata " + m_frame + ":=[FALSE,TRUE,\"\",[" + rapidPose(m_program.frame) +
-           "],[[0,0,0],[1,0,0,0]]];\n";
-  }
-
-  // A frame of the cell is called as there, whichever path is led in it, but not as what the module has besides.
-  std::string frameName() const {
-    if (m_program.frameName.empty()) return m_name + "_frame";
-    const std::string name = frameIdentifier(m_program, kRapidWords, kLongestRapidName - kLongestRapidSuffix);
-    const std::string lower = lowerCase(name), own = lowerCase(m_name);
-    const bool isTaken =
-        lower == own || lower.starts_with(own + "_") || lower.starts_with("p_") || isStandardData(lower);
-    return isTaken ? "wobj_" + name : name;
+    const std::string frame =
+        "PERS wobjdata " + m_frame + ":=[FALSE,TRUE,\"\",[" + rapidPose(m_program.frame) + "],[[0,0,0],[1,0,0,0]]];\n";
+    if (m_program.frameName.empty()) return text + "  " + frame;
+    if (!m_program.declaresFrame)
+      return text + "  ! Another module of the task has the frame. The path was proven with this one:\n  ! " + frame;
+    return text +
+           "  ! Other programs in this frame may have this line, too: within one task only one of them may.\n  " +
+           frame;
   }
 
   std::string motionLines(std::size_t begin, std::size_t end) {

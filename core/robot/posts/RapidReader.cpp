@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
+#include "robot/posts/RapidNames.h"
 #include "robot/posts/RapidStatements.h"
 
 #include <algorithm>
@@ -42,6 +43,8 @@ class RapidReading {
   explicit RapidReading(const RobotProgram& program)
       : m_program(program), m_joints(static_cast<std::size_t>(program.arm.size())) {
     m_tools["tool0"] = m_frames["wobj0"] = Pose::Identity();
+    if (!program.frameName.empty() && !program.declaresFrame) m_frames[folded(rapidFrameName(program))] = program.frame;
+    addKnownFrames();
   }
 
   Status readData(const ProgramStatement& statement) {
@@ -94,6 +97,17 @@ class RapidReading {
  private:
   using Numbers = std::vector<double>;
   using Table = std::map<std::string, Numbers>;  // by names in lower case
+
+  // Frames of the cell, under the names that modules of its paths have for them. Those of the file come before them.
+  void addKnownFrames() {
+    RobotProgram named;
+    for (const ProgramFrame& frame : m_program.knownFrames) {
+      named.frameName = frame.name;
+      named.otherFrames = m_program.otherFrames;
+      std::erase(named.otherFrames, frame.name);
+      for (const std::string& name : rapidFrameNames(named)) m_frames.emplace(folded(name), frame.pose);
+    }
+  }
 
   // "n:=1", "p.trans.x:=1", "a{2}:=1", after the name. Words between are those of another statement: IF a THEN n:=1.
   static bool isAssignment(LineReader line) {

@@ -22,6 +22,12 @@ struct ProgramMotion {
   std::string name;     // of the place that it ends at; may be empty
 };
 
+// A frame of a cell as programs are in it.
+struct ProgramFrame {
+  std::string name;  // as the cell has it
+  Pose pose;         // in the base of the robot
+};
+
 // What a controller is to do, before it is written in its language.
 struct RobotProgram {
   std::string name;   // UTF-8
@@ -32,7 +38,12 @@ struct RobotProgram {
   Pose frame = Pose::Identity();              // that the places are written in, in the base
   std::string frameName = {};                 // of that frame, as the cell has it; empty: it is none of the cell
   std::vector<std::string> otherFrames = {};  // the names of the others that the cell has
-  double toolMass = 1.0;                      // kg; an assumption, which programs say they make
+  std::vector<std::string> otherPaths = {};   // and of its other paths
+  // The program has the data of the frame. Else they are at the controller, if the language can name them there.
+  bool declaresFrame = true;
+  // What programs that are read may name without having its data.
+  std::vector<ProgramFrame> knownFrames = {};
+  double toolMass = 1.0;  // kg; an assumption, which programs say they make
   // The base is the one that the controller counts from, as in its maker's table. Else a description may have turned or
   // raised it, and only joint values mean the same to both.
   bool isBaseOfController = false;

@@ -70,6 +70,18 @@ double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional
   return std::clamp(own ? *own : share.value_or(Waypoint().speed), 1e-3, 1.0);
 }
 
+// The frames of the cell that the robot does not move.
+std::vector<ProgramFrame> framesBeside(const CellScene& scene, const RobotCellSnapshot& cell) {
+  const RobotModel& robot = cell.robot->model;
+  const Pose toBase = basePose(robot, scene.plannedArm()).inverse(Eigen::Isometry);
+  std::vector<ProgramFrame> frames;
+  for (const NamedFrame& frame : cell.plans->frames) {
+    const Result<Pose> pose = poseOfFrame(frame, {*cell.plans, cell.bodies, robot, cell.joints});
+    if (pose && !movesWith(frame, cell.bodies, robot, scene.dofs)) frames.push_back({frame.name, toBase * *pose});
+  }
+  return frames;
+}
+
 }  // namespace
 
 Result<Pose> programFrame(const CellScene& scene, const CellPlans& plans) {
@@ -108,7 +120,7 @@ const PostProcessor& usualPost(const RobotArm& arm) {
 
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const CheckedPath& checked, const PostProcessor& post,
-                                    const std::filesystem::path& output, OutdatedPath outdated) {
+                                    const std::filesystem::path& output, OutdatedPath outdated, FrameData frameData) {
   if (const auto problem = problemOf(scene, path, checked)) return *problem;
   if (!checked.partMoved.empty() && outdated == OutdatedPath::Refuse)
     return Error{CellError::PathOutdated, {path.name, checked.partMoved}, {}, {}};
@@ -120,6 +132,10 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
   for (const NamedFrame& other : plans.frames) {
     if (other.name != plans.workFrame) program.otherFrames.push_back(other.name);
   }
+  for (const RobotPath& other : plans.paths) {
+    if (other.name != path.name) program.otherPaths.push_back(other.name);
+  }
+  program.declaresFrame = frameData == FrameData::InProgram;
   if (const std::vector<Error> refusals = post.refusals(program); !refusals.empty()) return refusals.front();
   const std::string text = post.write(program);
   const Result<PostCheck> check = checkWritten(post, program, text);
@@ -139,6 +155,8 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   RobotProgram frame;
   frame.arm = scene.armFromBase();
   frame.tool = cell.plans->tool;
+  frame.knownFrames = framesBeside(scene, cell);
+  for (const NamedFrame& each : cell.plans->frames) frame.otherFrames.push_back(each.name);
   // Readers of controllers with six joints count on six.
   if (const std::vector<Error> refusals = post.refusals(frame); !refusals.empty()) return refusals.front();
   const Result<std::vector<ReadMotion>> motions = post.read(text, frame);

@@ -21,18 +21,22 @@ struct WrittenProgram {
 // What becomes of a path that is free, but leads along a curve of a part that stands elsewhere now.
 enum class OutdatedPath { Refuse, Write };
 
+// Where the data of a program's frame are: two modules of one RAPID task must not both have them. Other languages have
+// them in each program.
+enum class FrameData { InProgram, AtController };
+
 // The frame that the places of a program are written in (CellPlans::workFrame), in the base of the robot that the scene
 // is for. Errors: those of poseOfFrame(); FrameMoves where that robot moves it.
 Result<Pose> programFrame(const CellScene& scene, const CellPlans& plans);
 
 // Writes a certified path as a program, its places in CellPlans::workFrame, with remarks of what was not proven or does
-// not hold any more. What the
-// controller cannot do is an error before anything is written; so is a text that does not read back as the path (1e-3
-// mm, 1e-3°). Errors: PathCollides, LineUnreachable, PathOutdated, FrameMissing, FrameStray, FrameMoves,
-// those of PostProcessor::refusals() and of writing.
+// not hold any more. What the controller cannot do is an error before anything is written; so is a text that does not
+// read back as the path (1e-3 mm, 1e-3°). Errors: PathCollides, LineUnreachable, PathOutdated, FrameMissing,
+// FrameStray, FrameMoves, those of PostProcessor::refusals() and of writing.
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const CheckedPath& checked, const PostProcessor& post,
-                                    const std::filesystem::path& output, OutdatedPath outdated = OutdatedPath::Refuse);
+                                    const std::filesystem::path& output, OutdatedPath outdated = OutdatedPath::Refuse,
+                                    FrameData frameData = FrameData::InProgram);
 
 // The post for the controller of a robot, by its maker; one for any controller where that is not known.
 const PostProcessor& usualPost(const RobotArm& arm);
@@ -44,9 +48,9 @@ struct ProgramPath {
 };
 
 // A program in the language of a controller as a path: poses are reached by the joint values that are nearest to those
-// of the place before. Speeds are those of the program; where it gives a joint motion the speed of the tool, the share
-// is that with which the tool comes to it on average. Errors: those of PostProcessor::read(); PoseUnreachable {motion,
-// line}, Cancelled.
+// of the place before. RAPID may name frames of the cell that this robot does not move without having their data.
+// Speeds are those of the program; where it gives a joint motion the speed of the tool, the share is that with which
+// the tool comes to it on average. Errors: those of PostProcessor::read(); PoseUnreachable {motion, line}, Cancelled.
 Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
                                     std::string_view text, Progress progress = {});
 

@@ -107,11 +107,48 @@ class PostFramesTest : public QObject {
       const std::string name = nameIn(program, taken);
       QVERIFY2(!name.empty() && name != identifierOf(taken, 60), taken);
     }
+    // The procedure of another path has its name, so the frame has another one in the modules of both.
+    RobotProgram besidePath = program, ofPath = program;
+    besidePath.otherPaths = {"fixture 1"};
+    ofPath.name = "fixture 1";
+    QCOMPARE(nameIn(besidePath, "fixture 1"), std::string("wobj_fixture_1"));
+    QCOMPARE(nameIn(ofPath, "fixture 1"), std::string("wobj_fixture_1"));
+    QCOMPARE(nameIn(program, "wobj_tool0", {"tool0"}), std::string("wobj_tool0"));
+    QCOMPARE(nameIn(program, "tool0", {"wobj_tool0"}), std::string("wobj_tool0_2"));
+    QCOMPARE(nameIn(program, "tool0", {"wobj_tool0", "wobj tool0 2"}), std::string("wobj_tool0_3"));
     const std::string longest(200, 'x');
     QVERIFY(!nameIn(program, longest.c_str()).empty() && nameIn(program, longest.c_str()).size() <= 32);
     QVERIFY(nameIn(program, longest.c_str(), {std::string(201, 'x')}).size() <= 32);
     QVERIFY(postCalled("krl")->write(program).find("\n; $BASE is the frame fixture_1\n$BASE={X ") != std::string::npos);
     QVERIFY(postCalled("krl")->write(programOf("irb120")).find("is the frame") == std::string::npos);
+  }
+
+  // Two modules of one task must not both declare the frame: one names it only, and is read with that of the cell.
+  void declaredElsewhere() {
+    const PostProcessor& rapid = *postCalled("rapid");
+    for (const char* frame : {"fixture 1", "weld seam 1"}) {  // also where the path is called so
+      RobotProgram program = framedProgram("irb120");
+      program.frameName = frame;
+      program.declaresFrame = false;
+      const std::string text = rapid.write(program);
+      QVERIFY(text.find("\n  PERS wobjdata") == text.npos);
+      QVERIFY(text.find("\n  ! PERS wobjdata ") != text.npos);
+      const auto check = checkWritten(rapid, program, text);
+      QVERIFY(check.hasValue() && check->distance <= 1e-3 && check->angle <= 1e-3 && check->isInFrame);
+      RobotProgram without = programOf("irb120");
+      QVERIFY(!rapid.read(text, without).hasValue());
+      without.otherFrames = {"other", frame};
+      without.knownFrames = {{"other", Pose::Identity()}, {frame, program.frame}};
+      const auto read = rapid.read(text, without);
+      QVERIFY(read.hasValue() && read->size() == 2 && (*read)[1].frame);
+      QVERIFY((*read)[1].frame->isApprox(program.frame, 1e-12));
+      // The data of a file come before those of the cell.
+      const std::string own = "  PERS wobjdata " + (*read)[1].frameName +
+                              ":=[FALSE,TRUE,\"\",[[1,2,3],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n  ! PERS wobjdata ";
+      const auto changed = rapid.read(replacedOnce(text, "  ! PERS wobjdata ", own), without);
+      QVERIFY(changed.hasValue() && (*changed)[1].frame);
+      QVERIFY((*changed)[1].frame->translation().isApprox(Vec3(1.0, 2.0, 3.0), 1e-12));
+    }
   }
 
   // A frame that a person has changed in the file leads elsewhere, by as much.

@@ -18,7 +18,8 @@ class ProgramFramesTest : public QObject {
 
   static Pose fixture() { return poseOf({400.0, 50.0, 290.0}, {0.1, -0.2, 0.7}); }
   // A program of the cell's robot with two motions in this frame.
-  static std::string written(ArmCell& cell, const char* post, const std::string& frame, const Pose& pose) {
+  static std::string written(ArmCell& cell, const char* post, const std::string& frame, const Pose& pose,
+                             bool declares = true) {
     RobotProgram program;
     program.name = "seam";
     program.robot = "irb120";
@@ -26,6 +27,7 @@ class ProgramFramesTest : public QObject {
     program.isBaseOfController = true;
     program.frame = pose;
     program.frameName = frame;
+    program.declaresFrame = declares;
     program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.5), 0.5, 0.0, {}},
                        {ProgramMotion::Kind::Linear, ArmValues::Constant(6, 0.55), 50.0, 0.0, {}}};
     return postCalled(post)->write(program);
@@ -69,6 +71,22 @@ class ProgramFramesTest : public QObject {
     // Without a frame there is none.
     const auto plain = opened(cell, post, written(cell, post, "", Pose::Identity()));
     QVERIFY(plain.hasValue() && plain->frames.empty());
+  }
+
+  // A module that names a frame of the cell without its data is in that.
+  void declaredElsewhere() {
+    ArmCell cell;
+    const std::string text = written(cell, "rapid", "fixture 1", fixture(), false);
+    QVERIFY(!opened(cell, "rapid", text).hasValue());
+    CellPlans plans;
+    plans.frames = {{"fixture 1", fixture()}};
+    cell.plan(plans);
+    const auto read = opened(cell, "rapid", text);
+    QVERIFY(read.hasValue());
+    QCOMPARE(read->frames.size(), std::size_t{1});
+    QVERIFY(isAt(read->frames[0].pose, fixture()));
+    const ArmValues found = cell.scene()->planned(read->path.places[1].joints);
+    QVERIFY((found - ArmValues::Constant(6, 0.55)).cwiseAbs().maxCoeff() < 1e-4);
   }
 
   // At another pose a new one is made, once; the one that is there stays as it is.
