@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The actions that read and write programs of controllers.
-#include "document/cell/CellArms.h"
 #include "document/cell/RobotCellDocument.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"

@@ -4,6 +4,7 @@
 #include "CellWindow.h"
 
 #include <QFile>
+#include <QFileDialog>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
@@ -36,6 +37,17 @@ class FramesWindow : public CellWindow {
 // Named frames in the window, with the rows and fields of targets.
 class CellFramesWindowTest : public QObject {
   Q_OBJECT
+
+  // A program with two motions in a frame of its own.
+  static bool writeProgram(const QString& name) {
+    QFile file(name);
+    const QByteArray joints = ",[9E9,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,v100,fine,tool0\\WObj:=jig;\n";
+    const QByteArray text =
+        "MODULE seam\nPERS wobjdata jig:=[FALSE,TRUE,\"\",[[100,20,30],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n"
+        "PROC main()\nMoveAbsJ [[0,0,0,0,30,0]" +
+        joints + "MoveAbsJ [[10,0,0,0,30,0]" + joints + "ENDPROC\nENDMODULE\n";
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+  }
 
  private slots:
   void storeWorkMoveRenameRemove() {
@@ -97,16 +109,9 @@ class CellFramesWindowTest : public QObject {
   void aProgramInAFrame() {
     FramesWindow driver;
     QVERIFY(driver.settle());
-    QTemporaryDir folder;
+    const QTemporaryDir folder;
     const QString name = folder.filePath("seam.mod");
-    QFile file(name);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    const QByteArray joints = ",[9E9,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,v100,fine,tool0\\WObj:=jig;\n";
-    file.write(
-        "MODULE seam\nPERS wobjdata jig:=[FALSE,TRUE,\"\",[[100,20,30],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n"
-        "PROC main()\nMoveAbsJ [[0,0,0,0,30,0]" +
-        joints + "MoveAbsJ [[10,0,0,0,30,0]" + joints + "ENDPROC\nENDMODULE\n");
-    file.close();
+    QVERIFY(writeProgram(name));
     const auto open = [&](int count) {
       driver.choose("importProgram");
       QVERIFY(driver.enterFileName("importProgramDialog", name));
@@ -125,6 +130,35 @@ class CellFramesWindowTest : public QObject {
     driver.click("quickActions/undo");
     QVERIFY(!driver.hasFrames());
     QCOMPARE(driver.tree()->topLevelItem(1)->childCount(), 0);
+  }
+
+  // Of two programs in one frame the second one names it only.
+  void aFrameThatIsDeclaredElsewhere() {
+    FramesWindow driver;
+    QVERIFY(driver.settle());
+    const QTemporaryDir folder;
+    QVERIFY(writeProgram(folder.filePath("seam.mod")));
+    driver.choose("importProgram");
+    QVERIFY(driver.enterFileName("importProgramDialog", folder.filePath("seam.mod")));
+    QTRY_COMPARE_WITH_TIMEOUT(driver.tree()->topLevelItem(1)->childCount(), 1, kPatienceMs);
+    driver.tree()->setCurrentItem(driver.frame());
+    driver.choose("workInFrame");
+    const auto path = [&] { return driver.tree()->topLevelItem(1)->child(0); };
+    driver.tree()->setCurrentItem(path());
+    QTRY_VERIFY_WITH_TIMEOUT(path()->text(1).contains("free"), kPatienceMs);
+    for (const bool declares : {true, false}) {
+      if (!declares) driver.choose("declareFrame");
+      const QString name = declares ? QStringLiteral("one.mod") : QStringLiteral("other.mod");
+      driver.choose("exportProgram");
+      QVERIFY(driver.enterFileName("exportProgramDialog", folder.filePath(name)));
+      QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains(name + " was written"), kPatienceMs);
+      QTRY_VERIFY(!driver.window().findChild<QFileDialog*>("exportProgramDialog"));
+      QFile file(folder.filePath(name));
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      const QByteArray text = file.readAll();
+      QCOMPARE(text.contains("\n  PERS wobjdata jig:="), declares);
+      QVERIFY(text.contains("\\WObj:=jig;"));
+    }
   }
 };
 
