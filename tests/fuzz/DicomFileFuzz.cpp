@@ -47,9 +47,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   appendDicomFile(fuzz::changedFile(good[0], data + 1, size - 1), files);
   appendDicomFile(good[1], files);
   appendDicomFile(good[2], files);
+  fuzz::ReadingTime time;
   fuzz::checkImage(reinterpret_cast<const std::uint8_t*>(files.data()), files.size(),
-                   [](std::string_view bytes, const SiblingFile&) {
-                     Result<ImageFile> read = readDicom(bytes, DicomChoice::OfFirst, {});
+                   [&](std::string_view bytes, const SiblingFile&) {
+                     Result<ImageFile> read = readDicom(bytes, DicomChoice::OfFirst, time.progress());
                      if (!read) fuzz::requireReaderError(read.error().code, "DicomFileFuzz");
                      return read;
                    });

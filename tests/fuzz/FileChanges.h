@@ -3,13 +3,18 @@
 #pragma once
 
 #include "base/Error.h"
+#include "base/Progress.h"
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace handwheel::fuzz {
 
@@ -50,9 +55,40 @@ inline std::string changedFile(std::string file, const std::uint8_t* data, std::
   return file;
 }
 
-// What readers in a process of their own promise of a file that they refuse.
+// Cancels the reading of a file after some seconds. Of damaged files some take as long as their process may, which is
+// most of a minute, and a test is to read many.
+class ReadingTime {
+ public:
+  ReadingTime() : m_watch([this] { watch(); }) {}
+  ~ReadingTime() {
+    {
+      const std::lock_guard lock(m_mutex);
+      m_isOver = true;
+    }
+    m_ended.notify_one();
+    m_watch.join();
+  }
+  ReadingTime(const ReadingTime&) = delete;
+  ReadingTime& operator=(const ReadingTime&) = delete;
+
+  Progress progress() { return Progress(m_state); }
+
+ private:
+  void watch() {
+    std::unique_lock lock(m_mutex);
+    m_state.cancelled = !m_ended.wait_for(lock, std::chrono::seconds(4), [this] { return m_isOver; });
+  }
+
+  JobState m_state;
+  std::mutex m_mutex;
+  std::condition_variable m_ended;
+  bool m_isOver = false;
+  std::thread m_watch;
+};
+
+// What readers in a process of their own promise of a file that they refuse, or that took longer than a ReadingTime.
 inline void requireReaderError(ErrorCode code, const char* fuzzer) {
-  if (code == ErrorCode::LibraryFailed || code == ErrorCode::OutOfMemory) return;
+  if (code == ErrorCode::LibraryFailed || code == ErrorCode::OutOfMemory || code == ErrorCode::Cancelled) return;
   std::fprintf(stderr, "%s: an error that no reader of its kind gives\n", fuzzer);
   std::abort();
 }

@@ -27,7 +27,8 @@ std::string vdbOfBall() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const std::string good = vdbOfBall();
-  const Result<VdbVolume> read = readVdb(fuzz::changedFile(good, data, size), {});
+  fuzz::ReadingTime time;
+  const Result<VdbVolume> read = readVdb(fuzz::changedFile(good, data, size), time.progress());
   if (!read) {
     fuzz::requireReaderError(read.error().code, "VdbFileFuzz");
     return 0;

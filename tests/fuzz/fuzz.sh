@@ -21,7 +21,6 @@ fuzz_one() {
   local name=$1 corpus=$root/build/fuzz/corpus/$1 found=$root/build/fuzz/found/$1 log=$root/build/fuzz/$1.log
   local dictionary=() patience=10 runs status=0
   [[ $name == RepairFuzz ]] && patience=60  # seconds for one input: a repair may take some, and ten times that here
-  [[ $name == *FileFuzz ]] && patience=150  # as long as a process that reads files may take, and some more
   mkdir -p "$corpus" "$found"
   [[ -f $seeds/$name.dict ]] && dictionary=(-dict="$seeds/$name.dict")
   "$root/build/fuzz/tests/$name" -max_total_time="$seconds" -timeout="$patience" -rss_limit_mb=2048 -max_len=65536 \
