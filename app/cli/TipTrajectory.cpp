@@ -82,7 +82,7 @@ class PathReader {
         ErrorCode why = ErrorCode::NumberMalformed;
         if (!parseDecimal(word, values[k], why) || !(std::abs(values[k]) < kLargest))
           return refuse("'" + std::string(word) + "' is not a number that can be used for " + std::string(kNames[k]) +
-                        ".");
+                        ". Write numbers as 12.5 or 1e-3, with commas between the columns only.");
       }
     }
     for (std::size_t k = 0; k < kNames.size(); ++k)
