@@ -14,6 +14,9 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string_view>
 
 namespace handwheel {
 namespace {
@@ -182,10 +185,27 @@ CommandSpec experimentSpec() {
           "plate of cortical\nbone at 1 mm/s and 1 kHz, in voxels of 0.255 mm. Beside our thrust and torque are those "
           "of He's erosion in steps, those\nof the balance of energy, and (3-22) and (3-23).\n"
           "Exit code 0: done; 2: a shape is not as stated; 1: error.",
-          {{"plot", 0, "FILE", "Plot the curves, as .png or .svg, or write their points as .csv"},
+          {{"values", 0, "LIST", "Of one NAME: other values than those of the thesis, as 0.255,0.51"},
+           {"plot", 0, "FILE", "Plot the curves, as .png or .svg, or write their points as .csv"},
            {"dark", 0, "", "Draw on a dark background"},
            {"json", 0, "", "Print everything as JSON"},
            {"help", 'h', "", "Show this help"}}};
+}
+
+// The values of a list, in ascending order; none where one is no value of the experiment.
+std::optional<std::vector<double>> readValues(std::string_view list, DrillExperiment experiment) {
+  constexpr std::size_t kMostValues = 100;
+  std::set<double> values;
+  while (true) {
+    const std::size_t comma = list.find(',');
+    double value = 0.0;
+    if (!readNumber(list.substr(0, comma), value) || !isDrillable(experiment, value)) return std::nullopt;
+    values.insert(value);
+    if (comma == std::string_view::npos) break;
+    list.remove_prefix(comma + 1);
+  }
+  if (values.size() > kMostValues) return std::nullopt;
+  return std::vector<double>(values.begin(), values.end());
 }
 
 bool plotsExperiments(std::span<char* const> words) {
@@ -201,6 +221,14 @@ int runExperiments(const Arguments& arguments, const DocumentKinds&) {
                        "drill-experiments");
     if (std::find(chosen.begin(), chosen.end(), *experiment) == chosen.end()) chosen.push_back(*experiment);
   }
+  std::optional<std::vector<double>> values;
+  if (arguments.has("values")) {
+    if (chosen.size() != 1) return failUsage("--values belongs to one experiment; name it.", "drill-experiments");
+    values = readValues(arguments.valueOf("values"), chosen.front());
+    if (!values)
+      return failUsage("--values takes up to 100 numbers above zero that a hole can have, as 0.255,0.51.",
+                       "drill-experiments");
+  }
   if (chosen.empty()) chosen.assign(kDrillExperiments.begin(), kDrillExperiments.end());
   const std::string ending = std::filesystem::path(arguments.valueOf("plot")).extension().string();
   if (arguments.has("plot") && ending != ".png" && ending != ".svg" && ending != ".csv")
@@ -212,8 +240,8 @@ int runExperiments(const Arguments& arguments, const DocumentKinds&) {
     const auto count = static_cast<double>(chosen.size());
     for (const DrillExperiment experiment : chosen) {
       const auto at = static_cast<double>(results.size());
-      Result<DrillExperimentResult> result =
-          runDrillExperiment(experiment, job.progress().part(at / count, (at + 1.0) / count));
+      Result<DrillExperimentResult> result = runDrillExperiment(experiment, values.value_or(valuesOf(experiment)),
+                                                                job.progress().part(at / count, (at + 1.0) / count));
       if (!result) {
         problem = result.error();
         return;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -21,6 +22,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // The plate is thicker than the ball's radius by the even stage, mm.
 constexpr double kEvenWay = 4.0;
+// Fewer cycles on it say nothing of an even thrust.
+constexpr double kLeastEvenCycles = 10.0;
 // mm at either end of it that do not count: voxels at the faces of the plate.
 constexpr double kStockMargin = 0.6;
 
@@ -127,10 +130,10 @@ double leastGrowth(const std::vector<DrillExperimentHole>& holes, Figure figure)
 
 // The power of the value that a figure follows, by the line of least squares through the logarithms.
 template <class Figure>
-double powerOf(const std::vector<DrillExperimentHole>& holes, double upTo, Figure figure) {
+double powerOf(const std::vector<DrillExperimentHole>& holes, Figure figure) {
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   for (const DrillExperimentHole& hole : holes) {
-    if (hole.value > upTo || !(figure(hole) > 0.0)) continue;
+    if (!(figure(hole) > 0.0)) continue;
     const double u = std::log(hole.value), v = std::log(figure(hole));
     ++n;
     x += u;
@@ -158,10 +161,68 @@ double steppedRipple(const DrillExperimentHole& hole) {
   return hole.stepped.ripple;
 }
 
-// The hole of a value; that of the least value where there is none.
-const DrillExperimentHole& holeAt(const std::vector<DrillExperimentHole>& holes, double value) {
+// The hole of a value; null where there is none.
+const DrillExperimentHole* holeAt(const std::vector<DrillExperimentHole>& holes, double value) {
   const auto at = std::find_if(holes.begin(), holes.end(), [&](const auto& hole) { return hole.value == value; });
-  return at == holes.end() ? holes.front() : *at;
+  return at == holes.end() ? nullptr : &*at;
+}
+
+std::vector<DrillExperimentHole> holesWithin(const std::vector<DrillExperimentHole>& holes, double least, double most) {
+  std::vector<DrillExperimentHole> within;
+  std::copy_if(holes.begin(), holes.end(), std::back_inserter(within),
+               [&](const DrillExperimentHole& hole) { return hole.value >= least && hole.value <= most; });
+  return within;
+}
+
+constexpr double kGrows = 1e-6;  // more than rounding
+
+std::vector<DrillShapeCheck> resolutionChecks(const std::vector<DrillExperimentHole>& holes) {
+  const SteppedHole rule;
+  std::vector<DrillShapeCheck> checks;
+  // In smaller voxels than that of the rule columns are without a voxel that is being removed, from time to time.
+  if (const auto coarse = holesWithin(holes, rule.voxel, kInfinite); coarse.size() > 1)
+    checks.push_back({Kind::SteppedRippleByVoxel, leastGrowth(coarse, steppedRipple), kGrows, kInfinite});
+  const DrillExperimentHole* const atRule = holeAt(holes, rule.voxel);
+  if (atRule) checks.push_back({Kind::SteppedRippleAtRule, steppedRipple(*atRule), 0.0, 0.01});
+  if (holes.size() > 1) checks.push_back({Kind::OurRippleByVoxel, leastGrowth(holes, ourRipple), kGrows, kInfinite});
+  // A section that grows as 2 x - x² has √(15/16) = 0.968.
+  const double cycles = 0.5 * rule.diameter / rule.feed * rule.rate;
+  if (atRule) checks.push_back({Kind::BuildUp, buildUpOf(*atRule, cycles), 0.95, 1.0});
+  return checks;
+}
+
+std::vector<DrillShapeCheck> erosionChecks(const std::vector<DrillExperimentHole>& holes) {
+  std::vector<DrillShapeCheck> checks;
+  if (holes.size() > 1)
+    checks.push_back({Kind::SteppedRippleByErosion, leastGrowth(holes, steppedRipple), kGrows, kInfinite});
+  if (const DrillExperimentHole* const four = holeAt(holes, 4.0))
+    checks.push_back({Kind::SteppedRippleAtFour, steppedRipple(*four), 0.1, kInfinite});
+  double most = 0.0;
+  for (const DrillExperimentHole& hole : holes) most = std::max(most, hole.ours.ripple);
+  checks.push_back({Kind::OurRippleByErosion, most, 0.0, 0.1});
+  return checks;
+}
+
+std::vector<DrillShapeCheck> radiusChecks(const std::vector<DrillExperimentHole>& holes) {
+  if (holes.size() < 2) return {};
+  return {{Kind::ThrustByRadius, powerOf(holes, ourThrust), 0.9, 1.1},
+          {Kind::TorqueByRadius, powerOf(holes, ourTorque), 1.9, 2.1}};
+}
+
+std::vector<DrillShapeCheck> feedChecks(const std::vector<DrillExperimentHole>& holes) {
+  constexpr double kLinear = 6.0, kFast = 10.0;  // mm/s
+  std::vector<DrillShapeCheck> checks;
+  const auto slow = holesWithin(holes, 0.0, kLinear);
+  if (slow.size() > 1) {
+    checks.push_back({Kind::ThrustByFeed, powerOf(slow, ourThrust), 0.95, 1.05});
+    checks.push_back({Kind::TorqueByFeed, powerOf(slow, ourTorque), 0.95, 1.05});
+  }
+  const DrillExperimentHole* const fast = holeAt(holes, kFast);
+  if (!fast || slow.empty()) return checks;
+  const DrillExperimentHole& least = slow.front();
+  const double share = fast->stepped.mean.thrust * least.value / (least.stepped.mean.thrust * fast->value);
+  checks.push_back({Kind::SteppedThrustAboveSix, share, 0.0, 0.97});
+  return checks;
 }
 
 }  // namespace
@@ -191,6 +252,11 @@ std::vector<double> valuesOf(DrillExperiment experiment) {
   return {};
 }
 
+bool isDrillable(DrillExperiment experiment, double value) {
+  const SteppedHole hole = holeOf(experiment, value);
+  return isDrillable(hole) && 2.0 * hole.voxel <= hole.diameter && kLeastEvenCycles * hole.feed <= kEvenWay * hole.rate;
+}
+
 Result<DrillExperimentHole> drillExperimentHole(DrillExperiment experiment, double value, Progress progress) {
   const SteppedHole hole = holeOf(experiment, value);
   const DrillSetup setup = setupOf(hole);
@@ -211,9 +277,9 @@ Result<DrillExperimentHole> drillExperimentHole(DrillExperiment experiment, doub
   return done;
 }
 
-Result<DrillExperimentResult> runDrillExperiment(DrillExperiment experiment, Progress progress) {
+Result<DrillExperimentResult> runDrillExperiment(DrillExperiment experiment, const std::vector<double>& values,
+                                                 Progress progress) {
   DrillExperimentResult result{experiment, SteppedHole().rate, {}};
-  const std::vector<double> values = valuesOf(experiment);
   const auto count = static_cast<double>(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto at = static_cast<double>(i);
@@ -226,37 +292,16 @@ Result<DrillExperimentResult> runDrillExperiment(DrillExperiment experiment, Pro
 }
 
 std::vector<DrillShapeCheck> shapeChecksOf(const DrillExperimentResult& result) {
-  constexpr double kGrows = 1e-6;  // more than rounding
-  const std::vector<DrillExperimentHole>& holes = result.holes;
-  if (holes.size() < 2) return {};
+  if (result.holes.empty()) return {};
   switch (result.experiment) {
-    case DrillExperiment::Resolution: {
-      const SteppedHole rule;
-      const double cycles = 0.5 * rule.diameter / rule.feed * rule.rate;
-      return {{Kind::SteppedRippleByVoxel, leastGrowth(holes, steppedRipple), kGrows, kInfinite},
-              {Kind::SteppedRippleAtRule, steppedRipple(holeAt(holes, rule.voxel)), 0.0, 0.01},
-              {Kind::OurRippleByVoxel, leastGrowth(holes, ourRipple), kGrows, kInfinite},
-              // A section that grows as 2 x - x² has √(15/16) = 0.968.
-              {Kind::BuildUp, buildUpOf(holeAt(holes, rule.voxel), cycles), 0.95, 1.0}};
-    }
-    case DrillExperiment::Erosion: {
-      double most = 0.0;
-      for (const DrillExperimentHole& hole : holes) most = std::max(most, hole.ours.ripple);
-      return {{Kind::SteppedRippleByErosion, leastGrowth(holes, steppedRipple), kGrows, kInfinite},
-              {Kind::SteppedRippleAtFour, steppedRipple(holeAt(holes, 4.0)), 0.1, kInfinite},
-              {Kind::OurRippleByErosion, most, 0.0, 0.1}};
-    }
+    case DrillExperiment::Resolution:
+      return resolutionChecks(result.holes);
+    case DrillExperiment::Erosion:
+      return erosionChecks(result.holes);
     case DrillExperiment::Radius:
-      return {{Kind::ThrustByRadius, powerOf(holes, kInfinite, ourThrust), 0.9, 1.1},
-              {Kind::TorqueByRadius, powerOf(holes, kInfinite, ourTorque), 1.9, 2.1}};
-    case DrillExperiment::Feed: {
-      const auto& least = holes.front();
-      const auto& most = holes.back();
-      const double share = most.stepped.mean.thrust * least.value / (least.stepped.mean.thrust * most.value);
-      return {{Kind::ThrustByFeed, powerOf(holes, 6.0, ourThrust), 0.95, 1.05},
-              {Kind::TorqueByFeed, powerOf(holes, 6.0, ourTorque), 0.95, 1.05},
-              {Kind::SteppedThrustAboveSix, share, 0.0, 0.97}};
-    }
+      return radiusChecks(result.holes);
+    case DrillExperiment::Feed:
+      return feedChecks(result.holes);
   }
   return {};
 }

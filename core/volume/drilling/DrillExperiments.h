@@ -24,6 +24,9 @@ std::optional<DrillExperiment> drillExperimentOf(std::string_view id);
 // The values that it runs through: mm of a voxel, steps of 255 levels, mm of the radius, mm/s. All else is that of a
 // ball of 6 mm at 1 mm/s and 1 kHz, in voxels of 0.255 mm and a plate of cortical bone, at 1000 r/min.
 std::vector<double> valuesOf(DrillExperiment experiment);
+// Whether a hole with this value comes to an end (isDrillable()) and has an even load: voxels of no more than the
+// ball's radius, and at least ten cycles.
+bool isDrillable(DrillExperiment experiment, double value);
 
 // Where all of the front half of the ball is in the plate.
 struct EvenLoad {
@@ -56,7 +59,7 @@ struct DrillShapeCheck {
     TorqueByRadius,
     ThrustByFeed,  // power of the feed, below 6 mm/s
     TorqueByFeed,
-    SteppedThrustAboveSix  // what the thrust at 10 mm/s is of ten times that at 1 mm/s
+    SteppedThrustAboveSix  // what the thrust at 10 mm/s is of what the line through that at the least feed has there
   };
   Kind kind;
   double found;
@@ -70,12 +73,13 @@ struct DrillExperimentResult {
   std::vector<DrillExperimentHole> holes;
 };
 
-// One hole of an experiment with this value, above 0. Errors: those of volumeOfSurface(); Cancelled.
+// One hole of an experiment with this value, which is drillable. Errors: those of volumeOfSurface(); Cancelled.
 Result<DrillExperimentHole> drillExperimentHole(DrillExperiment experiment, double value, Progress progress);
-// All holes.
-Result<DrillExperimentResult> runDrillExperiment(DrillExperiment experiment, Progress progress);
+// A hole for each of these values, which are drillable.
+Result<DrillExperimentResult> runDrillExperiment(DrillExperiment experiment, const std::vector<double>& values,
+                                                 Progress progress);
 
-// The stated shapes, of holes in ascending order of their values, at least two.
+// The stated shapes, of holes in ascending order of their values; those for which the holes are there.
 std::vector<DrillShapeCheck> shapeChecksOf(const DrillExperimentResult& result);
 
 }  // namespace handwheel

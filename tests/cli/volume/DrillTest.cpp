@@ -205,19 +205,23 @@ class DrillTest : public QObject {
   // The curves of He's runs have the shapes that he states.
   void experiments() {
     const Bench bench;
-    const Ran ran = bench.run({"drill-experiments", "resolution", "--plot", "runs.csv", "--json"});
+    const Ran ran = bench.run({"drill-experiments", "feed", "--values", "10,6", "--plot", "runs.csv", "--json"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     const auto experiment = drillJson(ran.out)["experiments"][0];
-    QCOMPARE(experiment["holes"].size(), std::size_t{3});
-    QCOMPARE(experiment["checks"].size(), std::size_t{4});
-    for (const auto& check : experiment["checks"]) QVERIFY(check["holds"].get<bool>());
+    QCOMPARE(experiment["holes"].size(), std::size_t{2});
+    QCOMPARE(experiment["holes"][0]["value"].get<double>(), 6.0);
+    QCOMPARE(experiment["checks"].size(), std::size_t{1});
+    QVERIFY(experiment["checks"][0]["holds"].get<bool>());
     const QByteArray points = bench.content("runs.csv");
     for (const char* const series : {"Handwheel", "He 2008", "Balance of energy", "(3-22)", "(3-23)"})
       QVERIFY(points.contains(series));
     const Ran unknown = bench.run({"drill-experiments", "speed"});
     QCOMPARE(unknown.code, 1);
     QVERIFY(unknown.err.contains("There is no experiment speed"));
+    for (const char* const values : {"", "1,", "0", "1,-2", "nan", "1e-9", "fast"})
+      QCOMPARE(bench.run({"drill-experiments", "feed", "--values", values}).code, 1);
+    QCOMPARE(bench.run({"drill-experiments", "--values", "1"}).code, 1);
   }
 };
 

@@ -117,22 +117,38 @@ class DrillExperimentsTest : public QObject {
     QVERIFY(!isDrillable(hole));
   }
 
-  // Two voxels, drilled by ours: the thrust of the balance, and less ripple in the smaller ones.
+  // Drilled by ours: the thrust of the balance, in any voxels, and less ripple in smaller ones. He's erosion ripples as
+  // much as its mean in those that are four times as large as his rule has them.
   void ours() {
     const auto coarse = drillExperimentHole(DrillExperiment::Resolution, 1.02, {}),
-               fine = drillExperimentHole(DrillExperiment::Resolution, 0.51, {});
+               fine = drillExperimentHole(DrillExperiment::Feed, 10.0, {});
     QVERIFY(coarse.hasValue() && fine.hasValue());
     QVERIFY(fine->ours.ripple < coarse->ours.ripple);
-    QVERIFY(fine->ours.ripple < 0.05);
-    QVERIFY(std::abs(fine->ours.mean.thrust / fine->balance.thrust - 1.0) < 0.02);
-    QVERIFY(std::abs(fine->ours.mean.torque / fine->balance.torque - 1.0) < 0.02);
-    QVERIFY(fine->stepped.ripple > fine->ours.ripple);
+    QVERIFY(fine->ours.ripple < 0.05 && coarse->ours.ripple < 0.1);
+    QVERIFY(coarse->stepped.ripple > 0.5);
+    for (const auto* const hole : {&*coarse, &*fine}) {
+      QVERIFY(std::abs(hole->ours.mean.thrust / hole->balance.thrust - 1.0) < 0.02);
+      QVERIFY(std::abs(hole->ours.mean.torque / hole->balance.torque - 1.0) < 0.02);
+    }
     // kp π r² f / (f + ktc r ω), of cortical bone at 1000 r/min.
     const double tangential = 1.64 * 3.0 * 2.0 * M_PI * 1000.0 / 60.0;
-    QVERIFY(std::abs(fine->balance.thrust - 250.0 * M_PI * 9.0 / (1.0 + tangential)) < 1e-6);
+    QVERIFY(std::abs(coarse->balance.thrust - 250.0 * M_PI * 9.0 / (1.0 + tangential)) < 1e-6);
     // The laws of Allotta with Ks = kp / (2 ktc) and Ru = kp / 5; 0.06 mm to a turn.
-    QVERIFY(std::abs(fine->reference.thrust - 250.0 / (2.0 * 1.64) * 0.06 * 3.0) < 1e-6);
-    QVERIFY(std::abs(fine->reference.torque - 5.0 * 50.0 * 0.06 * 36.0 / 8.0) < 1e-6);
+    QVERIFY(std::abs(coarse->reference.thrust - 250.0 / (2.0 * 1.64) * 0.06 * 3.0) < 1e-6);
+    QVERIFY(std::abs(coarse->reference.torque - 5.0 * 50.0 * 0.06 * 36.0 / 8.0) < 1e-6);
+    // While the ball goes in, 0.01 mm in a cycle, thrust is that of the section in the plate: 2 x - x² of all, of which
+    // the correlation with x is √(15/16).
+    DrillExperimentResult rule{DrillExperiment::Resolution, 1000.0, {*fine}};
+    rule.holes[0].value = SteppedHole().voxel;
+    std::vector<float> slow;  // as if it had been drilled at 1 mm/s
+    for (const float thrust : fine->ourThrust) slow.insert(slow.end(), 10, thrust);
+    rule.holes[0].ourThrust = slow;
+    const auto checks = shapeChecksOf(rule);
+    const auto buildUp = std::find_if(checks.begin(), checks.end(), [](const DrillShapeCheck& check) {
+      return check.kind == DrillShapeCheck::Kind::BuildUp;
+    });
+    QVERIFY(buildUp != checks.end() && buildUp->holds());
+    QVERIFY(std::abs(buildUp->found - std::sqrt(15.0 / 16.0)) < 0.01);
   }
 
   void checksTellShapes() {
@@ -143,6 +159,33 @@ class DrillExperimentsTest : public QObject {
     for (const DrillShapeCheck& check : shapeChecksOf(radius)) QVERIFY(!check.holds());
     radius.holes.resize(1);
     QVERIFY(shapeChecksOf(radius).empty());
+    radius.holes.clear();
+    QVERIFY(shapeChecksOf(radius).empty());
+  }
+
+  // What is stated of certain values is told of these alone.
+  void checksOfOtherValues() {
+    DrillExperimentResult feed{DrillExperiment::Feed, 1000.0, {madeHole(7.0, 7.0, 7.0), madeHole(10.0, 10.0, 10.0)}};
+    QVERIFY(shapeChecksOf(feed).empty());
+    feed.holes.front() = madeHole(6.0, 6.0, 6.0);
+    QCOMPARE(shapeChecksOf(feed).size(), std::size_t{1});
+    QVERIFY(!shapeChecksOf(feed).front().holds());  // all of the line
+    DrillExperimentResult fine{DrillExperiment::Resolution, 1000.0, {madeHole(0.1, 1.0, 1.0), madeHole(0.2, 1.0, 1.0)}};
+    QCOMPARE(shapeChecksOf(fine).size(), std::size_t{1});
+    QVERIFY(shapeChecksOf(fine).front().kind == DrillShapeCheck::Kind::OurRippleByVoxel);
+  }
+
+  void drillableValues() {
+    for (const DrillExperiment experiment : kDrillExperiments) {
+      for (const double value : valuesOf(experiment)) QVERIFY(isDrillable(experiment, value));
+      for (const double value : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(), 1e300})
+        QVERIFY(!isDrillable(experiment, value));
+    }
+    QVERIFY(!isDrillable(DrillExperiment::Erosion, 256.0));
+    QVERIFY(!isDrillable(DrillExperiment::Resolution, 1e-3));  // too many voxels
+    QVERIFY(!isDrillable(DrillExperiment::Feed, 1e-9));        // and cycles
+    QVERIFY(!isDrillable(DrillExperiment::Resolution, 3.1));   // larger than the radius
+    QVERIFY(!isDrillable(DrillExperiment::Feed, 1000.0));      // through in a few cycles
   }
 
   void names() {
@@ -157,7 +200,7 @@ class DrillExperimentsTest : public QObject {
   void cancelled() {
     JobState state;
     state.cancelled = true;
-    const auto result = runDrillExperiment(DrillExperiment::Feed, Progress(state));
+    const auto result = runDrillExperiment(DrillExperiment::Feed, {1.0}, Progress(state));
     QVERIFY(!result && result.error().code == ErrorCode::Cancelled);
   }
 };
