@@ -7,20 +7,24 @@
 #include "cli/Interrupt.h"
 #include "cli/MemoryNotice.h"
 #include "cli/Messages.h"
+#include "cli/ProgressBar.h"
 #include "cli/ReportText.h"
 #include "cli/mesh/RepairArguments.h"
 #include "cli/mesh/RepairByVolume.h"
 #include "cli/mesh/RepairCommand.h"
 #include "cli/mesh/RepairWaysTable.h"
 #include "cli/mesh/batch/BatchFiles.h"
+#include "cli/mesh/batch/ChildRepair.h"
 #include "document/AtomicFile.h"
 #include "text/RepairText.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace handwheel {
 namespace {
@@ -113,51 +117,100 @@ nlohmann::ordered_json jsonOf(const BothWays& both) {
   return {{"written", both.isByVolume ? "volume" : "triangles"}, {"lost_by_volume_mm", both.lost}, {"ways", ways}};
 }
 
-// What the words say of each file.
-struct BothWaysRequest {
-  RepairRequest byTriangles;
-  VolumeRepairRequest byVolume;
+// The rows of a file, by the JSON of its own repair. Throws what the library throws where that is something else.
+std::vector<RepairWayRow> rowsIn(const std::string& file, const nlohmann::json& both) {
+  std::vector<RepairWayRow> rows;
+  const double lost = both.at("lost_by_volume_mm").get<double>();
+  for (const nlohmann::json& way : both.at("ways")) {
+    RepairWayRow row{file, way.at("by").get<std::string>(), {}, {}, false};
+    row.isWritten = row.way == both.at("written").get<std::string>();
+    if (way.contains("error")) {
+      row.reason = way.at("error").get<std::string>();
+    } else {
+      row.figures = RepairWayFigures{way.at("sound").get<bool>(),
+                                     way.at("state").get<std::string>(),
+                                     way.at("triangles").get<std::size_t>(),
+                                     way.at("scan_distance_99_mm").get<double>(),
+                                     way.at("scan_distance_mm").get<double>(),
+                                     way.at("seconds").get<double>()};
+    }
+    if (row.way == "volume" && lost > 0.0)
+      row.reason = "Open sheets or walls thinner than a voxel are lost: up to " + roundedText(lost, 3) +
+                   " mm of the input is away from it.";
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// Repairs several files one after the other, each in a process of its own: one that crashes, or takes longer than it
+// may, is a row of the table, and the others go on.
+class FilesBothWays {
+ public:
+  FilesBothWays(std::vector<std::string> options, std::optional<double> timeLimit)
+      : m_options(std::move(options)), m_timeLimit(timeLimit) {}
+
+  // Until a signal arrives.
+  void repair(const std::vector<BatchFile>& files) {
+    for (std::size_t i = 0; i < files.size() && !wasInterrupted(); ++i) {
+      m_done = static_cast<double>(i) / static_cast<double>(files.size());
+      repair(files[i]);
+    }
+    m_bar.clear();
+  }
+  const std::vector<RepairWayRow>& rows() const { return m_rows; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void repair(const BatchFile& file) {
+    const StartedRepair started = startRepair(file, m_options);
+    if (!started.child) return fail(file, started.problem);
+    const bool isStopped = waitFor(started.child);
+    ChildProcess& child = *started.child;
+    if (child.code() == kExitDone || child.code() == kExitSomethingLeft) {
+      try {
+        const std::vector<RepairWayRow> rows = rowsIn(file.input.string(), nlohmann::json::parse(child.output()));
+        m_rows.insert(m_rows.end(), rows.begin(), rows.end());
+        m_bar.clear();
+        for (const std::string& sentence : complaintsOf(child)) complain(sentence);
+        return;
+      } catch (const nlohmann::json::exception&) {
+        return fail(file, "Its process printed no result.");
+      }
+    }
+    if (!wasInterrupted()) fail(file, isStopped ? tooLong(*m_timeLimit) : failureOf(child, file));
+  }
+
+  // Whether it was asked to end.
+  bool waitFor(const std::unique_ptr<ChildProcess>& child) {
+    constexpr std::chrono::milliseconds kWaiting{5};
+    const Clock::time_point start = Clock::now();
+    std::optional<Clock::time_point> askedToEnd;
+    while (!child->hasEnded()) {
+      const auto now = Clock::now();
+      const bool isLate = m_timeLimit && std::chrono::duration<double>(now - start).count() >= *m_timeLimit;
+      if (!askedToEnd && (isLate || wasInterrupted())) {
+        child->send(SIGTERM);
+        askedToEnd = now;
+      }
+      if (askedToEnd && now - *askedToEnd > kChildGrace) child->send(SIGKILL);
+      m_bar.show(m_done, static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(now - m_begin).count()));
+      ChildProcess::wait(std::span(&child, 1), kWaiting);
+    }
+    return askedToEnd.has_value();
+  }
+
+  void fail(const BatchFile& file, std::string reason) {
+    m_rows.push_back({file.input.string(), {}, {}, std::move(reason), false});
+  }
+
+  std::vector<std::string> m_options;
+  std::optional<double> m_timeLimit;  // seconds
+  std::vector<RepairWayRow> m_rows;
+  ProgressBar m_bar{"Repairing"};
+  Clock::time_point m_begin = Clock::now();
+  double m_done = 0.0;
 };
-
-void addRows(const std::string& file, const BothWays& both, std::vector<RepairWayRow>& rows) {
-  rows.push_back({file, "triangles", both.triangles, {}, !both.isByVolume});
-  RepairWayRow volume{file, "volume", both.volume, {}, both.isByVolume};
-  if (both.volumeError) volume.reason = sentenceFor(*both.volumeError);
-  if (both.lost > 0.0)
-    volume.reason = "Open sheets or walls thinner than a voxel are lost: up to " + roundedText(both.lost, 3) +
-                    " mm of the input is away from it.";
-  rows.push_back(std::move(volume));
-}
-
-// Repairs one file of several. What fails is a row of the table. False: cancelled.
-bool addFile(const BatchFile& file, BothWaysRequest request, const DocumentKinds& kinds, MemoryNotice& notice,
-             std::vector<RepairWayRow>& rows, Progress progress) {
-  const std::string name = file.input.string();
-  const auto failed = [&](std::string reason) { rows.push_back({name, {}, {}, std::move(reason), false}); };
-  if (!file.problem.empty()) {
-    failed(file.problem);
-    return true;
-  }
-  request.byTriangles.input = request.byVolume.input = file.input;
-  request.byTriangles.output = request.byVolume.output = file.output;
-  std::error_code problem;
-  std::filesystem::create_directories(file.output.parent_path(), problem);
-  if (problem) {
-    failed(sentenceFor(Error{ErrorCode::WriteFailed, {problem.message()}, {}, file.output.string()}));
-    return true;
-  }
-  const Result<BothWays> both = repairFileBothWays(request.byTriangles, request.byVolume, kinds, notice, progress);
-  if (!both && both.error().code == ErrorCode::Cancelled) return false;
-  if (!both) {
-    failed(sentenceFor(both.error()));
-  } else if (both->run.output.empty()) {
-    failed(both->run.refusal.empty() ? name + ": no triangle has an area, so there is nothing to repair."
-                                     : both->run.refusal);
-  } else {
-    addRows(name, *both, rows);
-  }
-  return true;
-}
 
 nlohmann::ordered_json jsonOf(const std::vector<RepairWayRow>& rows) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -182,13 +235,17 @@ int codeOf(const std::vector<RepairWayRow>& rows) {
   return code;
 }
 
-int runManyBothWays(const Arguments& arguments, const BothWaysRequest& request, const DocumentKinds& kinds) {
+int runManyBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
   namespace fs = std::filesystem;
   const fs::path output = arguments.valueOf("output"), report = arguments.valueOf("report");
   const std::string ending = report.extension().string();
   if (arguments.has("report") && ending != ".csv" && ending != ".html")
     return failUsage("--report takes a name that ends in .csv or .html where both ways of repair are compared.",
                      "repair");
+  std::optional<double> timeLimit;
+  std::string wrong = readTimeLimit(arguments, timeLimit);
+  if (wrong.empty()) wrong = checkFormat(arguments);
+  if (!wrong.empty()) return failUsage(wrong, "repair");
   std::error_code problem;
   if (!fs::is_directory(output, problem) && (fs::exists(output, problem) || isDocumentName(output, kinds)))
     return failUsage(output.string() + " is not a folder; several files need one.", "repair");
@@ -198,25 +255,15 @@ int runManyBothWays(const Arguments& arguments, const BothWaysRequest& request, 
   if (plan.files.empty()) return refuse("No mesh file was found.");
   if (arguments.has("report") && plan.isInput(report)) return refuse(report.string() + " is an input too.");
 
-  MemoryNotice notice(arguments);
-  std::vector<RepairWayRow> rows;
-  bool isCancelled = false;
-  runInterruptible("Repairing", [&](CommandJob& job) {
-    const auto count = static_cast<double>(plan.files.size());
-    for (std::size_t i = 0; i < plan.files.size() && !isCancelled; ++i) {
-      const auto at = static_cast<double>(i);
-      isCancelled = !addFile(plan.files[i], request, kinds, notice.during(job), rows,
-                             job.progress().part(at / count, (at + 1.0) / count));
-    }
-  });
+  FilesBothWays repairs(repairOptions(arguments), timeLimit);
+  repairs.repair(plan.files);
+  const std::vector<RepairWayRow>& rows = repairs.rows();
   // What was repaired until then is told, too.
   if (arguments.has("report"))
     if (const Status written = writeFileAtomically(report, ending == ".csv" ? csvText(rows) : htmlText(rows)); !written)
       return fail(written.error());
-  nlohmann::ordered_json json = jsonOf(rows);
-  notice.addTo(json);
-  const int code = print(arguments.has("json") ? json.dump() + "\n" : alignedText(rows));
-  if (isCancelled) return fail({ErrorCode::Cancelled, {}, {}, {}});
+  const int code = print(arguments.has("json") ? jsonOf(rows).dump() + "\n" : alignedText(rows));
+  if (wasInterrupted()) return fail({ErrorCode::Cancelled, {}, {}, {}});
   return code == kExitDone ? codeOf(rows) : code;
 }
 
@@ -227,7 +274,7 @@ int runRepairBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
   const bool isMany = arguments.operands.size() > 1 || arguments.has("format") ||
                       std::filesystem::is_directory(arguments.operands[0], ignored);
   for (const char* const option : {"screenshot", "jobs", "resume", "time-limit"}) {
-    if (arguments.has(option))
+    if (arguments.has(option) && !(isMany && std::string_view(option) == "time-limit"))
       return failUsage("--" + std::string(option) + " has no meaning where both ways of repair are compared.",
                        "repair");
   }
@@ -241,7 +288,7 @@ int runRepairBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
   if (problem.empty()) problem = readVolumeRequest(arguments, byVolume);
   if (!problem.empty()) return failUsage(problem, "repair");
   byTriangles.compare = true;
-  if (isMany) return runManyBothWays(arguments, {byTriangles, byVolume}, kinds);
+  if (isMany) return runManyBothWays(arguments, kinds);
 
   MemoryNotice notice(arguments);
   std::optional<Result<BothWays>> result;

@@ -115,11 +115,31 @@ class RepairBothWaysTest : public QObject {
     QCOMPARE(bench.run(words + QStringList{"--report", "t.json"}).code, 1);
   }
 
+  // Each file has a process of its own, which may be ended: the table has a row for it.
+  void filesThatTakeTooLong() {
+    const Bench bench;
+    bench.put("a.off", cube(10.0).off());
+    bench.put("b.off", cube(10.0).off());
+    const QStringList words{"repair", "a.off", "b.off", "-o", "out", "--by", "both", "--time-limit"};
+    const Ran ran = bench.run(words + QStringList{"0.001", "--json"});
+    QCOMPARE(ran.code, 1);
+    const auto repairs = nlohmann::json::parse(ran.out.toStdString())["repairs"];
+    QCOMPARE(repairs.size(), std::size_t{2});
+    for (const auto& row : repairs) {
+      QCOMPARE(row["reason"].get<std::string>(), std::string("It took longer than 0.001 s."));
+      QVERIFY(!row["written"].get<bool>());
+    }
+    QCOMPARE(bench.run(words + QStringList{"1000", "--voxel", "0.5"}).code, 0);
+    QCOMPARE(bench.inspected("out/b.off").at("volume_mm3").get<double>(), 1000.0);
+    QCOMPARE(bench.run(words + QStringList{"0"}).code, 1);
+    QCOMPARE(bench.run(words + QStringList{"1000", "--format", "xyz"}).code, 1);
+  }
+
   void refusals() {
     const Bench bench;
     bench.put("a.off", cube(10.0).off());
     for (const QStringList& more : {QStringList{"--report", "r.json"}, QStringList{"a.off"}, QStringList{"-j", "2"},
-                                    QStringList{"--keep-open", "3"}}) {
+                                    QStringList{"--keep-open", "3"}, QStringList{"--time-limit", "9"}}) {
       const Ran ran = bench.run(QStringList{"repair", "a.off", "-o", "b.off", "--by", "both"} + more);
       QCOMPARE(ran.code, 1);
       QVERIFY(!ran.err.isEmpty() && !bench.names().contains("b.off"));

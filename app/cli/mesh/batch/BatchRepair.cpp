@@ -5,11 +5,10 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
-#include "cli/mesh/MeshOutput.h"
 #include "cli/mesh/RepairArguments.h"
 #include "cli/mesh/batch/BatchRun.h"
+#include "cli/mesh/batch/ChildRepair.h"
 #include "document/AtomicSaveFile.h"
-#include "document/formats/MeshExport.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,40 +22,14 @@ namespace {
 constexpr std::array<std::string_view, 4> kOfMany{"jobs", "format", "resume", "time-limit"};
 constexpr std::array<std::string_view, 2> kOfOne{"keep-open", "screenshot"};
 constexpr std::size_t kMostJobs = 64;
-constexpr double kLongestLimit = 1e6;  // seconds
-
-// Those that the result depends on, in an order of their own: what is resumed must have the same.
-std::vector<std::string> repairOptions(const Arguments& arguments) {
-  std::vector<std::string> words;
-  for (const auto& [name, value] : arguments.options) {
-    static constexpr std::array<std::string_view, 3> kNotOfTheRepair{"output", "report", "json"};
-    const auto isOne = [&, option = std::string_view(name)](const auto& names) {
-      return std::find(names.begin(), names.end(), option) != names.end();
-    };
-    if (!isOne(kOfMany) && !isOne(kNotOfTheRepair)) words.push_back("--" + name + (value.empty() ? "" : "=" + value));
-  }
-  return words;
-}
-
-bool isEndingOfMesh(const std::string& ending) {
-  return formatForOutput("x." + ending) || isContainerName("x." + ending);
-}
 
 std::string readRunOptions(const Arguments& arguments, BatchRequest& request) {
   if (arguments.has("jobs") &&
       (!readNumber(arguments.valueOf("jobs"), request.jobs) || request.jobs < 1 || request.jobs > kMostJobs)) {
     return "--jobs takes a number from 1 to " + std::to_string(kMostJobs) + ".";
   }
-  if (arguments.has("format") && !isEndingOfMesh(arguments.valueOf("format"))) {
-    return "--format takes " + meshFormatWords(true) + ".";
-  }
-  if (!arguments.has("time-limit")) return {};
-  double seconds = 0.0;
-  if (!readNumber(arguments.valueOf("time-limit"), seconds) || !(seconds > 0.0 && seconds <= kLongestLimit)) {
-    return "--time-limit takes a number of seconds above zero.";
-  }
-  request.timeLimit = seconds;
-  return {};
+  const std::string problem = checkFormat(arguments);
+  return problem.empty() ? readTimeLimit(arguments, request.timeLimit) : problem;
 }
 
 // Turns the words into a request, but for the plan and the earlier run. Returns what is wrong with them, or nothing.

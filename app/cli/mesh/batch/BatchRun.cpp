@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/mesh/batch/BatchRun.h"
 
-#include "base/NumberText.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
-#include "cli/SupervisedChild.h"
+#include "cli/mesh/batch/ChildRepair.h"
 #include "document/AtomicFile.h"
 
 #include <algorithm>
 #include <csignal>
-#include <cstring>
 
 namespace handwheel {
 
@@ -19,24 +17,11 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kPoll = 5ms;
-constexpr auto kGrace = 225ms;    // a program that does not end by itself within 250 ms is ended
 constexpr int kReportShare = 20;  // of the time at most one part goes into writing the report
 constexpr std::size_t kMostNotes = 20;
-constexpr std::string_view kName = "handwheel: ";
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// The sentences that the program complained with.
-std::vector<std::string> complaints(std::string_view errors) {
-  std::vector<std::string> sentences;
-  while (!errors.empty()) {
-    const std::string_view line = errors.substr(0, errors.find('\n'));
-    errors.remove_prefix(std::min(errors.size(), line.size() + 1));
-    if (line.starts_with(kName)) sentences.emplace_back(line.substr(kName.size()));
-  }
-  return sentences;
 }
 
 // A file name may hold anything, and the line is to stay one.
@@ -103,17 +88,10 @@ bool BatchRun::takeEarlier(std::size_t file) {
 }
 
 void BatchRun::start(std::size_t file) {
-  if (!planned(file).problem.empty()) return fail(file, planned(file).problem);
-  std::error_code error;
-  std::filesystem::create_directories(planned(file).output.parent_path(), error);
-  if (error) return fail(file, "The output folder cannot be created (" + error.message() + ").");
-  std::vector<std::string> words{ownProgram(), "repair", "--json"};
-  words.insert(words.end(), m_request.repairOptions.begin(), m_request.repairOptions.end());
-  words.insert(words.end(), {"-o", planned(file).output.string(), "--", planned(file).input.string()});
   const FileTimestamp stamp = timestampOf(planned(file).input).value_or(FileTimestamp());
-  auto child = ChildProcess::start(words);
-  if (!child) return fail(file, std::string("No process can be started for it (") + std::strerror(errno) + ").");
-  m_children.push_back(std::move(child));
+  StartedRepair started = startRepair(planned(file), m_request.repairOptions);
+  if (!started.child) return fail(file, std::move(started.problem));
+  m_children.push_back(std::move(started.child));
   m_running.push_back({file, stamp, Clock::now(), {}});
 }
 
@@ -127,7 +105,7 @@ void BatchRun::watchTimes() {
   const auto now = Clock::now();
   for (std::size_t i = 0; i < m_running.size(); ++i) {
     Running& running = m_running[i];
-    if (running.askedToEnd && now - *running.askedToEnd > kGrace) m_children[i]->send(SIGKILL);
+    if (running.askedToEnd && now - *running.askedToEnd > kChildGrace) m_children[i]->send(SIGKILL);
     if (running.askedToEnd || !m_request.timeLimit || secondsSince(running.start) < *m_request.timeLimit) continue;
     m_children[i]->send(SIGTERM);
     running.askedToEnd = now;
@@ -156,29 +134,13 @@ void BatchRun::conclude(const Running& running, const ChildProcess& child) {
   if (!hasSaid && wasInterrupted()) return;  // so that the next run does it
   if (hasSaid) {
     entry.outputBytes = timestampOf(planned(running.file).output).value_or(FileTimestamp()).bytes;
-    entry.notes = complaints(child.errors());
+    entry.notes = complaintsOf(child);
     if (entry.notes.size() > kMostNotes) entry.notes.resize(kMostNotes);
   } else {
-    entry.reason = reasonOf(running, child);
+    entry.reason = running.askedToEnd ? tooLong(*m_request.timeLimit) : failureOf(child, planned(running.file));
   }
   entry.seconds = secondsSince(running.start);
   finish(running.file, std::move(entry));
-}
-
-// Why it failed.
-std::string BatchRun::reasonOf(const Running& running, const ChildProcess& child) const {
-  const std::vector<std::string> sentences = complaints(child.errors());
-  if (running.askedToEnd) return "It took longer than " + shortestText(*m_request.timeLimit) + " s.";
-  if (child.code() == 128 + SIGKILL) return "The system ended its process; memory may have run out.";
-  if (child.code() > 128 && child.code() != kExitInterrupted) {
-    return std::string("Its process crashed (") + strsignal(child.code() - 128) + ").";
-  }
-  if (sentences.empty())
-    return "Its process ended with the code " + std::to_string(child.code()) + " without a message.";
-  const std::string& last = sentences.back();
-  const std::string input = planned(running.file).input.string();  // stands before it on the line
-  const bool hasSubject = last.starts_with(input + ": ") || last.starts_with(input + ", ");
-  return hasSubject ? last.substr(input.size() + 2) : last;
 }
 
 // The report first, so that what was said to be done is in it, unless it would take too much of the time.

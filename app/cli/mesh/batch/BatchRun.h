@@ -50,7 +50,6 @@ class BatchRun {
   void watchTimes();
   void collect();
   void conclude(const Running& running, const ChildProcess& child);
-  std::string reasonOf(const Running& running, const ChildProcess& child) const;
   void finish(std::size_t file, BatchEntry entry, std::string_view mark = {});
   void stop();
   void say(const std::string& line);
