@@ -67,16 +67,17 @@ class DistanceFront {
     for (std::size_t i = 0; i < blocks.size(); ++i) seed(volume.view(blocks[i]), i * VolumeBlock::kCount);
     for (std::size_t place = 0; place < m_distances.size(); ++place)
       if (m_isFixed[place]) reach(place);
-    for (std::size_t bucket = 0; bucket < m_buckets.size(); ++bucket) {
+    for (; m_bucket < m_buckets.size(); ++m_bucket) {
       // reach() adds to this bucket and to those after it.
-      for (std::size_t i = 0; i < m_buckets[bucket].size(); ++i) {
-        const std::size_t place = m_buckets[bucket][i];
+      for (std::size_t i = 0; i < m_buckets[m_bucket].size(); ++i) {
+        const std::size_t place = m_buckets[m_bucket][i];
         if (m_isFixed[place]) continue;
         m_isFixed[place] = 1;
         reach(place);
       }
-      m_buckets[bucket] = {};
+      m_buckets[m_bucket] = {};
     }
+    for (std::size_t i = 0; i < blocks.size(); ++i) keepSamples(volume.view(blocks[i]), i * VolumeBlock::kCount);
   }
 
   float distance(std::size_t place) const { return m_distances[place]; }  // infinite: no surface is in the blocks
@@ -93,6 +94,15 @@ class DistanceFront {
       if (depth >= kKnown) continue;
       m_distances[place] = depth;
       m_isFixed[place] = 1;
+    }
+  }
+  // What samples tell is what they tell, so that a share of nearly all gives nearly the samples of the layer.
+  void keepSamples(const SparseVolume::View& view, std::size_t first) {
+    for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
+      float& distance = m_distances[first + i];
+      const int sample = view.block ? std::abs(static_cast<int>(view.block->depths[i])) : int{VolumeBlock::kFull};
+      const float depth = static_cast<float>(sample) * static_cast<float>(1.0 / VolumeBlock::kUnit);
+      distance = sample < ClayLayerChange::kDeepestSample ? depth : std::max(distance, depth);
     }
   }
   // The voxel beside another one along an axis; kNoBlock: it is in none of the blocks.
@@ -119,7 +129,8 @@ class DistanceFront {
       const float distance = std::max(kKnown, eikonalDistance(nearest));
       if (!(distance < m_distances[next])) continue;
       m_distances[next] = distance;
-      const auto bucket = static_cast<std::size_t>(distance / kBucket);
+      // Never one that was dealt with, whatever the rounding.
+      const std::size_t bucket = std::max(m_bucket, static_cast<std::size_t>(distance / kBucket));
       if (bucket >= m_buckets.size()) m_buckets.resize(bucket + 1);
       m_buckets[bucket].push_back(next);
     }
@@ -130,6 +141,7 @@ class DistanceFront {
   std::vector<std::uint8_t> m_isInside;
   std::vector<std::uint8_t> m_isFixed;
   std::vector<std::vector<std::size_t>> m_buckets;  // voxels that the front has come to, by their distance
+  std::size_t m_bucket = 0;                         // that is being dealt with
 };
 
 // Full where a surface is near: where the two volumes differ in their samples. Nothing where both are far inside, or
@@ -168,8 +180,8 @@ std::vector<ClayLayerChange::Distances> layerDistances(const SparseVolume& base,
 
 }  // namespace
 
-ClayLayerChange::ClayLayerChange(SparseVolume base, SparseVolume top)
-    : m_base(std::move(base)), m_top(std::move(top)), m_blocks(differingBlocks(m_base, m_top)) {}
+ClayLayerChange::ClayLayerChange(const SparseVolume& base, const SparseVolume& top)
+    : m_blocks(differingBlocks(base, top)), m_base(onlyBlocks(base, m_blocks)), m_top(onlyBlocks(top, m_blocks)) {}
 
 std::size_t ClayLayerChange::numberOf(const VoxelIndex& block) const {
   return numberIn(m_blocks, block);

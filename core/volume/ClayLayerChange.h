@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// What a layer of clay changes: a volume before and after it. The two share all blocks but those that it changed, so it
-// takes the memory of these.
+// What a layer of clay changes: blocks of a volume before it and after it. No others are held, so that a layer keeps
+// nothing of what the volume has been elsewhere.
 //
 // Depths end at four voxels, and a stroke may be deeper than that. So that a share of it moves the surface by that
 // share, distances are also known beyond: from the samples near the surface the others of the changed blocks follow
@@ -21,10 +21,14 @@ namespace handwheel {
 // Immutable; reading on several threads is safe.
 class ClayLayerChange {
  public:
-  ClayLayerChange(SparseVolume base, SparseVolume top);
+  // Of what a share of a layer gives: it never makes a block full or empty. From it on a depth is "at least so much".
+  static constexpr int kDeepestSample = VolumeBlock::kFull - 1;
+
+  ClayLayerChange(const SparseVolume& base, const SparseVolume& top);
   ClayLayerChange(const ClayLayerChange&) = delete;
   ClayLayerChange& operator=(const ClayLayerChange&) = delete;
 
+  // Of the changed blocks; there is nothing else in them.
   const SparseVolume& base() const { return m_base; }
   const SparseVolume& top() const { return m_top; }
   // That differ, in the order of isBlockBefore().
@@ -46,8 +50,8 @@ class ClayLayerChange {
  private:
   std::size_t numberOf(const VoxelIndex& block) const;
 
-  SparseVolume m_base, m_top;
   std::vector<VoxelIndex> m_blocks;
+  SparseVolume m_base, m_top;
   mutable std::once_flag m_once;
   mutable std::vector<Distances> m_distances;  // in the order of the blocks
 };

@@ -13,7 +13,7 @@
 namespace handwheel {
 namespace {
 
-constexpr int kDeepestSample = VolumeBlock::kFull - 1;  // of samples that a share of a layer gives
+constexpr int kDeepestSample = ClayLayerChange::kDeepestSample;
 
 using BlockDepths = std::array<float, VolumeBlock::kCount>;
 
@@ -34,30 +34,44 @@ float slopeAt(const BlockDepths& depths, int x, int y, int z) {
 }
 
 // A share of what a layer changes, added to the depths of a block. Sums of distances are none where the surfaces lie at
-// an angle to each other: their slope makes them distances again, to first order.
+// an angle to each other: their slope makes them distances again, to first order. It is compared to that of the depths
+// below the layer and of its own, by their shares: at edges and in thin walls differences say less than the slope is,
+// and what comes of a share near 0 or 1 has to come near to these.
 SparseVolume::Content withShare(const SparseVolume::Content& below, const ClayLayerChange::Distances& layer,
                                 double share) {
-  constexpr float kLeastSlope = 0.25f, kLargestSlope = 4.0f;
+  constexpr float kMostFactor = 4.0f, kNoSlope = 0.01f;
   constexpr auto kLimit = static_cast<float>(DepthWindow::kLimit);
   std::shared_ptr<VolumeBlock> block = samplesOf(below);
-  BlockDepths depths;
+  const auto part = static_cast<float>(share);
+  BlockDepths before, own, depths;  // below the layer; of the layer where it was made; the sum
   for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
     const std::int16_t sample = block->depths[i];
     float depth = static_cast<float>(sample) * static_cast<float>(1.0 / VolumeBlock::kUnit);
     // Where the surface below is further away than depths tell, it is about as far as when the layer was made.
     if (std::abs(static_cast<int>(sample)) >= kDeepestSample)
       depth = std::copysign(std::max(kLimit, std::abs(layer.base[i])), depth);
-    depths[i] = depth + static_cast<float>(share) * layer.change[i];
+    before[i] = depth;
+    own[i] = layer.base[i] + layer.change[i];
+    depths[i] = depth + part * layer.change[i];
   }
+  // Beyond the depths of samples it is 1, whatever is known of them.
+  const auto slopeOf = [](const BlockDepths& of, int x, int y, int z) {
+    return std::abs(of[VolumeBlock::at(x, y, z)]) < kLimit ? slopeAt(of, x, y, z) : 1.0f;
+  };
   for (int z = 0; z < VolumeBlock::kSize; ++z)
     for (int y = 0; y < VolumeBlock::kSize; ++y)
       for (int x = 0; x < VolumeBlock::kSize; ++x) {
         const std::size_t i = VolumeBlock::at(x, y, z);
-        const float slope = std::clamp(slopeAt(depths, x, y, z), kLeastSlope, kLargestSlope);
         // Nothing that the layer leaves alone is touched. What it changes never makes a block full or empty: a surface
         // lies between it and its neighbours whatever these are.
         if (layer.change[i] == 0.0f) continue;
-        const int sample = depthSample(static_cast<double>(depths[i] / slope));
+        float depth = depths[i];
+        if (std::abs(depth) < kLimit) {
+          const float wanted = (1.0f - part) * slopeOf(before, x, y, z) + part * slopeOf(own, x, y, z);
+          const float factor = (wanted + kNoSlope) / (slopeAt(depths, x, y, z) + kNoSlope);
+          depth *= std::clamp(factor, 1.0f / kMostFactor, kMostFactor);
+        }
+        const int sample = depthSample(static_cast<double>(depth));
         block->depths[i] = static_cast<std::int16_t>(std::clamp(sample, -kDeepestSample, kDeepestSample));
       }
   return contentOf(std::move(block));
@@ -86,16 +100,25 @@ void ClayLayers::mergeDown(std::size_t layer) {
     m_root = std::move(both);
   } else {
     ClayLayer& below = m_layers[layer - 1];
-    below.change = std::make_shared<const ClayLayerChange>(visible(layer - 1), std::move(both));
+    below.change = std::make_shared<const ClayLayerChange>(visible(layer - 1), both);
     below.strength = 1.0;
     below.isOn = true;
   }
   remove(layer);
 }
 
-void ClayLayers::record(const SparseVolume& visible) {
+void ClayLayers::record(const SparseVolume& before, const SparseVolume& after) {
   assert(canBeSculpted());
-  m_layers.back().change = std::make_shared<const ClayLayerChange>(this->visible(m_layers.size() - 1), visible);
+  const std::size_t below = m_layers.size() - 1;
+  const ClayLayerChange& change = *m_layers[below].change;
+  // What is visible is what lies below where the layer changes nothing. Blocks that it was made on already are shared
+  // with what it was: no stroke takes the memory of those before it once more.
+  SparseVolume base = before;
+  replace(base, change.blocks(), [&](const VoxelIndex& block) {
+    SparseVolume::Content content = visibleContent(block, below);
+    return isSameContent(viewOf(content), change.base().view(block)) ? change.base().content(block) : content;
+  });
+  m_layers[below].change = std::make_shared<const ClayLayerChange>(base, after);
 }
 
 SparseVolume::Content ClayLayers::visibleContent(const VoxelIndex& block, std::size_t layers) const {

@@ -45,8 +45,9 @@ class ClayLayers {
   void mergeDown(std::size_t layer);
   // Whether strokes can go on the topmost layer: it is on, with a strength of 1. There must be one.
   bool canBeSculpted() const { return m_layers.back().share() == 1.0; }
-  // Takes into the topmost layer what has become of what is visible, where it can be sculpted.
-  void record(const SparseVolume& visible);
+  // Takes into the topmost layer, which can be sculpted, what a stroke has made of visible(). O(blocks that the layer
+  // changes, and regions of 64³ voxels that the stroke does).
+  void record(const SparseVolume& before, const SparseVolume& after);
 
   // What is visible of the first layers. On all threads of the arena.
   SparseVolume visible(std::size_t layers) const;

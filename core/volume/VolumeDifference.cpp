@@ -3,6 +3,7 @@
 #include "volume/VolumeDifference.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace handwheel {
 
@@ -19,15 +20,31 @@ bool isBlockBefore(const VoxelIndex& a, const VoxelIndex& b) {
 
 std::vector<VoxelIndex> differingBlocks(const SparseVolume& a, const SparseVolume& b) {
   std::vector<VoxelIndex> differing;
+  // forEach() goes from region to region: whether the two share one is asked once for each.
+  std::optional<VoxelIndex> region;
+  bool isShared = false;
+  const auto isInShared = [&](const VoxelIndex& block) {
+    const VoxelIndex of = SparseVolume::blockOf(block);  // 8³ blocks, as a block is of 8³ voxels
+    if (region != of) isShared = a.sharesRegion(b, of);
+    region = of;
+    return isShared;
+  };
   a.forEach([&](const VoxelIndex& at, const SparseVolume::Content& content) {
-    if (!isSameContent(viewOf(content), b.view(at))) differing.push_back(at);
+    if (!isInShared(at) && !isSameContent(viewOf(content), b.view(at))) differing.push_back(at);
   });
   b.forEach([&](const VoxelIndex& at, const SparseVolume::Content&) {
+    if (isInShared(at)) return;
     const SparseVolume::View other = a.view(at);
     if (!other.block && !other.isFull) differing.push_back(at);
   });
   std::sort(differing.begin(), differing.end(), isBlockBefore);
   return differing;
+}
+
+SparseVolume onlyBlocks(const SparseVolume& volume, const std::vector<VoxelIndex>& blocks) {
+  SparseVolume only(volume.origin(), volume.voxel());
+  for (const VoxelIndex& block : blocks) only.setContent(block, volume.content(block));
+  return only;
 }
 
 }  // namespace handwheel

@@ -22,4 +22,7 @@ bool isBlockBefore(const VoxelIndex& a, const VoxelIndex& b);
 // The blocks that differ, in that order. O(blocks); samples are compared only of those that are not shared.
 std::vector<VoxelIndex> differingBlocks(const SparseVolume& a, const SparseVolume& b);
 
+// Some blocks of a volume, and nothing else.
+SparseVolume onlyBlocks(const SparseVolume& volume, const std::vector<VoxelIndex>& blocks);
+
 }  // namespace handwheel

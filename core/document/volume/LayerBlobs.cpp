@@ -23,13 +23,6 @@ std::string rootFolder() {
   return std::string(kLayersFolder) + "root/";
 }
 
-// Some blocks of a volume, and nothing else.
-SparseVolume onlyBlocks(const SparseVolume& volume, const std::vector<VoxelIndex>& blocks) {
-  SparseVolume only(volume.origin(), volume.voxel());
-  for (const VoxelIndex& block : blocks) only.setContent(block, volume.content(block));
-  return only;
-}
-
 std::vector<VoxelIndex> blocksOfAll(const std::vector<ClayLayer>& layers) {
   std::vector<VoxelIndex> blocks;
   for (const ClayLayer& layer : layers)
@@ -83,10 +76,11 @@ std::optional<ClayLayer> readLayer(const Container& container, const Json& objec
   if (!readBlocks(container, object, "base_chunks", layerFolder(number, "base"), base, bytes)) return std::nullopt;
   if (!readBlocks(container, object, "top_chunks", layerFolder(number, "top"), top, bytes)) return std::nullopt;
   const std::vector<VoxelIndex> blocks = differingBlocks(base, top);
-  // As other arrays of a container: at most 64 times its bytes, also of what will be computed of it.
+  // As other arrays of a container: at most 64 times its bytes. Distances, where they are asked for, take four times
+  // that.
   if (blocks.size() > 64 * bytes / sizeof(VolumeBlock)) return std::nullopt;
   shareBlocks(top, blocks, visible);
-  layer.change = std::make_shared<const ClayLayerChange>(std::move(base), std::move(top));
+  layer.change = std::make_shared<const ClayLayerChange>(base, top);
   return layer;
 }
 
@@ -128,7 +122,7 @@ void writeLayers(const ClayLayers& layers, const SparseVolume& visible, Containe
   for (std::size_t i = 0; i < layers.all().size(); ++i) {
     const ClayLayer& layer = layers.all()[i];
     const auto write = [&](const SparseVolume& volume, const char* what) {
-      return writeChunks(onlyBlocks(volume, layer.change->blocks()), layerFolder(i, what), container);
+      return writeChunks(volume, layerFolder(i, what), container);
     };
     written["stack"].push_back({{"name", layer.name},
                                 {"strength", layer.strength},

@@ -50,10 +50,10 @@ LayerStep withLayerMerged(const VolumeSnapshot& before, std::size_t layer) {
   return stepTo(before, std::move(layers), {});
 }
 
-void recordStroke(VolumeSnapshot& after) {
-  if (!after.layers) return;
-  ClayLayers layers = *after.layers;
-  layers.record(after.volume);
+void recordStroke(const VolumeSnapshot& before, VolumeSnapshot& after) {
+  if (!before.layers) return;
+  ClayLayers layers = *before.layers;
+  layers.record(before.volume, after.volume);
   after.layers = std::make_shared<const ClayLayers>(std::move(layers));
 }
 

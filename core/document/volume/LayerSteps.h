@@ -31,7 +31,7 @@ LayerStep withLayerMerged(const VolumeSnapshot& before, std::size_t layer);
 
 // Takes what a stroke has made of the visible volume into the topmost layer, which must take strokes. Nothing where
 // there are no layers.
-void recordStroke(VolumeSnapshot& after);
+void recordStroke(const VolumeSnapshot& before, VolumeSnapshot& after);
 // Whether a stroke can change the volume: there is no layer, or the topmost one takes it.
 bool takesStrokes(const VolumeSnapshot& volume);
 

@@ -277,7 +277,7 @@ Result<Sculpted> sculptAlong(const std::shared_ptr<const VolumeSnapshot>& part, 
   after->volume = state->volume;
   after->surface = state->surface;
   after->mask = state->mask;
-  if (brush.action != ClayAction::Mask) recordStroke(*after);
+  if (brush.action != ClayAction::Mask) recordStroke(*part, *after);
   done.part = std::move(after);
   return done;
 }

@@ -242,7 +242,7 @@ void ClayTool::complete() {
   after->volume = shaped->volume;
   after->surface = shaped->surface;
   after->mask = shaped->mask;
-  if (brush.action != ClayAction::Mask) recordStroke(*after);
+  if (brush.action != ClayAction::Mask) recordStroke(*before, *after);
   const QString text = strokeText(brush, after->volume.material() - before->volume.material());
   m_document.commit(text, std::make_unique<VolumeEdit>(std::move(after), shaped->changedBlocks));
 }

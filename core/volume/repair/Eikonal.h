@@ -17,8 +17,9 @@ inline float eikonalDistance(std::array<float, 3> d) {
     const float sum = d[0] + d[1], difference = d[0] - d[1];
     x = 0.5f * (sum + std::sqrt(std::max(0.0f, 2.0f - difference * difference)));
     if (x > d[2]) {
-      const float all = d[0] + d[1] + d[2], squares = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-      x = (all + std::sqrt(std::max(0.0f, all * all - 3.0f * (squares - 1.0f)))) / 3.0f;
+      // From the nearest one on: squares of large distances would leave no digits of a step.
+      const float a = d[1] - d[0], b = d[2] - d[0], sum = a + b;
+      x = d[0] + (sum + std::sqrt(std::max(0.0f, sum * sum - 3.0f * (a * a + b * b - 1.0f)))) / 3.0f;
     }
   }
   return x;

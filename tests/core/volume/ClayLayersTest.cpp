@@ -28,7 +28,7 @@ bool isSame(const SparseVolume& a, const SparseVolume& b) {
 ClayLayers layered(const SparseVolume& base, const SparseVolume& top) {
   ClayLayers layers(base);
   layers.add("first", base);
-  layers.record(top);
+  layers.record(base, top);
   return layers;
 }
 
@@ -54,8 +54,8 @@ class ClayLayersTest : public QObject {
   // A block that grows by 4 mm, 16 voxels, which is far beyond the depths that samples tell: at a share of it the face
   // is at that share of the way.
   void shareOfAFace() {
-    const SparseVolume low = boxOfVoxels(Vec3(8, 8, 4), Vec3::Zero(), kLayerVoxel);
-    const SparseVolume high = boxOfVoxels(Vec3(8, 8, 8), Vec3::Zero(), kLayerVoxel);
+    const SparseVolume low = boxOfVoxels(Vec3(12, 12, 4), Vec3::Zero(), kLayerVoxel);
+    const SparseVolume high = boxOfVoxels(Vec3(12, 12, 8), Vec3::Zero(), kLayerVoxel);
     for (const bool grows : {true, false}) {
       ClayLayers layers = grows ? layered(low, high) : layered(high, low);
       for (const double share : {0.25, 0.5, 0.75}) {
@@ -63,12 +63,58 @@ class ClayLayersTest : public QObject {
         const SparseVolume visible = layers.visible();
         const double height = grows ? 4.0 + 4.0 * share : 8.0 - 4.0 * share;
         for (const double below : {0.5, 0.25, 0.0, -0.25, -0.5}) {
-          const double depth = depthOf(visible, Vec3(4.0, 4.0, height - below));
+          const double depth = depthOf(visible, Vec3(6.0, 6.0, height - below));
           QVERIFY2(std::abs(depth - below) < 0.01 * kLayerVoxel, QByteArray::number(depth - below));
         }
+        // Far from the face nothing seems near.
+        for (const double away : {1.25, 1.5, 2.0, 2.5, 3.0})
+          for (const double side : {-away, away})
+            QVERIFY(std::abs(depthOf(visible, Vec3(6.0, 6.0, height + side))) > 3.5 * kLayerVoxel);
         QVERIFY(isClosedManifold(surfaceOf(visible)));
       }
     }
+  }
+
+  // With next to no share the samples near the surface are next to those below, and with nearly all of it next to those
+  // of the layer: also in a wall two voxels thick, and where surfaces meet at edges.
+  void nearEnds() {
+    const SparseVolume wall = boxOfVoxels(Vec3(8, 8, 2.0 * kLayerVoxel), Vec3::Zero(), kLayerVoxel);
+    const SparseVolume top = withBall(wall, Vec3(4, 4, kLayerVoxel), 1.5);
+    ClayLayers layers = layered(wall, top);
+    for (const double share : {0.001, 0.999}) {
+      layers.setShare(0, share, true);
+      const SparseVolume visible = layers.visible();
+      const SparseVolume& end = share < 0.5 ? wall : top;
+      for (const VoxelIndex& block : layers.all()[0].change->blocks())
+        for (int i = 0; i < 512; ++i) {
+          const VoxelIndex voxel = 8 * block + VoxelIndex(i & 7, i >> 3 & 7, i >> 6);
+          const double wanted = end.sample(voxel) / VolumeBlock::kUnit;
+          if (std::abs(wanted) > 1.0) continue;
+          const double found = visible.sample(voxel) / VolumeBlock::kUnit;
+          QVERIFY2(std::abs(found - wanted) < 0.25, QByteArray::number(found - wanted));
+        }
+    }
+  }
+
+  // Strokes over a weak layer share all blocks of what is below that they leave alone: the blocks of the volume itself
+  // and, where the layer has changed it before, those that it was made on.
+  void strokesShareBlocks() {
+    const SparseVolume ball = ballOfVoxels(6.0, kLayerVoxel);
+    ClayLayers layers = layered(ball, withBall(ball, Vec3(0, 0, 6), 3.0));
+    layers.setShare(0, 0.5, true);
+    const SparseVolume weak = layers.visible();
+    layers.add("second", weak);
+    const SparseVolume once = carved(weak, Vec3(0, 1, 7), 1.0);
+    layers.record(weak, once);
+    const auto first = layers.all()[1].change;
+    QVERIFY(!first->blocks().empty());
+    for (const VoxelIndex& block : first->blocks()) QVERIFY(first->base().content(block) == weak.content(block));
+    layers.record(once, carved(once, Vec3(0, -1, 7), 1.0));
+    const auto second = layers.all()[1].change;
+    QVERIFY(second->blocks().size() >= first->blocks().size());
+    for (const VoxelIndex& block : second->blocks()) QVERIFY(second->base().content(block) == weak.content(block));
+    layers.setShare(1, 0.0, true);
+    QVERIFY(isSame(layers.visible(), weak));
   }
 
   // Of a ball that becomes one of another radius: a ball whose radius is at that share between the two.
@@ -111,10 +157,10 @@ class ClayLayersTest : public QObject {
     ClayLayers layers(block);
     layers.add("left", block);
     const SparseVolume left = carved(block, Vec3(4, 4, 8), 2.0);
-    layers.record(left);
+    layers.record(block, left);
     layers.add("right", left);
     const SparseVolume both = carved(left, Vec3(16, 4, 8), 2.0);
-    layers.record(both);
+    layers.record(left, both);
     QVERIFY(isSame(layers.visible(), both));
     layers.setShare(0, 1.0, false);
     QVERIFY(isSame(layers.visible(), carved(block, Vec3(16, 4, 8), 2.0)));
@@ -131,7 +177,7 @@ class ClayLayersTest : public QObject {
     ClayLayers layers = layered(low, lifted);
     layers.add("second", lifted);
     const SparseVolume both = boxOfVoxels(Vec3(12, 12, 6), Vec3::Zero(), kLayerVoxel);
-    layers.record(both);
+    layers.record(lifted, both);
     layers.setShare(0, 1.0, false);
     const SparseVolume visible = layers.visible();
     QVERIFY(std::abs(depthOf(visible, Vec3(6, 6, 5.5))) < 0.01 * kLayerVoxel);
@@ -146,8 +192,9 @@ class ClayLayersTest : public QObject {
         ClayLayers layers(now);
         for (int i = 0; i < 3; ++i) {
           layers.add("a", now);
+          const SparseVolume below = now;
           now = i == 1 ? carved(now, Vec3(0, 1, 6), 2.0) : withBall(now, Vec3(0, i, 6), 1.5);
-          layers.record(now);
+          layers.record(below, now);
         }
         layers.setShare(1, share, true);
         const SparseVolume before = layers.visible();
@@ -174,7 +221,7 @@ class ClayLayersTest : public QObject {
     QVERIFY(isSame(layers.root(), ball));
 
     layers.add("dab", ball);
-    layers.record(withBall(ball, Vec3(0, 0, 10), 1.0));
+    layers.record(ball, withBall(ball, Vec3(0, 0, 10), 1.0));
     const std::size_t changed = layers.all()[0].change->blocks().size();
     QVERIFY(changed > 0 && changed < 100);
     QVERIFY(layers.bytes() < 2000 + changed * 2 * (sizeof(VolumeBlock) + 100));

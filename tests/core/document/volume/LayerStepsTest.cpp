@@ -39,7 +39,7 @@ void strokeOn(VolumeDocument& document, ClayAction action, const Vec3& centre, d
   dab.radius = radius;
   const std::vector<VoxelIndex> changed = applyDab(after->volume, dab);
   after->surface.update(after->volume, changed);
-  recordStroke(*after);
+  recordStroke(*document.volume(), *after);
   document.commit("stroke", std::make_unique<VolumeEdit>(std::move(after), changed.size()));
 }
 
