@@ -7,8 +7,10 @@
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
+#include "tools/volume/ClayTool.h"
 #include "window/ActionToolTip.h"
 #include "window/documents/DocumentTab.h"
+#include "window/tools/ToolHost.h"
 
 #include <QDockWidget>
 #include <QHBoxLayout>
@@ -19,8 +21,10 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace handwheel {
@@ -38,7 +42,10 @@ QPushButton* layerButton(const QString& text, const char* name, const QString& t
 }  // namespace
 
 ClayLayersView::ClayLayersView(const WindowContext& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_toggle(tr("La&yers"), this) {
+    : QObject(parent),
+      m_parts(parts),
+      m_toggle(tr("La&yers"), this),
+      m_computing(JobRunner::Policy::Queue, parts.pool) {
   prepare(m_toggle, "clayLayersToggle", nullptr, tr("Sculpt in layers that can be weakened and turned off"));
   m_toggle.setCheckable(true);
   m_toggle.setEnabled(false);
@@ -122,13 +129,17 @@ void ClayLayersView::makeDock() {
 }
 
 void ClayLayersView::setDocument(DocumentTab* document) {
-  if (m_document) m_document->document.disconnect(this);
+  if (m_document) {
+    applyWanted();
+    m_document->document.disconnect(this);
+  }
   m_document = document;
   m_toggle.setEnabled(document != nullptr);
   m_shown.reset();
   if (document) {
     if (volume().volume()->layers) m_toggle.setChecked(true);
     connect(&document->document, &Document::changed, this, &ClayLayersView::refresh);
+    connect(&document->document, &Document::settling, this, &ClayLayersView::applyWanted);
   }
   show();
 }
@@ -157,7 +168,7 @@ void ClayLayersView::refresh() {
       QListWidgetItem& item = *m_list->item(row);
       item.setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
       item.setText(QString::fromStdString(layer.name));
-      item.setCheckState(layer.isOn ? Qt::Checked : Qt::Unchecked);
+      item.setCheckState(isOn(count - 1 - row) ? Qt::Checked : Qt::Unchecked);
     }
     if (count > 0 && (count > before || m_list->currentRow() < 0)) m_list->setCurrentRow(0);
   }
@@ -169,7 +180,7 @@ void ClayLayersView::refreshChosen() {
   const bool isThere = layer >= 0 && layer < static_cast<int>(layers().size());
   for (QWidget* each : std::initializer_list<QWidget*>{m_strength, m_remove, m_merge}) each->setEnabled(isThere);
   m_add->setEnabled(layers().size() < ClayLayers::kMostLayers);
-  const double strength = isThere ? layers()[static_cast<std::size_t>(layer)].strength : 1.0;
+  const double strength = isThere ? strengthOf(layer) : 1.0;
   m_strengthText->setText(tr("%1 %").arg(QLocale().toString(std::round(100.0 * strength), 'f', 0)));
   if (!m_strength->isSliderDown()) {
     const QSignalBlocker blocker(m_strength);
@@ -194,35 +205,120 @@ void ClayLayersView::commit(const QString& text, const LayerStep& step) {
   volume().commit(text, step.edit());
 }
 
+double ClayLayersView::strengthOf(int layer) const {
+  return m_wanted && m_wanted->layer == layer ? m_wanted->strength : layers()[static_cast<std::size_t>(layer)].strength;
+}
+
+bool ClayLayersView::isOn(int layer) const {
+  return m_wanted && m_wanted->layer == layer ? m_wanted->isOn : layers()[static_cast<std::size_t>(layer)].isOn;
+}
+
 void ClayLayersView::take(const QListWidgetItem& item) {
   const int number = m_list->count() - 1 - m_list->row(&item);
-  const ClayLayer layer = layers()[static_cast<std::size_t>(number)];
-  const bool isOn = item.checkState() == Qt::Checked;
+  const bool isChecked = item.checkState() == Qt::Checked;
   const std::string name = item.text().toStdString();
-  if (isOn != layer.isOn) set(number, "on", isOn);
-  if (name != layer.name) set(number, "name", name);
+  if (name != layers()[static_cast<std::size_t>(number)].name) {
+    volume().settle();
+    set(number, "name", name, DragPhase::Ends);
+    refresh();  // what was refused is shown as it is
+  }
+  if (isChecked != isOn(number)) want({number, "on", strengthOf(number), isChecked, DragPhase::Ends, 0});
 }
 
 void ClayLayersView::setStrength(DragPhase phase) {
   const int layer = chosen();
   if (layer < 0 || layer >= static_cast<int>(layers().size())) return;
   // A strength between two steps of the slider stays until the slider is moved.
-  const double now = layers()[static_cast<std::size_t>(layer)].strength;
+  const double now = strengthOf(layer);
   const int step = m_strength->value();
   const bool isSame = step == static_cast<int>(std::lround(kSliderSteps * now));
-  set(layer, "strength", isSame ? now : static_cast<double>(step) / kSliderSteps, phase);
+  const double strength = isSame ? now : static_cast<double>(step) / kSliderSteps;
+  want({layer, "strength", strength, isOn(layer), phase, 0});
+}
+
+void ClayLayersView::want(Wanted wanted) {
+  // One after the other, where it is not the next place of the same drag.
+  if (m_wanted && (m_wanted->layer != wanted.layer || m_wanted->what != std::string_view(wanted.what))) applyWanted();
+  if (!m_wanted) volume().settle();
+  wanted.number = ++m_wantedCount;
+  m_wanted = wanted;
+  compute();
+  refresh();
+}
+
+void ClayLayersView::compute() {
+  if (m_isComputing || !m_wanted || !m_document) return;
+  const std::shared_ptr<const VolumeSnapshot> now = volume().volume();
+  const auto number = static_cast<std::size_t>(m_wanted->layer);
+  const bool isThere = now->layers && number < now->layers->all().size();
+  // The end of a drag that is shown already.
+  if (!isThere ||
+      (now->layers->all()[number].strength == m_wanted->strength && now->layers->all()[number].isOn == m_wanted->isOn))
+    return applyWanted();
+  m_isComputing = true;
+  Job job;
+  job.name = tr("Computing the layer");
+  job.work = [this, now, number, wanted = *m_wanted](Progress) -> Job::Finish {
+    const auto share = std::make_shared<const PreparedShare>(prepareShare(now, number, wanted.strength, wanted.isOn));
+    return [this, share, wanted] { take(share, wanted); };
+  };
+  job.failed = [this](const Error& error) {
+    m_isComputing = false;
+    m_wanted.reset();
+    if (m_document) warn(error);
+    refresh();
+  };
+  m_computing.start(std::move(job));
+}
+
+bool ClayLayersView::isStrokeLive() const {
+  const auto* const tool = dynamic_cast<const ClayTool*>(m_parts.tools.runner().tool());
+  return tool && tool->isLive();
+}
+
+// A stroke that began meanwhile is not taken away: it comes first, and the share is computed anew. Where the volume is
+// another one by an undo or what else was done, the share that was chosen before is dropped.
+void ClayLayersView::take(const std::shared_ptr<const PreparedShare>& share, const Wanted& wanted, bool isLate) {
+  constexpr int kAgainMs = 50;
+  const bool isMeant = m_document && m_wanted && wanted.number <= m_wanted->number;
+  if (isMeant && isStrokeLive()) {
+    QTimer::singleShot(kAgainMs, this, [this, share, wanted] { take(share, wanted, true); });
+    return;
+  }
+  m_isComputing = false;
+  if (isMeant && volume().volume() == share->of) {
+    const std::optional<Wanted> later =
+        m_wanted->number == wanted.number ? std::nullopt : std::exchange(m_wanted, wanted);
+    volume().prepare(share);
+    applyWanted();
+    volume().prepare(nullptr);
+    m_wanted = later;
+  } else if (isMeant && !isLate && m_wanted->number == wanted.number) {
+    m_wanted.reset();
+  }
+  compute();
+  refresh();
+}
+
+void ClayLayersView::applyWanted() {
+  if (m_wanted) apply(*std::exchange(m_wanted, std::nullopt));
+}
+
+void ClayLayersView::apply(const Wanted& wanted) {
+  const bool isStrength = wanted.what == std::string_view("strength");
+  set(wanted.layer, wanted.what, isStrength ? PropertyValue(wanted.strength) : PropertyValue(wanted.isOn),
+      wanted.phase);
 }
 
 void ClayLayersView::set(int layer, const char* what, const PropertyValue& value, DragPhase phase) {
-  volume().settle();
   const std::string id = "layer." + std::to_string(layer + 1) + "." + what;
-  if (const Status done = volume().setProperty(id, value, phase); !done) {
-    Message told{Message::Weight::Warning, tr("The layer stays as it is"), errorSentence(done.error()),
-                 errorAdvice(done.error())};
-    told.about = &m_document->document;
-    emit message(told);
-  }
-  refresh();  // what was refused is shown as it is
+  if (const Status done = volume().setProperty(id, value, phase); !done) warn(done.error());
+}
+
+void ClayLayersView::warn(const Error& error) {
+  Message told{Message::Weight::Warning, tr("The layer stays as it is"), errorSentence(error), errorAdvice(error)};
+  told.about = &m_document->document;
+  emit message(told);
 }
 
 void ClayLayersView::refuse() {

@@ -4,10 +4,12 @@
 
 #include "document/Document.h"
 #include "document/volume/LayerSteps.h"
+#include "window/JobRunner.h"
 #include "window/kinds/KindUi.h"
 
 #include <QAction>
 #include <QPointer>
+#include <optional>
 
 class QDockWidget;
 class QLabel;
@@ -21,7 +23,8 @@ namespace handwheel {
 class VolumeDocument;
 
 // The panel of the layers of clay. The topmost layer is first: it is renamed, turned off and on in the list, the slider
-// is its strength. Window thread.
+// is its strength. What becomes of the volume then is computed on another thread; of what comes in meanwhile the last
+// counts. Window thread.
 class ClayLayersView : public QObject {
   Q_OBJECT
 
@@ -38,6 +41,16 @@ class ClayLayersView : public QObject {
   void message(const handwheel::Message& message);
 
  private:
+  // A share of a layer that is not in the volume yet.
+  struct Wanted {
+    int layer;
+    const char* what;  // its property that is another one: "strength" or "on"
+    double strength;
+    bool isOn;
+    DragPhase phase;
+    quint64 number;  // of all that were wanted
+  };
+
   VolumeDocument& volume() const;
   const std::vector<ClayLayer>& layers() const;
   int chosen() const;  // number of a layer, the lowest being 0; -1: none
@@ -49,12 +62,25 @@ class ClayLayersView : public QObject {
   void commit(const QString& text, const LayerStep& step);
   void take(const QListWidgetItem& item);
   void setStrength(DragPhase phase);
-  void set(int layer, const char* what, const PropertyValue& value, DragPhase phase = DragPhase::Ends);
+  void want(Wanted wanted);
+  void compute();
+  bool isStrokeLive() const;
+  // isLate: a stroke was waited for.
+  void take(const std::shared_ptr<const PreparedShare>& share, const Wanted& wanted, bool isLate = false);
+  void applyWanted();  // at once, on this thread
+  void apply(const Wanted& wanted);
+  void set(int layer, const char* what, const PropertyValue& value, DragPhase phase);
+  void warn(const Error& error);
+  double strengthOf(int layer) const;  // as it is wanted
+  bool isOn(int layer) const;
 
   WindowContext m_parts;
   QAction m_toggle;
   DocumentTab* m_document = nullptr;
   std::shared_ptr<const ClayLayers> m_shown;
+  std::optional<Wanted> m_wanted;
+  quint64 m_wantedCount = 0;
+  bool m_isComputing = false;
   QPointer<QDockWidget> m_dock;
   QListWidget* m_list = nullptr;
   QSlider* m_strength = nullptr;
@@ -63,6 +89,7 @@ class ClayLayersView : public QObject {
   QPushButton* m_add = nullptr;
   QPushButton* m_remove = nullptr;
   QPushButton* m_merge = nullptr;
+  JobRunner m_computing;
 };
 
 }  // namespace handwheel

@@ -50,6 +50,11 @@ LayerStep withLayerMerged(const VolumeSnapshot& before, std::size_t layer) {
   return stepTo(before, std::move(layers), {});
 }
 
+PreparedShare prepareShare(std::shared_ptr<const VolumeSnapshot> of, std::size_t layer, double strength, bool isOn) {
+  LayerStep step = withLayerShare(*of, layer, strength, isOn);
+  return {std::move(of), layer, strength, isOn, std::move(step)};
+}
+
 void recordStroke(const VolumeSnapshot& before, VolumeSnapshot& after) {
   if (!before.layers) return;
   ClayLayers layers = *before.layers;

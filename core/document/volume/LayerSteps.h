@@ -29,6 +29,16 @@ LayerStep withoutLayer(const VolumeSnapshot& before, std::size_t layer);
 // As ClayLayers::mergeDown(): what is visible stays.
 LayerStep withLayerMerged(const VolumeSnapshot& before, std::size_t layer);
 
+// A step of a layer's share that was computed ahead, on any thread: VolumeDocument::prepare().
+struct PreparedShare {
+  std::shared_ptr<const VolumeSnapshot> of;  // the volume before
+  std::size_t layer = 0;
+  double strength = 1.0;
+  bool isOn = true;
+  LayerStep step;
+};
+PreparedShare prepareShare(std::shared_ptr<const VolumeSnapshot> of, std::size_t layer, double strength, bool isOn);
+
 // Takes what a stroke has made of the visible volume into the topmost layer, which must take strokes. Nothing where
 // there are no layers.
 void recordStroke(const VolumeSnapshot& before, VolumeSnapshot& after);

@@ -98,6 +98,10 @@ Result<std::unique_ptr<Edit>> VolumeDocument::propertyEdit(const std::string& id
   if (!found) return Document::propertyEdit(id, value);
   const ClayLayer& layer = m_volume->layers->all()[found->layer];
   const auto share = [&](double strength, bool isOn) {
+    const PreparedShare* const known = m_prepared.get();
+    const bool isPrepared = known && known->of == m_volume && known->layer == found->layer &&
+                            known->strength == strength && known->isOn == isOn;
+    if (isPrepared) return std::unique_ptr<Edit>(known->step.edit(id));
     return std::unique_ptr<Edit>(withLayerShare(*m_volume, found->layer, strength, isOn).edit(id));
   };
   if (found->what == "name") {

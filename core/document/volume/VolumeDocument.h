@@ -8,6 +8,8 @@
 
 namespace handwheel {
 
+struct PreparedShare;
+
 // Document of a volume: material in voxels.
 class VolumeDocument : public Document {
   Q_OBJECT
@@ -30,6 +32,10 @@ class VolumeDocument : public Document {
   std::vector<Property> properties() const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
 
+  // Gives what the share of a layer becomes in the present volume, so that setting the property takes no time. Null:
+  // nothing is known. It is kept until the next call; what is of another volume or share is not used.
+  void prepare(std::shared_ptr<const PreparedShare> share) { m_prepared = std::move(share); }
+
  private:
   friend class VolumeEdit;
   friend class SegmentEdit;
@@ -38,6 +44,7 @@ class VolumeDocument : public Document {
   std::shared_ptr<const VolumeSnapshot> m_volume;
   std::shared_ptr<const Scan> m_scan;
   Segment m_segment;
+  std::shared_ptr<const PreparedShare> m_prepared;
 };
 
 }  // namespace handwheel

@@ -172,6 +172,28 @@ class LayerStepsTest : public QObject {
     QCOMPARE(document->volume()->layers->all()[0].name, std::string("nose"));
   }
 
+  // A share that was computed ahead is the one that the property sets; one of another volume or share is not.
+  void prepared() {
+    const VolumeKind kind;
+    const auto document = ballDocument(kind);
+    document->commit("add", withNewLayer(*document->volume(), "nose").edit());
+    strokeOn(*document, ClayAction::Add, Vec3(0, 0, kBall), 1.5);
+    const auto share = std::make_shared<const PreparedShare>(prepareShare(document->volume(), 0, 0.5, true));
+    document->prepare(share);
+    QVERIFY(document->setProperty("layer.1.strength", 0.25));
+    QVERIFY(document->volume() != share->step.volume);
+    QVERIFY(document->setProperty("layer.1.strength", 0.5));
+    QVERIFY(document->volume() != share->step.volume);
+    QVERIFY(sameLayers(*document->volume(), *share->step.volume));
+    document->history()->undo();
+    document->history()->undo();
+    QVERIFY(document->setProperty("layer.1.strength", 0.5));
+    QCOMPARE(document->volume(), share->step.volume);
+    document->prepare(nullptr);
+    document->history()->undo();
+    QCOMPARE(document->volume(), share->of);
+  }
+
   // What is no value, and what is no layer, changes nothing and is said.
   void refused() {
     const VolumeKind kind;

@@ -11,6 +11,7 @@
 
 #include <QListWidget>
 #include <QSlider>
+#include <QStyleOptionSlider>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -46,6 +47,7 @@ struct ClayWindow {
   VolumeDocument& document() {
     return static_cast<VolumeDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
   }
+  const ClayLayer& layer() { return document().volume()->layers->all().front(); }
   double depthAt(const Vec3& p) { return VolumeReader(document().volume()->volume).depthAt(p).depth; }
   void moveTo(const QPoint& at) {
     QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
@@ -66,6 +68,29 @@ struct ClayWindow {
   }
   void leadTo(const Vec3& place, std::uint32_t buttons) { leadHandTo(session, place, buttons); }
 };
+
+// Takes the handle of a slider and leads it along, by a share of the slider's length.
+void slideBy(QSlider& slider, double share) {
+  QStyleOptionSlider option;
+  option.initFrom(&slider);
+  option.subControls = QStyle::SC_All;
+  option.orientation = Qt::Horizontal;
+  option.state |= QStyle::State_Horizontal;
+  option.minimum = slider.minimum();
+  option.maximum = slider.maximum();
+  option.sliderPosition = option.sliderValue = slider.value();
+  const QPoint from =
+      slider.style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, &slider).center();
+  const QPoint way(qRound(share * slider.width()), 0);
+  QTest::mousePress(&slider, Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 10; ++i) {
+    const QPoint at = from + way * i / 10;
+    QMouseEvent move(QEvent::MouseMove, at, slider.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&slider, &move);
+    QTest::qWait(5);
+  }
+  QTest::mouseRelease(&slider, Qt::LeftButton, {}, from + way);
+}
 
 }  // namespace
 
@@ -229,14 +254,15 @@ class ClayWindowTest : public QObject {
     strength->setSliderDown(true);
     for (const int value : {80, 60, 50}) strength->setValue(value);
     strength->setSliderDown(false);
+    QTRY_COMPARE_WITH_TIMEOUT(clay.layer().strength, 0.5, kPatienceMs);
     QCOMPARE(steps(), 3);
     QVERIFY(material() > carved && material() < ball);
     list->item(0)->setCheckState(Qt::Unchecked);
-    QCOMPARE(steps(), 4);
+    QTRY_COMPARE_WITH_TIMEOUT(steps(), 4, kPatienceMs);
     QCOMPARE(material(), ball);
     list->item(0)->setText(QStringLiteral("Groove"));
     QCOMPARE(steps(), 5);
-    QCOMPARE(clay.document().volume()->layers->all()[0].name, std::string("Groove"));
+    QCOMPARE(clay.layer().name, std::string("Groove"));
     for (int i = 0; i < 3; ++i) clay.document().history()->undo();
     QCOMPARE(material(), carved);
     QCOMPARE(strength->value(), 100);
@@ -245,6 +271,75 @@ class ClayWindowTest : public QObject {
     QCOMPARE(list->count(), 0);
     QVERIFY(!clay.document().volume()->layers);
     QCOMPARE(material(), carved);
+  }
+
+  // A layer is made, sculpted by the mouse, weakened by a drag of the slider and turned off; all is undone and done
+  // again, and what is saved and opened is the same: weak, off, and at full strength.
+  void layersInAFile() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("layers.handwheel");
+    double ball = 0.0, carved = 0.0, weak = 0.0, strengthThen = 0.0;
+    {
+      ClayWindow clay;
+      QVERIFY(clay.begin());
+      const auto material = [&] { return clay.document().volume()->volume.material(); };
+      const auto steps = [&] { return clay.document().history()->index(); };
+      ball = material();
+      clay.driver.choose("clayLayersToggle");
+      auto* const list = clay.driver.find<QListWidget>("clayLayers");
+      QTRY_VERIFY_WITH_TIMEOUT(list->isVisible(), kPatienceMs);
+      clay.driver.click("clayLayerAdd");
+      QVERIFY(clay.rests());
+      QTRY_VERIFY_WITH_TIMEOUT(clay.view->isPickingReady(), kPatienceMs);
+      const QPoint middle = clay.view->rect().center();
+      clay.stroke(middle - QPoint(40, 0), middle + QPoint(40, 0));
+      QTRY_COMPARE_WITH_TIMEOUT(steps(), 2, kPatienceMs);
+      carved = material();
+      QVERIFY(carved < ball);
+      auto* const slider = clay.driver.find<QSlider>("clayLayerStrength");
+      slideBy(*slider, -0.4);
+      QVERIFY(slider->value() < 90 && slider->value() > 10);
+      strengthThen = slider->value() / 100.0;
+      QTRY_COMPARE_WITH_TIMEOUT(clay.layer().strength, strengthThen, kPatienceMs);
+      QCOMPARE(steps(), 3);
+      weak = material();
+      QVERIFY(weak > carved && weak < ball);
+      list->setCurrentRow(0);
+      QTest::keyClick(list, Qt::Key_Space);
+      QTRY_COMPARE_WITH_TIMEOUT(steps(), 4, kPatienceMs);
+      QVERIFY(!clay.layer().isOn);
+      QCOMPARE(material(), ball);
+      const std::vector<double> materials{ball, ball, carved, weak, ball};
+      for (int i = 4; i > 0; --i) {
+        clay.driver.click("quickActions/undo");
+        QCOMPARE(steps(), i - 1);
+        QCOMPARE(material(), materials[static_cast<std::size_t>(i - 1)]);
+      }
+      QVERIFY(!clay.document().volume()->layers);
+      QCOMPARE(list->count(), 0);
+      for (int i = 1; i <= 4; ++i) {
+        clay.driver.click("quickActions/redo");
+        QCOMPARE(material(), materials[static_cast<std::size_t>(i)]);
+      }
+      clay.driver.click("quickActions/saveFile");
+      QVERIFY(clay.driver.enterFileName("saveDialog", path));
+      QVERIFY(clay.driver.settle());
+    }
+    WindowDriver second;
+    QVERIFY(second.open(path));
+    auto& opened = static_cast<VolumeDocument&>(second.window().findChild<DocumentTabs*>()->current()->document);
+    QVERIFY(opened.volume()->layers);
+    QCOMPARE(opened.volume()->volume.material(), ball);
+    auto* const list = second.find<QListWidget>("clayLayers");
+    QCOMPARE(list->count(), 1);
+    QCOMPARE(list->item(0)->checkState(), Qt::Unchecked);
+    auto* const slider = second.find<QSlider>("clayLayerStrength");
+    QCOMPARE(slider->value(), qRound(100.0 * strengthThen));
+    list->setCurrentRow(0);
+    QTest::keyClick(list, Qt::Key_Space);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.volume()->volume.material(), weak, kPatienceMs);
+    QTest::keyClick(slider, Qt::Key_End);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.volume()->volume.material(), carved, kPatienceMs);
   }
 
   // The hand feels the ball with a tool and without; pressed with the button held it carves.
