@@ -301,7 +301,10 @@ void ClayLayersView::take(const std::shared_ptr<const PreparedShare>& share, con
 }
 
 void ClayLayersView::applyWanted() {
-  if (m_wanted) apply(*std::exchange(m_wanted, std::nullopt));
+  if (!m_wanted) return;
+  const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
+  volume().settle();  // a stroke that is ending comes first, also where this is told of the same
+  apply(wanted);
 }
 
 void ClayLayersView::apply(const Wanted& wanted) {
