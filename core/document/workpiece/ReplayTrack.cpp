@@ -4,6 +4,7 @@
 
 #include "document/workpiece/LatheSetupEdit.h"
 #include "machining/force/KienzleModel.h"
+#include "machining/measure/CrashTimes.h"
 #include "machining/target/TargetDeviation.h"
 
 #include <algorithm>
@@ -15,20 +16,6 @@ namespace handwheel {
 namespace {
 
 constexpr int kDeviations = 60;  // moments at which the deviation is measured
-
-// A program strikes at a point of its path; what the manual lathe struck stopped it, so that the pass ends there.
-double secondsOf(const LatheCollision& crash, const PassesReplay& replay) {
-  const std::size_t count = replay.passes().size();
-  if (!(crash.passes >= 0.0)) return replay.duration();
-  const auto passes = static_cast<std::size_t>(std::min(crash.passes, static_cast<double>(count)));
-  for (std::size_t pass = passes == 0 ? 0 : passes - 1; pass < std::min(passes + 1, count); ++pass) {
-    const TurningPass& made = *replay.passes()[pass];
-    const auto at = std::find(made.path.begin(), made.path.end(), crash.place);
-    const auto point = static_cast<std::size_t>(at - made.path.begin());
-    if (point < made.times.size()) return replay.begin(pass) + made.times[point];
-  }
-  return passes == count ? replay.duration() : replay.begin(passes);
-}
 
 }  // namespace
 
@@ -77,8 +64,8 @@ std::optional<ReplayTrack> replayTrack(const WorkpieceSnapshot& workpiece, Progr
                                      kDeviations, progress.part(0.7, 1.0));
   }
   if (workpiece.crashes) {
-    for (const LatheCollision& crash : *workpiece.crashes)
-      track.crashes.push_back({secondsOf(crash, *track.replay), crash});
+    const std::vector<double> seconds = crashSeconds(part.passes, *workpiece.crashes);
+    for (std::size_t i = 0; i < seconds.size(); ++i) track.crashes.push_back({seconds[i], (*workpiece.crashes)[i]});
   }
   std::stable_sort(track.crashes.begin(), track.crashes.end(),
                    [](const auto& a, const auto& b) { return a.seconds < b.seconds; });

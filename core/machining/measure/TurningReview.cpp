@@ -81,8 +81,9 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
   const double start = m_seconds;
   bool wasInChuck = false, wasRapid = false;
   Way cutting;
-  const auto crash = [&](CrashMoment::What what, double time, const ProfilePoint& place) {
-    if (m_crashes.size() < kMostCrashes) m_crashes.push_back({what, number, time, place, 0.0});
+  std::size_t inJaws = kMostCrashes;  // number of the crash that goes on there
+  const auto crash = [&](CrashMoment::What what, double time, std::size_t point) {
+    if (m_crashes.size() < kMostCrashes) m_crashes.push_back({what, number, time, pass.path[point], 0.0, point, point});
   };
   // A thread is cut at its pitch.
   const bool isThreading = pass.tool && pass.tool->kind == LatheToolKind::Threading;
@@ -93,7 +94,11 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     const double time = start + pass.times[i];
     m_pathLength += way;
     const bool inChuck = isInChuck(pass, to, lathe);
-    if (inChuck && !wasInChuck) crash(CrashMoment::What::Chuck, time, to);
+    if (inChuck && !wasInChuck) {
+      inJaws = m_crashes.size();
+      crash(CrashMoment::What::Chuck, time, i);
+    }
+    if (inChuck && inJaws < m_crashes.size()) m_crashes[inJaws].last = i;
     wasInChuck = inChuck;
 
     const TurnedProfile::Range changed = cut(m_profile, pass, from, to);
@@ -101,10 +106,12 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     meter.add(pass, i, static_cast<std::uint32_t>(number), m_profile, changed);
     const bool isFast = !isThreading && meter.feed() > (1.0 + kFeedSlack) * lathe.largestFeed;
     const bool isRapid = take(cutting, pass.side, changed) > TurningPass::kTouch && isFast;
-    if (isRapid && !wasRapid) crash(CrashMoment::What::RapidInMaterial, time, to);
+    if (isRapid && !wasRapid) crash(CrashMoment::What::RapidInMaterial, time, i);
     wasRapid = isFast && (isRapid || wasRapid);
-    if (isRapid && m_crashes.back().what == CrashMoment::What::RapidInMaterial)
+    if (isRapid && m_crashes.back().what == CrashMoment::What::RapidInMaterial) {
       m_crashes.back().feed = std::max(m_crashes.back().feed, meter.feed());
+      m_crashes.back().last = i;
+    }
     if (changed.isEmpty()) {
       endWay(cutting);
       continue;

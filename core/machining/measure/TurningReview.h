@@ -27,6 +27,7 @@ struct CrashMoment {
   ProfilePoint place{0, 0};  // of the centre of the nose
   // mm per revolution, the largest of RapidInMaterial; infinite while the spindle stands.
   double feed = 0.0;
+  std::size_t first = 0, last = 0;  // points of the path of the pass that it begins and ends at
 };
 
 // How the tool cut over a short way, half a millimetre or less.

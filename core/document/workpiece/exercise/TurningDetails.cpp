@@ -6,6 +6,7 @@
 #include "document/workpiece/exercise/SectionPicture.h"
 #include "document/workpiece/exercise/TurningMeasurements.h"
 #include "machining/force/ForcePeaks.h"
+#include "machining/measure/CrashTimes.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -176,8 +177,8 @@ ReportCurve finishCurve(const MeasuredPart& part) {
   return curve;
 }
 
-// By the judgement of the lathe itself, in the order of the causes.
-ReportEvent eventOf(const LatheCollision& crash, double zero) {
+// By the judgement of the lathe itself, in the order of the causes. seconds: on the clock of the curves.
+ReportEvent eventOf(const LatheCollision& crash, double seconds, double zero) {
   static constexpr std::array<const char*, 6> kTexts = {
       QT_TRANSLATE_NOOP("Note", "Parts of the lathe collided at Z %1 mm, ⌀%2 mm."),
       QT_TRANSLATE_NOOP("Note", "The rapid traverse ran into the work at Z %1 mm, ⌀%2 mm."),
@@ -187,7 +188,7 @@ ReportEvent eventOf(const LatheCollision& crash, double zero) {
       QT_TRANSLATE_NOOP("Note", "The motor could not turn the spindle at Z %1 mm, ⌀%2 mm.")};
   const std::vector<std::string> place = {roundedText(crash.place.y() - zero, 4),
                                           roundedText(2.0 * crash.place.x(), 4)};
-  return {crash.time, {kTexts[static_cast<std::size_t>(crash.cause)], place}};
+  return {seconds, {kTexts[static_cast<std::size_t>(crash.cause)], place}};
 }
 
 // The heaviest cut, and an event where the lathe has not what it takes. limit: of the lathe; 0: it takes any.
@@ -218,7 +219,9 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
   if (task.target) addDeviations(details, task, work, progress);
   for (const CrashMoment& crash : part.unrecordedCrashes())
     details.events.push_back(eventOf(crash, task.lathe, part.zero()));
-  for (const LatheCollision& crash : part.crashes()) details.events.push_back(eventOf(crash, part.zero()));
+  const std::vector<double> struck = crashSeconds(work.part->passes, part.crashes());
+  for (std::size_t i = 0; i < struck.size(); ++i)
+    details.events.push_back(eventOf(part.crashes()[i], struck[i], part.zero()));
   addPeak(details, "force", loads, &MeasuredPart::Load::force, task.forceLimit,
           QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a cutting force of %1 N, where the lathe takes %2 N."), 4);
   addPeak(details, "power", loads, &MeasuredPart::Load::power, task.powerLimit,

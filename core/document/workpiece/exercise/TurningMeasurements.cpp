@@ -6,6 +6,7 @@
 #include "document/workpiece/TurnedPartEdit.h"
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
+#include "machining/measure/CrashTimes.h"
 #include "machining/measure/RoughnessGrade.h"
 #include "machining/measure/TaperMeasure.h"
 #include "machining/measure/ThreadMeasure.h"
@@ -164,6 +165,19 @@ bool isRepeated(const SurfaceFinish& kept, const SurfaceFinish& repeated) {
   return true;
 }
 
+bool isBeforeOnPath(const ProfilePoint& a, const ProfilePoint& b) {
+  return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+}
+
+// Whether the manual lathe has recorded that its tool ran into the jaws where the review sees it in them.
+bool isSameInJaws(const LatheCollision& recorded, const CrashMoment& seen, const TurningPass& pass) {
+  if (seen.what != CrashMoment::What::Chuck || recorded.tool != pass.tool->id) return false;
+  if (recorded.struck != LathePart::Jaws && recorded.struck != LathePart::Chuck) return false;
+  return std::any_of(pass.path.begin() + static_cast<std::ptrdiff_t>(seen.first),
+                     pass.path.begin() + static_cast<std::ptrdiff_t>(seen.last) + 1,
+                     [&](const ProfilePoint& p) { return (p - recorded.place).norm() <= kCrashReach; });
+}
+
 std::vector<CutLoad> loadsOf(const TurningTask& task, const TurningReview& review) {
   const WorkMaterial* material = WorkMaterials::standard().find(task.material);
   return material ? cutLoads(review, *material) : std::vector<CutLoad>();
@@ -269,24 +283,23 @@ const std::vector<LatheCollision>& MeasuredPart::crashes() const {
   return m_crashes ? *m_crashes : kNoCrashes;
 }
 
-// The crashes of a program stand on the path of its pass, where the review sees most of them again. Those of the manual
-// lathe, whose passes have its tools, are not there: it does not make the step that would crash.
+// The crashes of a program stand on the path of its pass, where the review sees most of them again. The manual lathe
+// does not make the step that would crash: of its passes the review sees a tool that came into the jaws as far as they
+// let it, beside what is recorded.
 std::vector<CrashMoment> MeasuredPart::unrecordedCrashes() const {
   std::vector<CrashMoment> left;
   std::vector<LatheCollision> open = crashes();
-  const auto isBefore = [](const ProfilePoint& a, const ProfilePoint& b) {
-    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
-  };
-  std::vector<ProfilePoint> path;  // of the pass of this number, sorted
+  std::vector<ProfilePoint> path;  // of the pass of this number, sorted; of a program
   std::size_t number = m_passes.size();
   for (const CrashMoment& crash : m_review ? m_review->crashes() : std::vector<CrashMoment>()) {
+    const TurningPass& pass = *m_passes[crash.pass];
     if (std::exchange(number, crash.pass) != crash.pass) {
-      const TurningPass& pass = *m_passes[crash.pass];
       path = pass.tool ? std::vector<ProfilePoint>() : pass.path;
-      std::sort(path.begin(), path.end(), isBefore);
+      std::sort(path.begin(), path.end(), isBeforeOnPath);
     }
     const auto recorded = std::find_if(open.begin(), open.end(), [&](const LatheCollision& each) {
-      return std::binary_search(path.begin(), path.end(), each.place, isBefore);
+      return pass.tool ? isSameInJaws(each, crash, pass)
+                       : std::binary_search(path.begin(), path.end(), each.place, isBeforeOnPath);
     });
     if (recorded == open.end())
       left.push_back(crash);

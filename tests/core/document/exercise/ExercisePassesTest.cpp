@@ -6,6 +6,7 @@
 #include "document/workpiece/ProgramTrial.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "machining/TurningFidelity.h"
+#include "machining/lathe/LatheJson.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -61,6 +62,43 @@ class ExercisePassesTest : public QObject {
     };
     QCOMPARE(std::count_if(details.events.begin(), details.events.end(), isCollision),
              static_cast<std::ptrdiff_t>((4.0 - points) / 2.0));
+  }
+
+  // A tool of the manual lathe that was fed into the jaws is one collision: the lathe records it, and the passes show
+  // the tool where the jaws stopped it. It is told at its moment of the passes, whatever the clock of the machine says.
+  void oneCrashOfTheManualLatheCountsOnce() {
+    WorkpieceSnapshot work =
+        static_cast<const WorkpieceSnapshot&>(*shoulderTask()->subject->start(*shoulderTask()->task));
+    TurningPass pass;
+    pass.tool = toolNamed(shippedLatheTools(), "right-roughing");
+    QVERIFY(pass.tool);
+    pass.path = {{18.5, 102.0}, {18.5, 24.97}, {25.0, 24.97}, {25.0, 60.0}};  // the jaws end at Z 25
+    pass.times = {0.0, 38.515, 45.0, 60.0};                                   // 0.2 mm in a turn at 600 r/min, first
+    pass.speeds.assign(pass.path.size(), 600.0);
+    work.part = withPass(work, pass, turnSpacingSetting().standard);
+    QVERIFY(work.part->passes.size() == 1);
+    LatheCollision struck;
+    struck.struck = LathePart::Jaws;
+    struck.place = {18.5, 24.94};
+    struck.tool = pass.tool->id;
+    struck.time = 165.9;
+    struck.passes = 1.0;
+    const auto collisions = [&](std::vector<LatheCollision> recorded) {
+      work.crashes = std::make_shared<const std::vector<LatheCollision>>(std::move(recorded));
+      return *markWork(*shoulderTask(), work, {"Bob", {}, {}, 300.0, {}, {}}).find("crash")->value;
+    };
+    LatheCollision elsewhere = struck, other = struck;
+    elsewhere.place = {18.5, 60.0};
+    other.tool = "parting-3";
+    QCOMPARE(collisions({}), 1.0);
+    QCOMPARE(collisions({elsewhere}), 2.0);
+    QCOMPARE(collisions({other}), 2.0);
+    QCOMPARE(collisions({struck, struck}), 2.0);  // it struck twice before it was drawn back
+    QCOMPARE(collisions({struck}), 1.0);
+    std::vector<double> told;
+    for (const ReportEvent& event : shoulderTask()->subject->details(*shoulderTask()->task, work, {}).events)
+      if (!event.text.text.starts_with("The cut was too heavy")) told.push_back(event.seconds);
+    QCOMPARE(told, std::vector<double>{38.515});
   }
 
   // Passes along all of the bar, a thousand times the samples that are cut again: refused before they are cut.
