@@ -26,6 +26,7 @@ struct ProgramRequest {
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
   std::optional<StockCylinder> stock;  // of cycles for a target
   CycleSettings cycles;
+  double facing = 0.0;  // mm, of the bar beyond the target
   bool choosesDrill = false;
   PassProgram passes;
 };
@@ -60,6 +61,7 @@ std::string readProgramRequest(const Arguments& arguments, ProgramRequest& reque
                                   {"speed", &c.speed, 1.0, 5000.0},
                                   {"max-rpm", &c.mostSpindle, 1.0, kMostSpindle},
                                   {"drill", &c.drill, 0.0, 100.0},
+                                  {"facing", &request.facing, 0.0, 100.0},
                                   {"spindle", &request.passes.spindle, 1.0, kMostSpindle}};
   for (const NumberOption& option : numbers) {
     if (!arguments.has(option.name) || (option.value == &c.drill && request.choosesDrill)) continue;
@@ -84,7 +86,9 @@ Written cyclesFor(const ProgramRequest& request, const DocumentKinds& kinds, Pro
   const TurnedProfile bar(*request.stock, turnSpacingSetting().standard);
   const LatheSetup lathe = defaultLatheSetup(*request.stock);
   const LatheTools tools = shippedLatheTools();
-  CycleTask task{*target, *request.stock, bar, target->upperEnd() - bar.length(), lathe.chuck.grip, tools};
+  const double base = target->upperEnd() + request.facing - bar.length();
+  CycleTask task{*target, *request.stock, bar, base, lathe.chuck.grip, tools};
+  task.allowance = request.facing;
   task.lathe = ProgramLathe{lathe.chuck, lathe.tailstock, nullptr};
   CycleSettings cycles = request.cycles;
   if (request.choosesDrill) cycles.drill = drillFor(*target, tools);
@@ -154,6 +158,7 @@ Command programCommand() {
                {"speed", 0, "M/MIN", "Surface speed in cycles (default 150)"},
                {"max-rpm", 0, "RPM", "Largest speed of the spindle in cycles (default 2000)"},
                {"drill", 0, "MM|auto", "Also make the bore, through or blind, from a hole of this diameter"},
+               {"facing", 0, "MM", "How far the bar stands over the face of the target, which is faced (default 0)"},
                {"write-tools", 0, "P.tbl", "Also write the tools of the program, for turn --tools"},
                {"spindle", 0, "RPM", "Speed of the spindle for recorded passes (default 500)"},
                {"help", 'h', "", "Show this help"},

@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "machining/program/NoseCompensation.h"
 #include "machining/program/ProgramSetup.h"
+#include "machining/program/cycles/CyclePath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,44 +104,6 @@ std::vector<Interval> intervalsAt(const std::vector<ProfilePoint>& contour, doub
   if (isOpen) found.push_back({from, contour.back().y()});
   return found;
 }
-
-// Collects the moves of the tip; places are those of the centre of the nose.
-class CyclePath {
- public:
-  CyclePath(const CycleSettings& settings) : m_toTip(-settings.nose, -settings.nose) {
-    m_move.spin = 1;
-    m_move.isSurfaceSpeed = true;
-    m_move.spindle = settings.speed;
-    m_move.mostSpindle = settings.mostSpindle;
-    m_move.isPerRevolution = true;
-  }
-  void tool(int number, double feed) {
-    m_move.tool = static_cast<std::uint16_t>(number);
-    m_move.feed = feed;
-  }
-  void rapid(const ProfilePoint& to) { go(ToolMove::Kind::Rapid, 0, to, to); }
-  void feed(const ProfilePoint& to) { go(ToolMove::Kind::Feed, 0, to, to); }
-  void along(const ToolMove& move) { go(ToolMove::Kind::Feed, move.turn, move.to, move.centre); }
-  const ProfilePoint& at() const { return m_at; }
-  std::vector<ToolMove> take() { return std::move(m_moves); }
-
- private:
-  void go(ToolMove::Kind kind, std::int8_t turn, const ProfilePoint& to, const ProfilePoint& centre) {
-    if (turn == 0 && to == m_at && !m_moves.empty()) return;
-    ToolMove move = m_move;
-    move.kind = kind;
-    move.turn = turn;
-    move.from = m_at + m_toTip;
-    move.to = to + m_toTip;
-    move.centre = centre + m_toTip;
-    if (kind == ToolMove::Kind::Rapid) move.feed = 0.0;
-    m_moves.push_back(move);
-    m_at = to;
-  }
-  ProfilePoint m_toTip, m_at{0, 0};
-  ToolMove m_move;
-  std::vector<ToolMove> m_moves;
-};
 
 void roughLevels(CyclePath& path, const std::vector<ProfilePoint>& contour, double barRadius, const CycleSettings& s) {
   const double above = barRadius + s.nose + s.clearance;

@@ -8,6 +8,7 @@
 #include "machining/program/ProgramSimulation.h"
 #include "machining/program/ProgramWriter.h"
 #include "machining/program/cycles/BoreCuts.h"
+#include "machining/program/cycles/FaceCuts.h"
 #include "machining/target/TargetDeviation.h"
 
 #include <algorithm>
@@ -60,16 +61,19 @@ Result<CycleProgram> cycleProgram(const CycleTask& task, ProgramDialect dialect,
   CycleProgram program;
   for (const int tool : {settings.roughTool, settings.finishTool})
     program.tools[tool] = {settings.nose, outsideOrientation(dialect), {0.0, 0.0}};
-  std::vector<ToolMove> moves;
+  const EndStock end = EndStock::of(task.part, task.base, task.target.upperEnd());
+  Result<std::vector<ToolMove>> faced = faceCuts(end, 0.5 * task.stock.diameter, settings);
+  if (!faced) return faced.error();
+  std::vector<ToolMove> moves = std::move(faced.value());
   const double below = task.target.lowerEnd() - task.base;
   if (settings.drill > 0.0) {
     const Result<BoreTools> tools = boreTools(task.target, settings.drill, task.tools);
     if (!tools) return tools.error();
     program.tools[settings.drillTool] = programToolOf(tools->drill, dialect);
     if (tools->bar) program.tools[settings.boreTool] = programToolOf(tools->bar, dialect);
-    Result<std::vector<ToolMove>> bored = drillAndBore(task.target, *tools, settings, below);
+    const Result<std::vector<ToolMove>> bored = drillAndBore(task.target, *tools, settings, below);
     if (!bored) return bored.error();
-    moves = std::move(bored.value());
+    moves.insert(moves.end(), bored->begin(), bored->end());
   }
   CycleSettings limited = settings;
   limited.room = std::min(settings.room, below - task.grip);

@@ -29,10 +29,10 @@ struct CycleProgram {
   ProgramTools tools;
 };
 
-// The cycles of drillAndBore(), where there is a drill, and of roughAndFinish() as a program whose z = 0 is the upper
-// end of the part but for the allowance. It is simulated before it is given away: it collides nowhere, not with the
-// chuck either, and cuts no more than 0.005 mm into the target. Errors: CyclesCollide, CyclesGouge, Cancelled, those of
-// both.
+// The cycles of faceCuts(), where the part stands over the face of the target, of drillAndBore(), where there is a
+// drill, and of roughAndFinish() as a program whose z = 0 is the upper end of the part but for the allowance. It is
+// simulated before it is given away: it collides nowhere, not with the chuck either, and cuts no more than 0.005 mm
+// into the target. Errors: CyclesCollide, CyclesGouge, Cancelled, those of both.
 Result<CycleProgram> cycleProgram(const CycleTask& task, ProgramDialect dialect, const CycleSettings& settings,
                                   Progress progress = {});
 
