@@ -172,6 +172,10 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
   step.isRing = tried.isRing;
   m_lastTool = tried.tool;
   m_lastPlace = step.to;
+  if (step.thread)
+    m_behindCut = m_lastPlace.y();
+  else if (!step.cut.isEmpty())
+    m_behindCut = m_profile.z(step.cut.changed.first) - m_profile.spacing();
 }
 
 LatheStep LatheRun::step(double dt, std::span<const LatheCommand> commands) {

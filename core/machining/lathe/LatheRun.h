@@ -97,6 +97,7 @@ class LatheRun {
   bool m_isBlocked = false;                     // the last move was a crash, which is recorded once
   std::shared_ptr<const LatheTool> m_lastTool;  // that cut, and where: an abrasive tool is not where its slide is
   ProfilePoint m_lastPlace{0.0, 0.0};
+  double m_behindCut = 0.0;  // mm, z of what stands on the chuck's side of the last cut, and is not cut itself
   std::shared_ptr<const LatheMaterial> m_material;
   CutMeter m_meter;
   LatheLoad m_load;

@@ -71,10 +71,11 @@ void LatheRun::press(LatheLoad& load, const ProfilePoint& velocity) {
   load.isOverloaded = load.torque > spindleTorque(spindle, speed);
 }
 
-// By the speed that the levers ask for: a spindle that has slowed down needs less power.
+// By the speed that the levers ask for: a spindle that has slowed down needs less power. What is being faced or parted
+// off holds nothing, however thin it gets: the work is that which stands behind the cut.
 void LatheRun::judge() {
   const LatheSetup& setup = m_machine.setup();
-  SlenderWork beam = beamOf(m_profile, setup.chuck.grip, m_lastPlace.y());
+  SlenderWork beam = beamOf(m_profile, setup.chuck.grip, m_behindCut);
   beam.modulus = m_material->modulus;
   beam.cut = 2.0 * m_load.radius;
   constexpr double kOnCentre = 0.5;  // mm

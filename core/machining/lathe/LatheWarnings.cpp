@@ -41,6 +41,7 @@ SlenderWork beamOf(const TurnedProfile& part, double grip, double place) {
     const double z = part.z(i);
     if (z < grip) continue;
     if (!(part.radius(i) > part.inner(i))) break;
+    if (outer == 0.0) outer = part.radius(i);  // of a cut beside the jaws
     if (z <= std::max(place, grip)) {
       const double arm = place - z + 0.5 * part.spacing();
       const double stiff = fourthPower(part.radius(i)) - fourthPower(part.inner(i));

@@ -174,7 +174,31 @@ class LatheLoadTest : public QObject {
     const auto moment = [](double r) { return M_PI * std::pow(r, 4) / 4.0; };
     const double expected = 100.0 / e * ((a * a * a - b * b * b) / moment(20.0) + b * b * b / moment(10.0));
     QVERIFY(std::abs(deflection(beam, 100.0) / expected - 1.0) < 0.01);
-    QCOMPARE(beamOf(bar, 20.0, 10.0).place, 0.0);
+    const SlenderWork beside = beamOf(bar, 20.01, 10.0);  // between two samples
+    QVERIFY(beside.place == 0.0 && beside.diameter == 40.0 && std::abs(beside.length - 79.99) < 1e-6);
+  }
+
+  // What is faced off to the centre and past it, or parted off, holds nothing: the work stays that of ⌀40, which
+  // protrudes by 75 mm, about twice its diameter, where four times are recommended.
+  void facingIsNotSlender_data() {
+    QTest::addColumn<double>("z");
+    QTest::newRow("between two samples") << 99.52;
+    QTest::newRow("at a sample") << 99.5;
+  }
+  void facingIsNotSlender() {
+    QFETCH(double, z);
+    LatheSetup setup = setupWith(0.0, 0.0);
+    setup.chuck.grip = 25.0;
+    LoadedLathe lathe(setup, 500.0);
+    lathe.send({Lever::Spindle, LatheAxis::Carriage, 1.0});
+    lathe.send({Lever::Place, LatheAxis::Carriage, 21.0, z});
+    lathe.pass(3.0);
+    lathe.send({Lever::Feed, LatheAxis::Cross, -0.2});
+    lathe.pass(12.0);
+    QVERIFY(lathe.run.machine().tip().x() < -0.5);
+    QVERIFY(!lathe.run.profile().hasMaterial(lathe.run.profile().size() - 1));
+    QVERIFY(lathe.run.collisions().empty());
+    for (const Rule rule : {Rule::Slenderness, Rule::Deflection, Rule::Chatter}) QVERIFY(!lathe.warningOf(rule));
   }
 
   // Each breach of a rule is recorded once, at its worst.
