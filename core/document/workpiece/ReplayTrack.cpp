@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace handwheel {
 
@@ -59,8 +58,9 @@ std::optional<ReplayTrack> replayTrack(const WorkpieceSnapshot& workpiece, Progr
   const WorkMaterials& materials = WorkMaterials::standard();
   if (review) track.loads = cutLoads(*review, materials.called(workpiece.material));
   if (workpiece.target) {
-    const AxisRange outside{lathe.chuck.grip, std::numeric_limits<double>::infinity()};
-    track.deviation = deviationTrack(*track.replay, workpiece.target->profile, workpiece.stock.position, outside,
+    const TargetProfile& target = workpiece.target->profile;
+    const double base = workpiece.stock.position;
+    track.deviation = deviationTrack(*track.replay, target, base, rangeOfTarget(target, bar, base, lathe.chuck.grip),
                                      kDeviations, progress.part(0.7, 1.0));
   }
   if (workpiece.crashes) {

@@ -51,6 +51,11 @@ class Measured {
 
 }  // namespace
 
+AxisRange rangeOfTarget(const TargetProfile& target, const TurnedProfile& part, double base, double from) {
+  const double end = target.lowerEnd() - base, spacing = part.spacing();
+  return {end > 0.5 * spacing ? std::max(from, end + spacing) : from, kWholeAxis.to};
+}
+
 TargetDeviation deviationFrom(const TargetProfile& target, const TurnedProfile& part, double base, Progress progress,
                               AxisRange range) {
   constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();

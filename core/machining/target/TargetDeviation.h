@@ -31,6 +31,12 @@ struct TargetDeviation {
 inline constexpr AxisRange kWholeAxis{-std::numeric_limits<double>::infinity(),
                                       std::numeric_limits<double>::infinity()};
 
+// The range of a part that is to become its target. It begins at the lower end of that: what the chuck holds behind it
+// is parted off, and no part of it, nor is the sample beside the step there. What stands over the other end has to go,
+// and counts. base: as below; from: mm, of the part, where it begins at the earliest.
+AxisRange rangeOfTarget(const TargetProfile& target, const TurnedProfile& part, double base,
+                        double from = kWholeAxis.from);
+
 // Measures a part. base: mm, z of its lower end in the target's coordinates; range: of the part, above its lower end.
 // The outside of the part is measured from the outside of the target, and its bore from the bores, although the other
 // side of a thin wall is nearer; of a target that cannot be taken apart (sidesOf()) all from what is nearest. A bore

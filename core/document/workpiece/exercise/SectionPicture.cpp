@@ -36,13 +36,17 @@ QPainterPath halfOf(std::span<const ProfilePoint> target) {
   return path;
 }
 
-// In the coordinates of the halves.
+// In the coordinates of the halves. The bar behind the target is neither left over nor in it.
 void paintHalf(QPainter& painter, const QPainterPath& part, const QPainterPath& target) {
   if (target.isEmpty()) return painter.fillPath(part, kInBoth);
   painter.fillPath(target, kCutTooDeep);
   painter.fillPath(part, kLeftOver);
   painter.save();
   painter.setClipPath(target);
+  painter.fillPath(part, kInBoth);
+  QRectF behind = part.boundingRect();
+  behind.setRight(std::max(behind.left(), target.boundingRect().left()));
+  painter.setClipRect(behind);
   painter.fillPath(part, kInBoth);
   painter.restore();
   QPen pen(Qt::black, kOutlineWidth);

@@ -7,6 +7,7 @@
 #include "document/workpiece/exercise/TurningMeasurements.h"
 #include "machining/force/ForcePeaks.h"
 #include "machining/measure/CrashTimes.h"
+#include "machining/target/TargetDeviation.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -115,7 +116,7 @@ ReportPicture pictureOf(const TurningTask& task, const TurnedProfile& profile) {
       sectionPicture(profile, lineOf(*task.target)),
       {QT_TRANSLATE_NOOP("Note",
                          "The part in section, with the outline of the target. Blue: material left over the target. "
-                         "Red: cut too deep.")}};
+                         "Red: cut too deep. The bar behind the part is grey.")}};
 }
 
 ReportCurve loadCurve(const char* title, const char* unit, const std::vector<MeasuredPart::Load>& loads,
@@ -133,8 +134,8 @@ void addDeviations(ReportDetails& details, const TurningTask& task, const Workpi
   const TurnedProfile bar = TurnedProfile::barOf(work.stock, work.part->profile.size());
   const auto replay = PassesReplay::make(bar, work.part->passes, progress.part(0.0, 0.5));
   if (!replay) return;
-  const DeviationTrack track = deviationTrack(*replay, *task.target, 0.0, {task.lathe.chuckHeight, task.stock.length},
-                                              kMoments, progress.part(0.5, 1.0));
+  const AxisRange range = rangeOfTarget(*task.target, bar, 0.0, task.lathe.chuckHeight);
+  const DeviationTrack track = deviationTrack(*replay, *task.target, 0.0, range, kMoments, progress.part(0.5, 1.0));
   const auto add = [&](const char* title, const DeviationTrack::Curve& points) {
     details.curves.push_back({title, QT_TRANSLATE_NOOP("Figure", "Time"), "s", title, "mm", {{title, points}}});
   };

@@ -3,6 +3,7 @@
 #include "document/workpiece/target/DeviationDisplay.h"
 
 #include "document/workpiece/TurnedPartDisplay.h"
+#include "machining/target/TargetDeviation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +134,9 @@ DisplayModel deviationDisplay(const WorkpieceSnapshot& workpiece, const Deviatio
   const TargetProfile& target = workpiece.target->profile;
   const double base = workpiece.stock.position;
   const TurnedProfile part = shownProfile(workpiece);
+  const AxisRange range = rangeOfTarget(target, part, base);
   const auto distanceAt = [&](std::size_t i) {
+    if (part.z(i) < range.from) return 0.0;
     const double z = base + part.z(i);
     const double outside = target.distance({part.radius(i), z});
     return part.inner(i) > 0.0 ? worse(outside, target.distance({part.inner(i), z})) : outside;

@@ -25,8 +25,10 @@ TargetDeviation deviationOf(const WorkpieceSnapshot& workpiece, Progress progres
   constexpr double kBarSteps = 1000.0;
   const StockCylinder& stock = workpiece.stock;
   const TargetProfile& target = workpiece.target->profile;
-  if (workpiece.part) return deviationFrom(target, workpiece.part->profile, stock.position, progress);
-  return deviationFrom(target, TurnedProfile(stock, stock.length / kBarSteps), stock.position, progress);
+  const auto from = [&](const TurnedProfile& part) {
+    return deviationFrom(target, part, stock.position, progress, rangeOfTarget(target, part, stock.position));
+  };
+  return from(workpiece.part ? workpiece.part->profile : TurnedProfile(stock, stock.length / kBarSteps));
 }
 
 std::string textOf(const ProfileFeature& f) {

@@ -4,6 +4,8 @@
 #include "TurningExercises.h"
 #include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ExerciseRows.h"
+#include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/exercise/SectionPicture.h"
 #include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/exercise/TurningTask.h"
 #include "document/workpiece/target/TargetPlace.h"
@@ -130,6 +132,39 @@ class TurningLoadsTest : public QObject {
     QCOMPARE(task.zero(), 120.0);
     QCOMPARE(programZero(workpiece), 120.0);
     QVERIFY(loadedShoulder()->subject->drawingZero(task) == std::optional(120.0));
+  }
+
+  // The bar behind a finished part is not left over the target: neither in the curve nor in the picture.
+  void theBarBehindThePartIsNotLeftOver() {
+    const ProfilePoint foot{15.0, 60.0}, head{15.0, 100.0};
+    TurningTask task = static_cast<const TurningTask&>(*loadedShoulder()->task);
+    task.target = TargetProfile::make({ProfileSegment{foot, head, 0.0}}).value();
+    TurningPass pass;
+    pass.noseRadius = 0.1;
+    pass.path = {{15.1, 103.0}, {15.1, 60.1}, {22.0, 60.1}};
+    pass.times = {0.0, 20.0, 24.0};
+    pass.speeds.assign(3, 600.0);
+    WorkpieceSnapshot work =
+        static_cast<const WorkpieceSnapshot&>(*loadedShoulder()->subject->start(*loadedShoulder()->task));
+    work.part = withPass(work, pass, 0.05);
+    const ReportDetails details = loadedShoulder()->subject->details(task, work, {});
+    const auto left = std::find_if(details.curves.begin(), details.curves.end(), [](const ReportCurve& curve) {
+      return curve.title == "Material left over the target";
+    });
+    QVERIFY(left != details.curves.end());
+    // The bar is 5 mm over the radius at first; of the corner the nose leaves (√2 - 1) of its radius.
+    QVERIFY(std::abs(left->series.front().points.front().second - 5.0) < 1e-6);
+    QVERIFY(left->series.front().points.back().second < 0.1);
+    const QImage picture =
+        sectionPicture(work.part->profile, std::vector<ProfilePoint>{{0.0, 60.0}, foot, head, {0.0, 100.0}});
+    int blue = 0, grey = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x) {
+        blue += picture.pixel(x, y) == qRgb(0x34, 0x65, 0xa4);
+        grey += picture.pixel(x, y) == qRgb(0xba, 0xbd, 0xb6);
+      }
+    }
+    QVERIFY2(blue * 50 < grey, qPrintable(QString("%1 of %2").arg(blue).arg(grey)));
   }
 
   // A cut beyond what the lathe has is in the report, whether or not there are points for it.

@@ -36,6 +36,26 @@ class TargetDeviationTest : public QObject {
     QCOMPARE(d.largestUnder.distance, 0.0);
   }
 
+  // A finished part of 70 mm with the bar behind it: nothing is too large, but what stands over its face.
+  void theBarBehindThePart() {
+    const auto target = TargetProfile::make({{{18, 30}, {18, 100}, 0.0}});
+    QVERIFY(bool(target));
+    for (const double over : {0.0, 1.0}) {
+      TurnedProfile part(StockCylinder{40.0, 100.0 + over, 0.0}, 0.1);
+      for (std::size_t i = 0; i < part.size(); ++i)
+        if (part.z(i) > 30.0) part.limitOuter(i, 18.0);
+      const TargetDeviation all = deviationFrom(*target, part, 0.0);
+      QVERIFY(std::abs(all.largestOver.distance - std::hypot(2.0, 30.0)) < 1e-9);
+      const AxisRange range = rangeOfTarget(*target, part, 0.0);
+      const TargetDeviation d = deviationFrom(*target, part, 0.0, {}, range);
+      QVERIFY(std::abs(d.largestOver.distance - over) < 1e-9 && d.largestUnder.distance > -1e-9);
+      QVERIFY(range.from > 30.0 && range.from < 30.3);
+      QCOMPARE(rangeOfTarget(*target, part, 0.0, 45.0).from, 45.0);
+      // One that goes to the end of the bar has nothing behind it.
+      QCOMPARE(rangeOfTarget(*target, part, 30.0).from, kWholeAxis.from);
+    }
+  }
+
   void cutTooDeep() {
     TurnedProfile part(StockCylinder{40.0, 100.0, 0.0}, 0.1);
     for (std::size_t i = 300; i < 600; ++i) part.limitOuter(i, 19.0);
