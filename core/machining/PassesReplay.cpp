@@ -96,6 +96,7 @@ std::shared_ptr<const PartThreads> PassesReplay::threadsAt(std::size_t pass, std
     begun.times.resize(points);
     begun.times.push_back(begun.times.back());
     begun.speeds.clear();
+    begun.askedSpeeds.clear();
   }
   return PartThreads::with(m_threads[pass], begun);
 }

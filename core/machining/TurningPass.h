@@ -33,6 +33,8 @@ struct TurningPass {
   std::shared_ptr<const LatheTool> tool = {};
   // Of a thread: the pass leaves a groove (PartThreads) in the profile, which stays as it is: the envelope.
   std::optional<ThreadCut> thread = {};
+  // r/min that the levers asked for on the way to each point, where the motor could not hold that; empty: it could.
+  std::vector<double> askedSpeeds = {};
 };
 
 // Cuts as this pass does, with the centre of its nose from a to b. Returns the samples that changed.

@@ -19,13 +19,14 @@ namespace {
 
 constexpr const char* kPath = "workpiece/path";           // of all passes
 constexpr const char* kSpeeds = "workpiece/speeds";       // of the passes with "speeds"
+constexpr const char* kAsked = "workpiece/asked";         // of the passes with "asked_speeds"
 constexpr const char* kBore = "bore";                     // value of "side"
 constexpr const char* kPoles = "poles";                   // value of "method"
 constexpr const char *kRight = "right", *kLeft = "left";  // values of "hand"
 // Keys of passes and of their threads.
 constexpr const char *kNose = "nose_radius", *kPoints = "points", *kTool = "tool", *kSpindleSpeed = "spindle_speed",
-                     *kHasSpeeds = "speeds", *kThread = "thread", *kSide = "side", *kMethod = "method",
-                     *kResolutionKey = "resolution", *kParts = "parts", *kHand = "hand";
+                     *kHasSpeeds = "speeds", *kHasAsked = "asked_speeds", *kThread = "thread", *kSide = "side",
+                     *kMethod = "method", *kResolutionKey = "resolution", *kParts = "parts", *kHand = "hand";
 constexpr std::size_t kMostPasses = 100'000;
 constexpr double kFastestSpindle = 1e5;   // r/min
 constexpr std::size_t kPointNumbers = 3;  // time, r, z
@@ -57,31 +58,39 @@ bool isSpeed(double speed) {
   return speed >= 0.0 && speed <= kFastestSpindle;  // false for NaN
 }
 
-// Whether the speed of each point of a listed pass stands in the array of speeds.
-bool hasSpeeds(const nlohmann::json& entry) {
-  return entry.is_object() && isTrueIn(entry, kHasSpeeds);
+// Whether a speed for each point of a listed pass stands in the array that this key is of.
+bool hasSpeeds(const nlohmann::json& entry, const char* key) {
+  return entry.is_object() && isTrueIn(entry, key);
 }
+
+// The numbers of passes, and where those of the next one begin.
+struct PassArrays {
+  ReadArray<double> path, speeds, asked;
+  std::uint64_t pathBegin = 0, speedsBegin = 0, askedBegin = 0;
+};
 
 bool isConstant(const std::vector<double>& speeds) {
   return std::adjacent_find(speeds.begin(), speeds.end(), std::not_equal_to<>()) == speeds.end();
 }
 
-// The speeds of a pass: one for all of it, those in the array from `begin` on, or none. Nothing where they are
-// malformed or lost.
-std::optional<std::vector<double>> speedsOf(const nlohmann::json& entry, const ReadArray<double>& speeds,
-                                            std::uint64_t begin, std::size_t count) {
-  std::vector<double> read;
-  if (hasSpeeds(entry)) {
-    const auto isLost = [&](const IndexRange& lost) { return lost.begin < begin + count && begin < lost.end; };
-    if (speeds.values.size() < begin + count || std::any_of(speeds.lost.begin(), speeds.lost.end(), isLost))
-      return std::nullopt;
-    const auto first = speeds.values.begin() + static_cast<std::ptrdiff_t>(begin);
-    read.assign(first, first + static_cast<std::ptrdiff_t>(count));
-  } else if (const auto constant = entry.find(kSpindleSpeed); constant != entry.end()) {
-    read.assign(count, constant->is_number() ? constant->get<double>() : -1.0);
-  }
+// The speeds of an array from `begin` on. Nothing where they are malformed or lost.
+std::optional<std::vector<double>> speedsIn(const ReadArray<double>& speeds, std::uint64_t begin, std::size_t count) {
+  const auto isLost = [&](const IndexRange& lost) { return lost.begin < begin + count && begin < lost.end; };
+  if (speeds.values.size() < begin + count || std::any_of(speeds.lost.begin(), speeds.lost.end(), isLost))
+    return std::nullopt;
+  const auto first = speeds.values.begin() + static_cast<std::ptrdiff_t>(begin);
+  std::vector<double> read(first, first + static_cast<std::ptrdiff_t>(count));
   if (!std::all_of(read.begin(), read.end(), isSpeed)) return std::nullopt;
   return read;
+}
+
+// The speeds of a pass: those in the array, one for all of it, or none. Nothing where they are malformed or lost.
+std::optional<std::vector<double>> speedsOf(const nlohmann::json& entry, const PassArrays& arrays, std::size_t count) {
+  if (hasSpeeds(entry, kHasSpeeds)) return speedsIn(arrays.speeds, arrays.speedsBegin, count);
+  const auto constant = entry.find(kSpindleSpeed);
+  if (constant == entry.end()) return std::vector<double>();
+  const double speed = constant->is_number() ? constant->get<double>() : -1.0;
+  return isSpeed(speed) ? std::optional(std::vector<double>(count, speed)) : std::nullopt;
 }
 
 // The keys of the numbers of a thread, for reader and writer.
@@ -110,9 +119,10 @@ std::optional<ThreadCut> threadFrom(const nlohmann::json& entry) {
   return (thread.isLeft || hand == kRight) && thread.isSound() ? std::optional(thread) : std::nullopt;
 }
 
-// The pass whose points begin there in the path of all passes.
-std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray<double>& path, std::uint64_t begin,
-                                    const ReadArray<double>& speeds, std::uint64_t speedsBegin) {
+// The pass whose numbers begin there in the arrays of all passes.
+std::optional<TurningPass> readPass(const nlohmann::json& entry, const PassArrays& arrays) {
+  const ReadArray<double>& path = arrays.path;
+  const std::uint64_t begin = arrays.pathBegin;
   TurningPass pass;
   if (!entry.is_object()) return std::nullopt;
   pass.noseRadius = numberIn(entry, kNose);
@@ -149,9 +159,14 @@ std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray
     pass.times.push_back(std::max(point[0], i == 0 ? 0.0 : pass.times.back()));
     pass.path.emplace_back(point[1], point[2]);
   }
-  auto ofSpindle = speedsOf(entry, speeds, speedsBegin, count);
+  auto ofSpindle = speedsOf(entry, arrays, count);
   if (!ofSpindle) return std::nullopt;
   pass.speeds = std::move(*ofSpindle);
+  if (hasSpeeds(entry, kHasAsked)) {
+    auto asked = speedsIn(arrays.asked, arrays.askedBegin, count);
+    if (!asked) return std::nullopt;
+    pass.askedSpeeds = std::move(*asked);
+  }
   return pass;
 }
 
@@ -159,7 +174,7 @@ std::optional<TurningPass> readPass(const nlohmann::json& entry, const ReadArray
 
 nlohmann::json writePasses(const TurningPasses& passes, Container& container) {
   nlohmann::json listed = nlohmann::json::array();
-  std::vector<double> points, speeds;
+  std::vector<double> points, speeds, asked;
   for (const auto& shared : passes) {
     const TurningPass& pass = *shared;
     for (std::size_t k = 0; k < pass.path.size(); ++k) {
@@ -173,6 +188,10 @@ nlohmann::json writePasses(const TurningPasses& passes, Container& container) {
       entry[kHasSpeeds] = true;
       speeds.insert(speeds.end(), pass.speeds.begin(), pass.speeds.end());
     }
+    if (!pass.askedSpeeds.empty()) {
+      entry[kHasAsked] = true;
+      asked.insert(asked.end(), pass.askedSpeeds.begin(), pass.askedSpeeds.end());
+    }
     if (pass.thread) entry[kThread] = threadJson(*pass.thread);
     if (pass.side == TurningSide::Bore) entry[kSide] = kBore;
     if (pass.method == TurningMethod::Poles) {
@@ -184,27 +203,30 @@ nlohmann::json writePasses(const TurningPasses& passes, Container& container) {
   }
   writeArray<double>(container, kPath, points, kPointNumbers);
   if (!speeds.empty()) writeArray<double>(container, kSpeeds, speeds);
+  if (!asked.empty()) writeArray<double>(container, kAsked, asked);
   return listed;
 }
 
 Result<TurningPasses> readPasses(const nlohmann::json& listed, const Container& container, Progress progress) {
   TurningPasses passes;
   const std::size_t count = listed.is_array() ? std::min(listed.size(), kMostPasses) : 0;
-  std::uint64_t points = 0, speedCount = 0;
+  std::uint64_t points = 0, speedCount = 0, askedCount = 0;
   for (std::size_t i = 0; i < count; ++i) {
     points += pointsIn(listed[i]);
-    if (hasSpeeds(listed[i])) speedCount += pointsIn(listed[i]);
+    if (hasSpeeds(listed[i], kHasSpeeds)) speedCount += pointsIn(listed[i]);
+    if (hasSpeeds(listed[i], kHasAsked)) askedCount += pointsIn(listed[i]);
   }
-  const ReadArray<double> path = readArray<double>(container, kPath, points, kPointNumbers);
-  const ReadArray<double> speeds =
-      speedCount > 0 ? readArray<double>(container, kSpeeds, speedCount) : ReadArray<double>();
-  std::uint64_t begin = 0, speedsBegin = 0;
+  PassArrays arrays;
+  arrays.path = readArray<double>(container, kPath, points, kPointNumbers);
+  if (speedCount > 0) arrays.speeds = readArray<double>(container, kSpeeds, speedCount);
+  if (askedCount > 0) arrays.asked = readArray<double>(container, kAsked, askedCount);
   for (std::size_t i = 0; i < count; ++i) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    if (auto pass = readPass(listed[i], path, begin, speeds, speedsBegin))
+    if (auto pass = readPass(listed[i], arrays))
       passes.push_back(std::make_shared<const TurningPass>(std::move(*pass)));
-    begin += pointsIn(listed[i]);
-    if (hasSpeeds(listed[i])) speedsBegin += pointsIn(listed[i]);
+    arrays.pathBegin += pointsIn(listed[i]);
+    if (hasSpeeds(listed[i], kHasSpeeds)) arrays.speedsBegin += pointsIn(listed[i]);
+    if (hasSpeeds(listed[i], kHasAsked)) arrays.askedBegin += pointsIn(listed[i]);
   }
   return passes;
 }

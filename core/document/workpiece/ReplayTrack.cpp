@@ -3,6 +3,7 @@
 #include "document/workpiece/ReplayTrack.h"
 
 #include "document/workpiece/LatheSetupEdit.h"
+#include "machining/force/CutWarnings.h"
 #include "machining/force/KienzleModel.h"
 #include "machining/measure/CrashTimes.h"
 #include "machining/target/TargetDeviation.h"
@@ -22,9 +23,9 @@ std::vector<CutLoad> cutLoads(const TurningReview& review, const WorkMaterial& m
   const auto model = kienzleModel(material, CuttingEdge());
   std::vector<CutLoad> loads;
   for (const CutMoment& moment : review.moments()) {
-    const CutConditions cut{moment.depth, moment.feed, moment.speed};
-    const CutForces forces = model->at(cut);
-    loads.push_back({moment.time, forces.cutting, cuttingPower(forces, cut)});
+    const CutForces forces = model->at({moment.depth, moment.feed, moment.speed});
+    const CutConditions asked{moment.depth, moment.feed, moment.asked};
+    loads.push_back({moment.time, forces.cutting, motorPower(cuttingPower(forces, asked), SpindleDrive().efficiency)});
   }
   return loads;
 }

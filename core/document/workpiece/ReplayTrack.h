@@ -12,7 +12,9 @@
 
 namespace handwheel {
 
-// Force and power of a cut by Kienzle's law, with a sharp edge. The sources of that law differ by a quarter.
+// Force and power of a cut by Kienzle's law, with a sharp edge. The sources of that law differ by a quarter. The power
+// is that of the motor, as the limit of a lathe is, at the speed that the levers ask for: a motor that is overloaded
+// slows down and gives less than the cut needs.
 struct CutLoad {
   double time = 0.0;   // s, as in TurningReview
   double force = 0.0;  // N

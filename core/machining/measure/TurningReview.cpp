@@ -34,9 +34,14 @@ double speedAt(const TurningPass& pass, std::size_t i, const ReviewedLathe& lath
   return i < pass.speeds.size() ? pass.speeds[i] : lathe.spindleSpeed;
 }
 
+// r/min that were asked for there.
+double askedAt(const TurningPass& pass, std::size_t i, double speed) {
+  return i < pass.askedSpeeds.size() ? std::max(pass.askedSpeeds[i], speed) : speed;
+}
+
 // How much a cut asks of the lathe; only to compare.
 double weightOf(const CutMoment& moment) {
-  return moment.depth * moment.feed * moment.speed;
+  return moment.depth * moment.feed * moment.asked;
 }
 
 }  // namespace
@@ -46,6 +51,7 @@ struct TurningReview::Way {
   static constexpr double kLongest = 0.5;  // mm: hands move in steps that are shorter than the samples are apart
 
   double length = 0.0, seconds = 0.0, turns = 0.0, time = 0.0;
+  double asked = 0.0;    // turns that the spindle would have made at the speed that was asked for
   double area = 0.0;     // mm², that left the section
   double largest = 0.0;  // mm, the largest radius that was cut
   ProfilePoint place{0, 0};
@@ -119,6 +125,7 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     cutting.length += way;
     cutting.seconds += seconds;
     cutting.turns += turns;
+    cutting.asked += seconds * askedAt(pass, i, speed) / 60.0;
     cutting.time = time;
     cutting.place = to;
     if (cutting.length >= Way::kLongest) endWay(cutting);
@@ -144,9 +151,9 @@ void TurningReview::endWay(Way& way) {
   const Way done = std::exchange(way, Way());
   if (!(done.length > 0.0 && done.turns > 0.0)) return;  // work at rest is not cut: that is a crash
   const double feed = done.length / done.turns;
-  const double speed =
-      done.seconds > 0.0 ? 2.0 * M_PI * done.largest * (60.0 * done.turns / done.seconds) / 1000.0 : 0.0;
-  m_moments.push_back({done.time, done.place, done.area / done.length, feed, speed});
+  const double perTurn = done.seconds > 0.0 ? 2.0 * M_PI * done.largest * 60.0 / done.seconds / 1000.0 : 0.0;
+  m_moments.push_back({done.time, done.place, done.area / done.length, feed, perTurn * done.turns,
+                       perTurn * std::max(done.asked, done.turns)});
   if (m_moments.size() >= 2 * kMostMoments) thinMoments();
 }
 

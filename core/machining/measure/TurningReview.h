@@ -37,6 +37,7 @@ struct CutMoment {
   double depth = 0.0;  // mm, width of the cut across the feed: the area that left the section, by the way
   double feed = 0.0;   // mm per revolution
   double speed = 0.0;  // m/min at the largest radius that was cut
+  double asked = 0.0;  // m/min, the same at the speed that the levers asked for; higher where the motor was overloaded
 };
 
 class FinishMeter;

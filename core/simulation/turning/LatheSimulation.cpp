@@ -10,6 +10,9 @@ namespace handwheel {
 
 namespace {
 
+// Of the speed that is asked for: a spindle that has so much of it is held.
+constexpr double kHeld = 0.99;
+
 // A thread goes on as long as its helix is the same.
 bool goesOn(const TurningPass& pass, const LatheStep& step) {
   constexpr double kSame = 1e-6;  // mm
@@ -85,10 +88,15 @@ void LatheSimulation::record(const LatheStep& step, double dt) {
     pass.path.pop_back();
     pass.times.pop_back();
     pass.speeds.pop_back();
+    if (!pass.askedSpeeds.empty()) pass.askedSpeeds.pop_back();
   }
   pass.path.push_back(step.to);
   pass.times.push_back(step.time - m_begin);
-  pass.speeds.push_back(60.0 * step.turns / dt);
+  const double speed = 60.0 * step.turns / dt, asked = std::abs(m_run.machine().targetSpeed());
+  const bool isSlowed = m_run.load().isCutting && speed < kHeld * asked;
+  if (isSlowed && pass.askedSpeeds.empty()) pass.askedSpeeds = pass.speeds;
+  pass.speeds.push_back(speed);
+  if (!pass.askedSpeeds.empty()) pass.askedSpeeds.push_back(isSlowed ? asked : speed);
   if (pass.thread) m_threaded.extend(samplesBeside(step));
   m_finish.add(pass, pass.path.size() - 1, static_cast<std::uint32_t>(m_passesBefore + m_passes.size() - 1),
                m_run.profile(), step.cut.changed);

@@ -94,6 +94,26 @@ class PartFinishTest : public QObject {
     QVERIFY(loaded(savedOf(bored)).part->finish == bored.part->finish);
   }
 
+  // What was asked of a motor that could not hold it comes back with its pass; others have none.
+  void askedSpeedsAreKeptInTheFile() {
+    WorkpieceSnapshot workpiece = finished();
+    TurningPass pass;
+    pass.path = {{20.0, 25.0}, {20.0, 40.0}};
+    pass.times = {0.0, 15.0};
+    for (const double asked : {600.0, 800.0}) {
+      pass.path[0].x() = pass.path[1].x() = pass.path[0].x() - 1.0;
+      pass.speeds = {asked, 0.5 * asked};
+      pass.askedSpeeds = {asked, asked + 1.0};
+      workpiece.part = withPass(workpiece, pass, 0.1);
+    }
+    const WorkpieceSnapshot back = loaded(savedOf(workpiece));
+    QCOMPARE(back.part->passes.size(), std::size_t{4});
+    QVERIFY(back.part->passes[0]->askedSpeeds.empty() && back.part->passes[1]->askedSpeeds.empty());
+    QVERIFY((back.part->passes[2]->askedSpeeds == std::vector<double>{600.0, 601.0}));
+    QVERIFY((back.part->passes[3]->askedSpeeds == std::vector<double>{800.0, 801.0}));
+    QVERIFY((back.part->passes[3]->speeds == std::vector<double>{800.0, 400.0}));
+  }
+
   // A file without it, as older programs wrote: the part is the same, and what is cut from then on is known.
   void filesWithoutIt() {
     Container container = savedOf(finished());
