@@ -262,9 +262,10 @@ void LatheView::showZero() {
 // A tool that jumps is a surprise.
 void LatheView::sayUndone(const ManualLatheTool& lathe) {
   if (std::exchange(m_returns, lathe.returnCount()) >= lathe.returnCount()) return;
-  emit message({Message::Weight::Info, tr("The tool was moved"),
-                tr("The restored material is where the tool was, so the tool was moved out of it."),
-                tr("The spindle turns as before.")});
+  emit message(
+      {Message::Weight::Info, tr("The tool was moved"),
+       tr("The restored material is where the tool was, so the tool was moved out of it."),
+       lathe.moment()->machine.direction == 0 ? tr("The spindle stands still.") : tr("The spindle turns as before.")});
 }
 
 void LatheView::feel() {

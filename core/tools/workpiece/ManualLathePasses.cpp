@@ -107,21 +107,34 @@ void ManualLatheTool::recordCrashes(const LatheMoment& moment) {
   m_document.addCrashes(std::span(all).subspan(std::exchange(m_recorded, all.size())));
 }
 
-// The tool with its cross slide drawn back beside the work: a millimetre clear of its thickest place, at the same Z.
-// None: that is not clear either, as of a boring bar.
+// The tool with its cross slide drawn back beside the work, a millimetre clear of its thickest place: at the same Z or,
+// where the jaws are there, as far along the bed as it takes to be clear of these. None: that is not clear either, as
+// of a boring bar.
 std::optional<LatheState> ManualLatheTool::drawnBack(const LatheSetup& lathe, LatheState state) const {
-  constexpr double kClear = 1.0;  // mm
+  constexpr double kClear = 1.0;      // mm
+  constexpr double kWideTool = 40.0;  // mm, of one that reaches so far towards the chuck
   constexpr auto kCross = static_cast<std::size_t>(LatheAxis::Cross);
+  constexpr auto kCarriage = static_cast<std::size_t>(LatheAxis::Carriage);
   const TurnedProfile profile = m_present.of(m_document.workpiece()).profile;
   double thickest = 0.0;
   for (std::size_t i = 0; i < profile.size(); ++i) thickest = std::max(thickest, profile.radius(i));
   const LatheSlot& slot = lathe.stations[std::min<std::size_t>(state.tool, lathe.stations.size() - 1)];
-  const double by = thickest + kClear - tipAt(lathe, slot, state.slides).x();
+  const ProfilePoint tip = tipAt(lathe, slot, state.slides);
+  const double by = thickest + kClear - tip.x();
   if (!(by > 0.0)) return std::nullopt;
-  for (auto* travel : {&state.wheels, &state.slides}) (*travel)[kCross] += by;
-  if (state.slides[kCross] > lathe.dials[kCross].largest) return std::nullopt;
-  if (!LatheRun(lathe, m_tools, profile, state).isClear()) return std::nullopt;
-  return state;
+  const double beyondJaws = lathe.chuck.grip + kClear - tip.y();
+  for (const double along : {0.0, beyondJaws, beyondJaws + kWideTool}) {
+    if (along < 0.0) continue;
+    LatheState back = state;
+    for (auto* travel : {&back.wheels, &back.slides}) {
+      (*travel)[kCross] += by;
+      (*travel)[kCarriage] += along;
+    }
+    const bool isReached =
+        back.slides[kCross] <= lathe.dials[kCross].largest && back.slides[kCarriage] <= lathe.dials[kCarriage].largest;
+    if (isReached && LatheRun(lathe, m_tools, profile, back).isClear()) return back;
+  }
+  return std::nullopt;
 }
 
 // With another part, as by undo, the slides come to rest where they are; the spindle goes on. A tool that is in

@@ -196,6 +196,24 @@ class ManualLatheToolTest : public QObject {
     QVERIFY(lathe.tool->collisions().empty());
   }
 
+  // The edge of a pass of half a millimetre comes to the jaws with its tip 0.06 mm behind their face, for the nose is
+  // round: drawn straight back it would be in them. It goes a millimetre before them, and the spindle stays at rest.
+  void undoBesideTheJaws() {
+    HandLathe lathe;
+    QVERIFY(lathe.spin() && lathe.wind(LatheAxis::Carriage, 25.0) && lathe.wind(LatheAxis::Cross, 24.5));
+    lathe.send(LatheCommand::Kind::Feed, -0.2);
+    QVERIFY(QTest::qWaitFor([&] { return !lathe.tool->collisions().empty(); }));
+    QVERIFY(lathe.tool->collisions().front().struck == LathePart::Jaws);
+    QVERIFY(lathe.endPass());
+    QVERIFY(lathe.tool->moment()->tip.y() < 20.0);
+    lathe.undo();
+    const ProfilePoint tip = lathe.tool->moment()->tip;
+    QVERIFY2(std::abs(tip.y() - 21.0) < 1e-9, qPrintable(QString::number(tip.y())));
+    QVERIFY2(std::abs(tip.x() - 26.0) < 1e-9, qPrintable(QString::number(tip.x())));
+    QCOMPARE(lathe.machine().direction, 0);
+    QCOMPARE(lathe.tool->returnCount(), 1);
+  }
+
   // Where the tool is told from what one touches off at: a radius of the work for X, a face of it for Z.
   void howFarTheToolIsFromTouching() {
     HandLathe lathe;
