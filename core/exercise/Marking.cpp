@@ -34,10 +34,6 @@ bool isClockTime(double value, const std::string& unit) {
   return unit == "s" && std::abs(value) >= 60.0;
 }
 
-std::string unitAfter(const std::string& unit) {
-  return unit.empty() ? unit : " " + unit;
-}
-
 // Of a limit, as the teacher has written it.
 std::string withUnit(double value, const std::string& unit) {
   return isClockTime(value, unit) ? minutesText(value) : roundedText(value) + unitAfter(unit);
@@ -114,6 +110,10 @@ std::string measuredText(double value, const std::string& unit) {
     return shownText(std::round(value / digit) * digit);
   }
   return roundedText(value);
+}
+
+std::string unitAfter(const std::string& unit) {
+  return unit.empty() || unit == "°" ? unit : " " + unit;
 }
 
 std::string minutesText(double seconds) {

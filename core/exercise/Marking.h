@@ -50,6 +50,9 @@ Marking markMeasurements(const Exercise& exercise, const std::vector<Measurement
 // A measured figure to as many digits as mean something in its unit: mm to a micrometre, µm to a hundredth.
 std::string measuredText(double value, const std::string& unit);
 
+// " mm", or "°": what follows a number of this unit. A space comes before each but the sign of a degree (ISO 80000-1).
+std::string unitAfter(const std::string& unit);
+
 // "4:05 min"
 std::string minutesText(double seconds);
 

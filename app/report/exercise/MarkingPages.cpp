@@ -91,7 +91,7 @@ std::string figureLine(const ClassReport& report, const ReportMeasurement& each)
   const MeasurementType* const type = measurementType(report.figures, each.figure);
   if (!type) return {};
   const QString label = QCoreApplication::translate("Figure", type->label.c_str());
-  return "<p>" + escaped(label.toStdString() + ": " + measuredText(each.value, type->unit) + " " + type->unit) +
+  return "<p>" + escaped(label.toStdString() + ": " + measuredText(each.value, type->unit) + unitAfter(type->unit)) +
          "</p>\n";
 }
 

@@ -51,7 +51,7 @@ std::vector<std::array<std::string, 5>> rowsOf(const ClassReport& report, const 
   for (const Mark& mark : marking.marks) {
     const MarkingCriterion* c = report.exercise.find(mark.criterion);
     if (!c) continue;
-    const std::string symbol = unitOf(report, *c), unit = symbol.empty() ? symbol : " " + symbol;
+    const std::string symbol = unitOf(report, *c), unit = unitAfter(symbol);
     const std::string remark = mark.remark.text.empty() ? std::string() : translatedText(mark.remark);
     rows.push_back({c->name, c->hasLimit() ? limitsOf(*c) + unit : std::string(),
                     mark.value ? measuredText(*mark.value, symbol) + unit : "–",

@@ -60,8 +60,11 @@ QString textOfRule(const CutWarning& warning) {
     case CutWarning::Rule::Rubbing:
       break;
   }
+  const QString chip = warning.value < kLeastShownChip
+                           ? LatheEvents::tr("less than %1").arg(QLocale().toString(kLeastShownChip, 'g', 3))
+                           : value;
   return LatheEvents::tr("Rubbing: a chip thickness of %1 mm is too small to be cut; at least %2 mm is needed.")
-      .arg(value, limit);
+      .arg(chip, limit);
 }
 
 LatheEvents::LatheEvents(QWidget* parent) : QListWidget(parent) {
@@ -72,6 +75,9 @@ LatheEvents::LatheEvents(QWidget* parent) : QListWidget(parent) {
          "stops the spindle."));
   setMinimumWidth(180);
   setWordWrap(true);
+  setTextElideMode(Qt::ElideNone);
+  setResizeMode(QListView::Adjust);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // it breaks its lines
 }
 
 void LatheEvents::show(const ManualLatheTool& tool) {

@@ -14,6 +14,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QPalette>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalBlocker>
@@ -64,7 +65,8 @@ QString number(double value, int digits) {
 
 }  // namespace
 
-// The figures are a line of their own above, so that all of it fits into 1024 pixels: levers, wheels, events.
+// The figures are a line of their own above, so that all of it fits into 1024 pixels: levers, wheels, events. A window
+// that leaves less shows the left part of it: what has happened last is told there, too.
 LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("lathePanel"));
   auto* levers = new QVBoxLayout;
@@ -80,6 +82,11 @@ LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   });
   m_figures = new LatheReadout;
   m_events = new LatheEvents;
+  m_latest = new QLabel;
+  m_latest->setObjectName(QStringLiteral("latheLatest"));
+  m_latest->setAccessibleName(tr("Latest crash or warning"));
+  m_latest->setTextFormat(Qt::PlainText);
+  m_latest->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   auto* below = new QHBoxLayout;
   below->addLayout(levers);
   below->addWidget(m_wheels);
@@ -88,6 +95,7 @@ LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   all->setContentsMargins(8, 4, 8, 4);
   all->setSpacing(4);
   all->addWidget(m_figures);
+  all->addWidget(m_latest);
   all->addWidget(rowOf({section(tr("Touching off"), "touchingOff", *touching, true),
                         section(tr("Constant surface speed"), "surfaceSpeed", *surface, false),
                         section(tr("Thread and rapid traverse"), "thread", *thread, true),
@@ -281,6 +289,15 @@ void LathePanel::show(const ManualLatheTool& tool) {
   m_wheels->show(tool);
   m_figures->show(tool, tool.forceLimit());
   m_events->show(tool);
+  const QListWidgetItem* const latest = m_events->item(m_events->count() - 1);
+  const QString text = latest ? latest->text() : QString();
+  if (m_latest->text() == text) return;
+  m_latest->setText(text);
+  m_latest->setToolTip(text);
+  QPalette colours = palette();
+  if (latest && latest->foreground().style() != Qt::NoBrush)
+    colours.setBrush(QPalette::WindowText, latest->foreground());
+  m_latest->setPalette(colours);
 }
 
 void LathePanel::begin(const ManualLatheTool& tool) {

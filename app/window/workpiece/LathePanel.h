@@ -71,6 +71,7 @@ class LathePanel : public QWidget {
   LatheWheels* m_wheels;
   LatheReadout* m_figures;
   LatheEvents* m_events;
+  QLabel* m_latest;  // of these
 };
 
 }  // namespace handwheel

@@ -67,7 +67,8 @@ std::string textOf(const CutWarning& warning) {
     case CutWarning::Rule::Rubbing:
       break;
   }
-  return "Rubbing: a chip of " + value + " mm is not cut but rubbed; " + limit + " mm is the least.";
+  const std::string chip = warning.value < kLeastShownChip ? "less than " + roundedText(kLeastShownChip, 3) : value;
+  return "Rubbing: a chip of " + chip + " mm is not cut but rubbed; " + limit + " mm is the least.";
 }
 
 const char* wordFor(CutWarning::Rule rule) {

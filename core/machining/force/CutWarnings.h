@@ -65,6 +65,9 @@ inline constexpr double kLeastChipByEdge = 0.3;
 std::vector<CutWarning> warningsFor(const CutConditions& cut, const CutForces& forces, const CuttingEdge& edge,
                                     const SlenderWork& work, const SpindleDrive& drive, const CutRules& rules = {});
 
+// The thinnest chip whose thickness is told in digits, mm.
+inline constexpr double kLeastShownChip = 1e-3;
+
 // The rule in English, one sentence with the value and the limit.
 std::string textOf(const CutWarning& warning);
 // A stable word for the rule: "power".

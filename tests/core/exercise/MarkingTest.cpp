@@ -110,6 +110,18 @@ class MarkingTest : public QObject {
              std::string("8.55 µm is 2.25 µm above the upper limit, 6.3 µm"));
   }
 
+  // ISO 80000-1: a space before each unit, but none before the signs of a plane angle.
+  void anglesHaveNoSpace() {
+    const MarkingCriterion c = within(44.0, 46.0, 1.0, 0.0);
+    const auto reason = [&](double value, const char* unit) {
+      return markMeasurements(only(c), {{"d1", value, {}}}, {unit}).marks[0].reason.inEnglish();
+    };
+    QCOMPARE(reason(45.0, "°"), std::string("45° is within 44 and 46°"));
+    QCOMPARE(reason(47.0, "°"), std::string("47° is 1° above the upper limit, 46°"));
+    QCOMPARE(reason(45.0, "mm"), std::string("45 mm is within 44 and 46 mm"));
+    QVERIFY(unitAfter("").empty() && unitAfter("°") == "°" && unitAfter("kW") == " kW");
+  }
+
   // At the limit itself all points, without slack none beyond it.
   void limitsBelong() {
     const MarkingCriterion c = within(1.0, 2.0, 3.0, 0.0);

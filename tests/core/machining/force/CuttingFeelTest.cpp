@@ -138,6 +138,13 @@ class CuttingFeelTest : public QObject {
     QCOMPARE(broken({1.0, 0.005, 150.0}, {20, 5, 5}, stout, strong), (std::vector<Rule>{Rule::Rubbing}));
     QCOMPARE(broken({0.0, 0.0, 0.0}, {}, stout, strong), std::vector<Rule>());
   }
+
+  // What is thinner than a micrometre is no number to read.
+  void aThinChipInWords() {
+    QCOMPARE(textOf({CutWarning::Rule::Rubbing, 4.27e-5, 0.009}),
+             std::string("Rubbing: a chip of less than 0.001 mm is not cut but rubbed; 0.009 mm is the least."));
+    QVERIFY(textOf({CutWarning::Rule::Rubbing, 0.002, 0.009}).find("a chip of 0.002 mm") != std::string::npos);
+  }
 };
 
 HANDWHEEL_TEST(CuttingFeelTest)
