@@ -32,6 +32,27 @@ double widestLabel(const PlotScale& scale, const QLocale& locale, const QFontMet
   return width;
 }
 
+// The ticks whose labels fit one after the other along an axis of this length, at least that far apart; pixels. Each,
+// each second, third and so on, including the one at zero.
+template <class Size>
+std::vector<std::size_t> fitting(const PlotScale& scale, double length, double apart, Size sizeOf) {
+  const std::vector<double>& ticks = scale.ticks;
+  const auto zero = std::find(ticks.begin(), ticks.end(), 0.0);
+  const std::size_t kept = zero == ticks.end() ? 0 : static_cast<std::size_t>(zero - ticks.begin());
+  for (std::size_t every = 1; every < ticks.size(); ++every) {
+    std::vector<std::size_t> labelled;
+    double end = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = kept % every; i < ticks.size(); i += every) {
+      const double middle = scale.placeOf(ticks[i]) * length, half = 0.5 * sizeOf(ticks[i]);
+      if (middle - half < end) break;
+      end = middle + half + apart;
+      labelled.push_back(i);
+    }
+    if (labelled.size() == (ticks.size() - kept % every + every - 1) / every) return labelled;
+  }
+  return ticks.empty() ? std::vector<std::size_t>{} : std::vector<std::size_t>{kept};
+}
+
 }  // namespace
 
 PlotLayout::PlotLayout(const Plot& plot, const QRectF& area, const QFontMetricsF& metrics)
@@ -46,22 +67,12 @@ PlotLayout::PlotLayout(const Plot& plot, const QRectF& area, const QFontMetricsF
 }
 
 std::vector<std::size_t> PlotLayout::labelledTicks(const QLocale& locale, const QFontMetricsF& metrics) const {
-  const std::vector<double>& ticks = m_x.ticks;
-  const auto zero = std::find(ticks.begin(), ticks.end(), 0.0);
-  const std::size_t kept = zero == ticks.end() ? 0 : static_cast<std::size_t>(zero - ticks.begin());
-  for (std::size_t every = 1; every < ticks.size(); ++every) {
-    std::vector<std::size_t> labelled;
-    double end = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = kept % every; i < ticks.size(); i += every) {
-      const double middle = m_x.placeOf(ticks[i]) * m_frame.width();
-      const double half = 0.5 * metrics.horizontalAdvance(tickLabel(ticks[i], m_x, locale));
-      if (middle - half < end) break;
-      end = middle + half + 0.4 * metrics.height();
-      labelled.push_back(i);
-    }
-    if (labelled.size() == (ticks.size() - kept % every + every - 1) / every) return labelled;
-  }
-  return ticks.empty() ? std::vector<std::size_t>{} : std::vector<std::size_t>{kept};
+  return fitting(m_x, m_frame.width(), 0.4 * metrics.height(),
+                 [&](double tick) { return metrics.horizontalAdvance(tickLabel(tick, m_x, locale)); });
+}
+
+std::vector<std::size_t> PlotLayout::labelledRows(const QFontMetricsF& metrics) const {
+  return fitting(m_y, m_frame.height(), 0.0, [&](double) { return metrics.height(); });
 }
 
 QPointF PlotLayout::toScreen(const QPointF& value) const {

@@ -24,6 +24,9 @@ class PlotLayout {
   // including the one at zero.
   std::vector<std::size_t> labelledTicks(const QLocale& locale, const QFontMetricsF& metrics) const;
 
+  // The indices of the y ticks whose labels fit above each other beside the frame, chosen likewise.
+  std::vector<std::size_t> labelledRows(const QFontMetricsF& metrics) const;
+
   QPointF toScreen(const QPointF& value) const;
   bool isShown(const QPointF& value) const;  // finite, and above zero where an axis is logarithmic
 

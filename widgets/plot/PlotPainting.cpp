@@ -103,10 +103,13 @@ class PlotPainting {
       text(QRectF(x, f.bottom() + 0.3 * line(), 0, line()), Qt::AlignHCenter,
            tickLabel(tick, m_layout.x(), m_plot.locale), m_colours.muted);
     }
-    for (double tick : m_layout.y().ticks) {
+    const std::vector<std::size_t> rows = m_layout.labelledRows(m_metrics);
+    for (std::size_t i = 0; i < m_layout.y().ticks.size(); ++i) {
+      const double tick = m_layout.y().ticks[i];
       const double y = f.bottom() - m_layout.y().placeOf(tick) * f.height();
       m_painter.setPen(QPen(m_colours.border, 1.0));
       m_painter.drawLine(QPointF(f.left(), y), QPointF(f.right(), y));
+      if (std::find(rows.begin(), rows.end(), i) == rows.end()) continue;
       text(QRectF(f.left() - 0.5 * line(), y, 0, 0), Qt::AlignRight | Qt::AlignVCenter,
            tickLabel(tick, m_layout.y(), m_plot.locale), m_colours.muted);
     }

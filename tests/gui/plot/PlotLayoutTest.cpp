@@ -29,6 +29,7 @@ class PlotLayoutTest : public QObject {
  private slots:
   void frameLiesInside();
   void labelsDoNotOverlap();
+  void rowsDoNotOverlap();
   void places();
   void readings();
   void titles();
@@ -63,6 +64,31 @@ void PlotLayoutTest::labelsDoNotOverlap() {
     QVERIFY(hasZero);
     fewest = std::min(fewest, labelled.size());
     most = std::max(most, labelled.size());
+  }
+  QVERIFY(fewest < most);
+}
+
+// Nor in a plot of a few lines, as beside a table.
+void PlotLayoutTest::rowsDoNotOverlap() {
+  const QFontMetricsF metrics(QGuiApplication::font());
+  Plot plot;
+  plot.series = {{"one", {{0, -1}, {1, 9}}, true}};
+  std::size_t fewest = 100, most = 0;
+  for (const double lines : {8.0, 10.0, 12.0, 20.0, 60.0}) {
+    const PlotLayout layout(plot, QRectF(0, 0, 400, lines * metrics.height()), metrics);
+    const std::vector<std::size_t> rows = layout.labelledRows(metrics);
+    QVERIFY(!rows.empty());
+    bool hasZero = false;
+    double before = 1e300;  // pixels from the top
+    for (const std::size_t i : rows) {
+      const double tick = layout.y().ticks[i], middle = layout.toScreen({0.0, tick}).y();
+      QVERIFY(before - middle >= metrics.height() - 1e-6);
+      before = middle;
+      hasZero = hasZero || tick == 0.0;
+    }
+    QVERIFY(hasZero);
+    fewest = std::min(fewest, rows.size());
+    most = std::max(most, rows.size());
   }
   QVERIFY(fewest < most);
 }
