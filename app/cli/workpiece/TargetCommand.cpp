@@ -111,7 +111,8 @@ std::string targetText(const TargetOutcome& outcome, bool asJson) {
   }
   std::string text = "Turned part Ø" + roundedText(2.0 * profile.largestRadius()) + " × " +
                      roundedText(profile.length()) + " mm, volume " + roundedText(profile.volume()) + " mm³\n";
-  for (const ProfileFeature& feature : featuresOf(profile, kTolerance)) text += "  " + textOf(feature) + "\n";
+  for (const ProfileFeature& feature : withCurves(featuresOf(profile, kTolerance)))
+    text += "  " + textOf(feature) + "\n";
   text += "Finished face, zero of the drawing and of programs: Z " + roundedText(profile.upperEnd()) + ", " +
           roundedText(outcome.allowance) + " mm behind the free end of the bar.\n";
   if (!outcome.deviation) return text;

@@ -44,6 +44,8 @@ QString dimensionText(const ProfileFeature& f, double zero, LengthUnit unit, con
     text = QStringLiteral("∠ %1  ⌀ %2 … %3")
                .arg(quantityText(std::round(f.value * 1e6) / 1e6 + 0.0, Quantity::Angle, unit, locale),
                     length(2.0 * f.low.x()), length(2.0 * f.high.x()));
+  if (f.kind == ProfileFeature::Kind::Curve)
+    text = TargetPanel::tr("Curve ⌀ %1 … %2").arg(length(2.0 * f.low.x()), length(2.0 * f.high.x()));
   if (f.kind == ProfileFeature::Kind::FlatFace)
     return QStringLiteral("⟂ ⌀ %1 … %2  ·  Z %3")
         .arg(length(2.0 * f.low.x()), length(2.0 * f.high.x()), length(f.low.y() - zero));

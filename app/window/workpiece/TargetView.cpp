@@ -34,8 +34,8 @@ PartMeasurement measure(const WorkpieceSnapshot& workpiece, Progress progress) {
   PartMeasurement found;
   found.zero = programZero(workpiece);
   if (const Result<TargetProfile> section = sectionOf(workpiece))
-    found.features = featuresOf(*section, workpiece.chord);
-  if (workpiece.target) found.wanted = featuresOf(workpiece.target->profile, workpiece.chord);
+    found.features = withCurves(featuresOf(*section, workpiece.chord));
+  if (workpiece.target) found.wanted = withCurves(featuresOf(workpiece.target->profile, workpiece.chord));
   if (workpiece.target) found.deviation = deviationOf(workpiece, progress);
   return found;
 }

@@ -51,6 +51,24 @@ ProfileFeature featureOf(const ProfileSegment& s, double tolerance) {
   return feature;
 }
 
+constexpr std::size_t kLeastPieces = 5;   // of a curve
+constexpr double kLongestPiece = 10.0;    // mm, along the axis
+constexpr double kMostTurn = M_PI / 6.0;  // rad, from piece to piece
+constexpr double kJoined = 1e-9;          // mm
+
+bool isPiece(const ProfileFeature& f) {
+  const bool isLine = f.kind == ProfileFeature::Kind::Taper || f.kind == ProfileFeature::Kind::Cylinder;
+  return isLine && f.length() <= kLongestPiece;
+}
+
+// Whether a piece follows another on the same surface of a curve. The outline goes up the outside and down a bore.
+bool turnsOn(const ProfileFeature& a, const ProfileFeature& b) {
+  if (!isPiece(a) || !isPiece(b) || a.isInner != b.isInner) return false;
+  const ProfilePoint gap = a.isInner ? a.low - b.high : a.high - b.low;
+  const auto slope = [](const ProfileFeature& f) { return std::atan2(f.high.x() - f.low.x(), f.length()); };
+  return gap.norm() <= kJoined && std::abs(slope(a) - slope(b)) <= kMostTurn;
+}
+
 }  // namespace
 
 std::vector<ProfileFeature> featuresOf(const TargetProfile& profile, double tolerance) {
@@ -75,6 +93,29 @@ std::vector<ProfileFeature> featuresOf(const TargetProfile& profile, double tole
   return features;
 }
 
+std::vector<ProfileFeature> withCurves(const std::vector<ProfileFeature>& features) {
+  std::vector<ProfileFeature> listed;
+  const auto isCylinder = [&](std::size_t i) { return features[i].kind == ProfileFeature::Kind::Cylinder; };
+  for (std::size_t first = 0; first < features.size();) {
+    std::size_t end = first + 1;
+    if (!isCylinder(first)) {
+      while (end < features.size() && turnsOn(features[end - 1], features[end])) ++end;
+      while (end > first + 1 && isCylinder(end - 1)) --end;
+    }
+    if (end - first < kLeastPieces) {
+      listed.push_back(features[first++]);
+      continue;
+    }
+    ProfileFeature curve = features[first];
+    curve.kind = ProfileFeature::Kind::Curve;
+    curve.value = 0.0;
+    (curve.isInner ? curve.low : curve.high) = curve.isInner ? features[end - 1].low : features[end - 1].high;
+    listed.push_back(curve);
+    first = end;
+  }
+  return listed;
+}
+
 const char* nameOf(ProfileFeature::Kind kind) {
   switch (kind) {
     case ProfileFeature::Kind::Cylinder:
@@ -84,9 +125,11 @@ const char* nameOf(ProfileFeature::Kind kind) {
     case ProfileFeature::Kind::FlatFace:
       return "face";
     case ProfileFeature::Kind::Arc:
+      return "arc";
+    case ProfileFeature::Kind::Curve:
       break;
   }
-  return "arc";
+  return "curve";
 }
 
 }  // namespace handwheel

@@ -10,11 +10,12 @@ namespace handwheel {
 
 // A surface of a turned part that a drawing gives a dimension to.
 struct ProfileFeature {
-  enum class Kind { Cylinder, Taper, FlatFace, Arc };
+  enum class Kind { Cylinder, Taper, FlatFace, Arc, Curve };
   Kind kind = Kind::Cylinder;
   bool isInner = false;                // of a bore
   ProfilePoint low{0, 0}, high{0, 0};  // its ends, mm: low is further down, or nearer to the axis for a face
-  // By kind: the diameter (mm); the angle between the surface and the axis (rad, > 0); unused; the radius (mm).
+  // By kind: the diameter (mm); the angle between the surface and the axis (rad, > 0); unused; the radius (mm);
+  // unused.
   double value = 0.0;
   ProfilePoint centre{0, 0};  // of an arc
   bool isConvex = false;      // of an arc: it bulges out of the material
@@ -26,7 +27,12 @@ struct ProfileFeature {
 // cylinder or flat face by less than the tolerance (mm) is one. O(segments).
 std::vector<ProfileFeature> featuresOf(const TargetProfile& profile, double tolerance);
 
-// The word for a kind in reports: "cylinder", "taper", "face", "arc".
+// The same for lists: a curve of many short lines is one Curve from end to end, since nobody turns by its tapers. Such
+// is a run of five lines or more, none longer than 10 mm along the axis, that turn by 30° at most from one to the next;
+// cylinders at its ends are no part of it. O(features).
+std::vector<ProfileFeature> withCurves(const std::vector<ProfileFeature>& features);
+
+// The word for a kind in reports: "cylinder", "taper", "face", "arc", "curve".
 const char* nameOf(ProfileFeature::Kind kind);
 
 }  // namespace handwheel

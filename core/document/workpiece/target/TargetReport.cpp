@@ -38,6 +38,8 @@ std::string textOf(const ProfileFeature& f) {
   if (f.kind == ProfileFeature::Kind::Taper)
     text += " " + reportedSizeText(f.value * 180.0 / M_PI) + "° to the axis, Ø" + reportedSizeText(2.0 * f.low.x()) +
             " to Ø" + reportedSizeText(2.0 * f.high.x());
+  if (f.kind == ProfileFeature::Kind::Curve)
+    text += " Ø" + reportedSizeText(2.0 * f.low.x()) + " to Ø" + reportedSizeText(2.0 * f.high.x());
   if (f.kind == ProfileFeature::Kind::FlatFace)
     return text + " Ø" + reportedSizeText(2.0 * f.low.x()) + " to Ø" + reportedSizeText(2.0 * f.high.x()) + ", Z " +
            reportedSizeText(f.low.y());
@@ -47,7 +49,7 @@ std::string textOf(const ProfileFeature& f) {
 
 nlohmann::json dimensionsJson(const TargetProfile& section, double tolerance) {
   nlohmann::json all = nlohmann::json::array();
-  for (const ProfileFeature& f : featuresOf(section, tolerance)) {
+  for (const ProfileFeature& f : withCurves(featuresOf(section, tolerance))) {
     nlohmann::json one = {{"kind", nameOf(f.kind)}, {"inner", f.isInner}, {"z_from", f.low.y()}, {"z_to", f.high.y()},
                           {"r_from", f.low.x()},    {"r_to", f.high.x()}, {"text", textOf(f)}};
     if (f.kind == ProfileFeature::Kind::Cylinder) one["diameter"] = f.value;

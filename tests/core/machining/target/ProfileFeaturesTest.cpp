@@ -6,6 +6,9 @@
 #include "machining/refit/SampledProfile.h"
 
 #include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 using namespace handwheel;
 using FeatureKind = ProfileFeature::Kind;
@@ -68,6 +71,46 @@ class ProfileFeaturesTest : public QObject {
     QCOMPARE(found[1].kind, FeatureKind::Cylinder);
     QVERIFY(std::abs(found[1].value - 20.0) < 1e-3);
     QCOMPARE(featuresOf(*bent, 1e-5).size(), std::size_t{5});
+  }
+
+  // A wave of short lines between two cylinders is one curve with its ends, outside and in a bore; few tapers stay.
+  void curvesOfManyLines() {
+    const auto wave = [](double z) { return 10.0 + 2.0 * std::sin(0.25 * (z - 20.0)); };
+    const double end = wave(60.0);
+    for (const bool isBore : {false, true}) {
+      std::vector<ProfileSegment> s{{{10, 0}, {10, 20}, 0.0}};
+      for (int i = 1; i <= 100; ++i) {
+        const ProfilePoint from = s.back().to, to(wave(20.0 + 0.4 * i), 20.0 + 0.4 * i);
+        s.push_back({from, to, 0.0});
+      }
+      s.push_back({ProfilePoint(s.back().to), {end, 75}, 0.0});
+      if (isBore) {
+        for (ProfileSegment& each : s) std::swap(each.from, each.to);
+        std::reverse(s.begin(), s.end());
+        s.insert(s.begin(), {{{30, 0}, {30, 75}, 0.0}, {{30, 75}, {end, 75}, 0.0}});
+        s.push_back({{10, 0}, {30, 0}, 0.0});
+      }
+      const auto target = TargetProfile::make(std::move(s));
+      QVERIFY(bool(target));
+      const std::vector<ProfileFeature> all = featuresOf(*target, 1e-4), listed = withCurves(all);
+      QVERIFY(all.size() > 90);
+      std::size_t curves = 0, tapers = 0;
+      for (const ProfileFeature& f : listed) {
+        tapers += f.kind == FeatureKind::Taper ? 1 : 0;
+        if (f.kind != FeatureKind::Curve) continue;
+        ++curves;
+        QCOMPARE(f.isInner, isBore);
+        QVERIFY((f.low - ProfilePoint(10.0, 20.0)).norm() < 1e-9);
+        QVERIFY((f.high - ProfilePoint(end, 60.0)).norm() < 1e-9);
+      }
+      QCOMPARE(curves, std::size_t{1});
+      QCOMPARE(tapers, std::size_t{0});
+    }
+    const std::vector<ProfileFeature> few = featuresOf(shaft(), 1e-3), same = withCurves(few);
+    QCOMPARE(same.size(), few.size());
+    for (std::size_t i = 0; i < few.size(); ++i) QCOMPARE(same[i].kind, few[i].kind);
+    QVERIFY(withCurves({}).empty());
+    QCOMPARE(std::string(nameOf(FeatureKind::Curve)), std::string("curve"));
   }
 
   void ofABall() {
