@@ -87,6 +87,7 @@ LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   m_latest->setAccessibleName(tr("Latest crash or warning"));
   m_latest->setTextFormat(Qt::PlainText);
   m_latest->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  m_latest->setFixedHeight(fontMetrics().lineSpacing() + 2);  // also while there is none, so that nothing jumps
   auto* below = new QHBoxLayout;
   below->addLayout(levers);
   below->addWidget(m_wheels);
