@@ -93,10 +93,10 @@ class TargetTest : public QObject {
       return std::pair(json["deviation"]["largest_over"]["distance"].get<double>(),
                        json["facing_allowance"].get<double>());
     };
-    // Wherever it was drawn, 1 mm is left to be faced. The furthest is the rim at the chuck's end, 100 - 1 - 80 mm
-    // behind the shoulder of 40 mm; with 20 mm to be faced it is the rim of the free end, beyond the 24 mm.
+    // Wherever it was drawn, 1 mm is left to be faced. The furthest is the rim of the free end, that far beyond the
+    // face of 24 mm; the bar behind the shoulder, which reaches 100 - 1 - 80 mm to the chuck's end, is no part of it.
     const auto [usual, facing] = over({});
-    QVERIFY(std::abs(usual - std::hypot(25.0 - 20.0, 19.0)) < 1e-6 && std::abs(facing - 1.0) < 1e-9);
+    QVERIFY(std::abs(usual - std::hypot(25.0 - 12.0, 1.0)) < 1e-6 && std::abs(facing - 1.0) < 1e-9);
     const auto [asked, more] = over({"--facing", "20"});
     QVERIFY(std::abs(asked - std::hypot(25.0 - 12.0, 20.0)) < 1e-6 && std::abs(more - 20.0) < 1e-9);
     for (const char* const wrong : {"-1", "x", "1e9"})
