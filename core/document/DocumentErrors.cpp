@@ -24,6 +24,11 @@ const ErrorDescription DocumentError::ChangedOnDisk{
     .advice = {translatable("ErrorText",
                             "Save under another name to keep both, or replace the version of the other program.")}};
 
+const ErrorDescription DocumentError::OpenElsewhere{
+    .id = "OpenElsewhere",
+    .sentences = {translatable("ErrorText", "the file is open in another tab, and would be replaced")},
+    .advice = {translatable("ErrorText", "Choose another name, or close the other tab first.")}};
+
 const ErrorDescription DocumentError::ReplacesLinked{
     .id = "ReplacesLinked",
     .sentences = {translatable("ErrorText",

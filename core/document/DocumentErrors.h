@@ -11,6 +11,7 @@ extern const ErrorDescription FormatUnknown;     // {ending...} content and name
 extern const ErrorDescription ExtensionUnknown;  // {extension, ending...} no writer for it; these are written
 extern const ErrorDescription KindUnknown;       // {kind} a kind of document that this program does not know
 extern const ErrorDescription ChangedOnDisk;     // another program wrote the file since it was read
+extern const ErrorDescription OpenElsewhere;     // another open document has the file that it would be written to
 extern const ErrorDescription ReplacesLinked;    // the document is linked to the file it would be written to
 extern const ErrorDescription CheckFailed;       // {what} the written file does not read back as what was to be written
 

@@ -15,6 +15,17 @@
 
 namespace handwheel {
 
+namespace {
+
+// Files that are gone are told apart by their names: Qt takes all of them for the same.
+bool isFileOf(const Document& document, const QFileInfo& wanted) {
+  if (document.file().path.empty()) return false;
+  const QFileInfo own(document.path());
+  return own.exists() && wanted.exists() ? own == wanted : own.absoluteFilePath() == wanted.absoluteFilePath();
+}
+
+}  // namespace
+
 DocumentTabs::DocumentTabs(QWidget* parent) : QFrame(parent), m_bar(new QTabBar(this)) {
   setObjectName(QStringLiteral("tabRow"));
   m_bar->setObjectName(QStringLiteral("documentTabBar"));
@@ -48,10 +59,15 @@ bool DocumentTabs::contains(const DocumentTab* document) const {
 
 DocumentTab* DocumentTabs::withPath(const QString& path) const {
   const QFileInfo wanted(path);
-  for (const auto& each : m_documents) {
-    if (!each->document.file().path.empty() && QFileInfo(each->document.path()) == wanted) return each.get();
-  }
+  for (const auto& each : m_documents)
+    if (isFileOf(each->document, wanted)) return each.get();
   return nullptr;
+}
+
+bool DocumentTabs::isOpenBeside(const Document* document, const QString& path) const {
+  const QFileInfo wanted(path);
+  return std::any_of(m_documents.begin(), m_documents.end(),
+                     [&](const auto& each) { return &each->document != document && isFileOf(each->document, wanted); });
 }
 
 void DocumentTabs::add(std::unique_ptr<DocumentTab> document) {

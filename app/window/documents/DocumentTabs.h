@@ -10,6 +10,7 @@ class QTabBar;
 
 namespace handwheel {
 
+class Document;
 struct DocumentTab;
 
 // The tab bar, which owns the open documents.
@@ -24,6 +25,8 @@ class DocumentTabs : public QFrame {
   const std::vector<std::unique_ptr<DocumentTab>>& all() const { return m_documents; }
   bool contains(const DocumentTab* document) const;
   DocumentTab* withPath(const QString& path) const;  // null when it is not open
+  // Whether a document other than this one, which may be null, has the file.
+  bool isOpenBeside(const Document* document, const QString& path) const;
 
   void add(std::unique_ptr<DocumentTab> document);  // and makes it current
   void setCurrent(const DocumentTab* document);

@@ -40,10 +40,14 @@ QStringList lossesOf(const WrittenFile& written) {
   return losses;
 }
 
-// Keeps what the file of the document looked like when its saving began; nothing if it was closed before.
-std::function<void()> stampAtStart(QPointer<const Document> open, std::shared_ptr<std::optional<FileTimestamp>> stamp) {
-  return [open = std::move(open), stamp = std::move(stamp)] {
+// Keeps what the file of the document looked like when its saving began, unless it was closed before, and whether
+// another document has the path.
+std::function<void()> lookedAtStart(QPointer<const Document> open, std::shared_ptr<std::optional<FileTimestamp>> stamp,
+                                    const DocumentTabs& tabs, QString path, std::shared_ptr<bool> isOpenElsewhere) {
+  return [open = std::move(open), stamp = std::move(stamp), &tabs, path = std::move(path),
+          isOpenElsewhere = std::move(isOpenElsewhere)] {
     if (open) *stamp = open->file().stamp;
+    *isOpenElsewhere = tabs.isOpenBeside(open, path);
   };
 }
 
@@ -66,18 +70,21 @@ void FileSaver::save(DocumentTab* document, const QString& path, std::function<v
   const auto stamp = std::make_shared<std::optional<FileTimestamp>>(document->document.file().stamp);
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
-  job.starting = stampAtStart(open, stamp);
+  // The saves before this one may have given the file to another document.
+  const auto isOpenElsewhere = std::make_shared<bool>(false);
+  job.starting = lookedAtStart(open, stamp, m_tabs, path, isOpenElsewhere);
   const auto failed = [this, document, open, path, ended](const Error& error) {
     reportFailure(open ? document : nullptr, path, error);
     if (ended) ended(false);
   };
   job.failed = failed;
   job.lane = Job::Lane::Saving;
-  job.work = [this, document, open, stamp, state, ended, failed, changed, &kind = document->document.kind(),
-              file = document->document.file(),
+  job.work = [this, document, open, stamp, isOpenElsewhere, state, ended, failed, changed,
+              &kind = document->document.kind(), file = document->document.file(),
               content = document->document.snapshot()](Progress progress) mutable -> Job::Finish {
     const std::filesystem::path target = QFile::encodeName(state.path).toStdString();
     file.stamp = *stamp;
+    if (*isOpenElsewhere) return [failed, target] { failed({DocumentError::OpenElsewhere, {}, {}, target.string()}); };
     if (changed == Changed::Refuse && wasChanged(file, target))
       return [failed, target] { failed({DocumentError::ChangedOnDisk, {}, {}, target.string()}); };
     const auto written = saveDocument(kind, file, *content, target, progress);

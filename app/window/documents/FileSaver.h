@@ -19,7 +19,8 @@ struct DocumentTab;
 // The topic of messages about saving, which the next success makes pointless.
 inline const QString kSavingTopic = QStringLiteral("saving");
 
-// Writes documents to files on a worker thread. The new file is complete and checked, or the old one is unchanged.
+// Writes documents to files on a worker thread. The new file is complete and checked, or the old one is unchanged. The
+// file of another open document is never written: that document would not know what is in its file any more.
 // Writing a format from which the document cannot be read back is an export: the document stays unsaved.
 class FileSaver : public QObject {
   Q_OBJECT

@@ -83,7 +83,7 @@ void ExerciseUi::buildActions() {
                    tr("Give the target round sizes and sharp corners, as a drawing has them"));
   m_mark = action("markExercise", tr("&Mark…"), tr("Mark files that students have handed in"));
   connect(m_begin, &QAction::triggered, this, [this] { m_attempt->begin(*document()); });
-  connect(m_preview, &QAction::triggered, this, [this] { openContent(forStudents(*snapshot())); });
+  connect(m_preview, &QAction::triggered, this, &ExerciseUi::openStudentCopy);
   connect(m_solution, &QAction::triggered, this, [this] { takeWork(false); });
   connect(m_openSolution, &QAction::triggered, this, &ExerciseUi::openSolution);
   connect(m_import, &QAction::triggered, this, &ExerciseUi::askForTarget);
@@ -243,12 +243,16 @@ QString ExerciseUi::suggestedName(const DocumentTab& document) const {
   const ExerciseSnapshot& exercise = static_cast<const ExerciseDocument&>(document.document).exercise();
   const QString title = QString::fromStdString(inLanguage(exercise).title);
   if (title.isEmpty() || !document.document.path().isEmpty()) return KindUi::suggestedName(document);
-  return fileNameOf({title}, QStringLiteral("handwheel"));
+  return fileNameOf(exercise.isForStudents ? QStringList{title, tr("student's copy")} : QStringList{title},
+                    QStringLiteral("handwheel"));
 }
 
-void ExerciseUi::openContent(const ExerciseSnapshot& content) {
+// Called other than the exercise, so that neither its tab nor its file is taken for that.
+void ExerciseUi::openStudentCopy() {
+  const ExerciseSnapshot content = forStudents(*snapshot());
   OpenedFile opened = DocumentKinds::blank(current()->kind());
-  opened.file.title = inLanguage(content).title;
+  const QString title = QString::fromStdString(inLanguage(content).title);
+  opened.file.title = (title.isEmpty() ? tr("Student's copy") : tr("%1, student's copy").arg(title)).toStdString();
   opened.content = std::make_shared<const ExerciseSnapshot>(content);
   parts().openDocument(std::move(opened));
 }

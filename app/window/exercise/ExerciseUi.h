@@ -50,7 +50,7 @@ class ExerciseUi : public RigidPartsUi {
   std::shared_ptr<const ExerciseSnapshot> snapshot() const;
   void buildActions();
   void refresh();
-  void openContent(const ExerciseSnapshot& content);
+  void openStudentCopy();
   void takeWork(bool asTarget);
   void openSolution();
   void takeTarget(const SnapshotPointer& work);

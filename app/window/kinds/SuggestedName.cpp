@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/kinds/SuggestedName.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
 QString fileNameOf(const QStringList& words, const QString& ending) {
@@ -16,7 +18,11 @@ QString fileNameOf(const QStringList& words, const QString& ending) {
     while (part.startsWith(QLatin1Char('.'))) part.remove(0, 1);
     if (!part.isEmpty()) parts += part;
   }
-  const QString name = parts.join(QStringLiteral(", ")).left(kLongest).trimmed();
+  // What comes last tells files of the same beginning apart.
+  const QString separator = QStringLiteral(", ");
+  const QString rest = parts.size() < 2 ? QString() : separator + parts.mid(1).join(separator);
+  const qsizetype room = std::max(kLongest - rest.size(), qsizetype{0});
+  const QString name = (parts.value(0).left(room).trimmed() + rest).left(kLongest).trimmed();
   return (name.isEmpty() ? QStringLiteral("untitled") : name) + QLatin1Char('.') + ending;
 }
 

@@ -8,6 +8,8 @@
 #include "window/documents/DocumentTabs.h"
 
 #include <QDockWidget>
+#include <QFile>
+#include <QFileDialog>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
@@ -132,13 +134,56 @@ class ExerciseEditorTest : public QObject {
     QCOMPARE(driver.tabs(), 2);
     QVERIFY(driver.find<QWidget>("exercisePage")->isVisible());
     QVERIFY(!editor->isVisible());
-    // It is called by its title, and so is its file.
-    QCOMPARE(driver.find<DocumentTabs>("tabRow")->current()->document.name(), QStringLiteral("Bolt"));
+    // It is called by its title and what it is, and so is its file: neither is taken for the teacher's.
+    QCOMPARE(driver.find<DocumentTabs>("tabRow")->current()->document.name(), QStringLiteral("Bolt, student's copy"));
     driver.choose("saveFile");
     auto* dialog = driver.find<QFileDialog>("saveDialog");
     QTRY_VERIFY(dialog->isVisible());
-    QCOMPARE(QFileInfo(dialog->selectedFiles().value(0)).fileName(), QStringLiteral("Bolt.handwheel"));
+    QCOMPARE(QFileInfo(dialog->selectedFiles().value(0)).fileName(), QStringLiteral("Bolt, student's copy.handwheel"));
     dialog->reject();
+  }
+
+  // The exercise that is open in another tab is not written over by the copy, whatever a person answers to the question
+  // of the dialog.
+  void theCopyDoesNotReplaceTheExercise() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("bolt.handwheel");
+    WindowDriver driver;
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    driver.choose("saveFileAs");
+    QVERIFY(driver.enterFileName("saveDialog", path));
+    QVERIFY(driver.settle());
+    const auto bytes = [&path] {
+      QFile file(path);
+      return file.open(QFile::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray before = bytes();
+    QVERIFY(!before.isEmpty());
+    driver.choose("studentCopy");
+    QVERIFY(driver.settle());
+    driver.choose("saveFile");
+    QTRY_VERIFY(driver.window().findChild<QFileDialog*>("saveDialog"));
+    driver.find<QFileDialog>("saveDialog")->setOption(QFileDialog::DontConfirmOverwrite);  // it was answered with Yes
+    QVERIFY(driver.enterFileName("saveDialog", path));
+    QVERIFY(driver.settle());
+    QTRY_VERIFY2(driver.text("messageText").contains("open in another tab"), qPrintable(driver.text("messageText")));
+    QVERIFY(bytes() == before);
+    QVERIFY(driver.window().isWindowModified());
+    // Another name is offered, and taken.
+    driver.click("messageAction");
+    QTRY_VERIFY(driver.window().findChild<QFileDialog*>("saveDialog"));
+    QVERIFY(driver.enterFileName("saveDialog", folder.filePath("copy.handwheel")));
+    QVERIFY(driver.settle());
+    QVERIFY(!driver.window().isWindowModified());
+    // Both keep their own files.
+    driver.choose("saveFile");
+    QVERIFY(driver.settle());
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    QVERIFY(driver.settle());
+    driver.choose("saveFile");
+    QVERIFY(driver.settle());
+    QVERIFY(!driver.window().isWindowModified());
   }
 };
 
