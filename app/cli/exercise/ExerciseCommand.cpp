@@ -101,7 +101,7 @@ Result<Product> productOf(OpenedFile opened, const OperationValues& values, cons
     return fresh(*opened.kind, std::make_shared<const ExerciseSnapshot>(forStudents(*exercise)));
   if (values.flag("stock")) {
     Product stock = fresh(ofWork, exercise->subject->start(*exercise->task));
-    stock.file.assigned = assignmentOf(*exercise, exercise->attempt.value_or(Attempt()));
+    stock.file.assigned = assignmentOf(*exercise, exercise->attempt.value_or(Attempt()), opened.file.id);
     return stock;
   }
   if (values.flag("solution")) {

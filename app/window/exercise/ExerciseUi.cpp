@@ -138,7 +138,7 @@ void ExerciseUi::refresh() {
   const bool isStudent = exercise.isForStudents;
   m_pages->setCurrentWidget(isStudent ? static_cast<QWidget*>(m_student) : m_editor);
   if (isStudent) m_student->setExercise(exercise, exercise.attempt.value_or(Attempt()), false);
-  const bool hasWork = m_attempt->workOn(exercise.key) != nullptr;
+  const bool hasWork = m_attempt->workOn(*document()) != nullptr;
   m_preview->setEnabled(!isStudent);
   m_mark->setEnabled(!isStudent);
   m_solution->setEnabled(!isStudent && hasWork);
@@ -262,7 +262,7 @@ void ExerciseUi::report(const QString& title, const Error& error) {
 }
 
 void ExerciseUi::takeWork(bool asTarget) {
-  const DocumentTab* const from = current() ? m_attempt->workOn(current()->exercise().key) : nullptr;
+  const DocumentTab* const from = current() ? m_attempt->workOn(*document()) : nullptr;
   if (!from) return;
   const SnapshotPointer work = from->document.snapshot();
   ExerciseSnapshot changed = current()->exercise();

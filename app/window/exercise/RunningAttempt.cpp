@@ -97,19 +97,25 @@ RunningAttempt::Work* RunningAttempt::find(const DocumentTab* tab) {
   return found == m_works.end() ? nullptr : &*found;
 }
 
-const DocumentTab* RunningAttempt::workOn(const std::string& key) const {
-  const auto found =
-      std::find_if(m_works.rbegin(), m_works.rend(), [&](const Work& each) { return each.exercise->key == key; });
-  return found == m_works.rend() ? nullptr : found->tab;
+const DocumentTab* RunningAttempt::workOn(const DocumentTab& from) const {
+  const std::string& key = static_cast<const ExerciseDocument&>(from.document).exercise().key;
+  const DocumentTab* any = nullptr;
+  for (auto each = m_works.rbegin(); each != m_works.rend(); ++each) {
+    if (each->exercise->key != key) continue;
+    if (isBegunFrom(each->tab->document.file().assigned, from.document.file())) return each->tab;
+    if (!any) any = each->tab;
+  }
+  return any;
 }
 
-// A submission is another one than the next student's, though both are of one exercise; a teacher who has changed the
-// exercise begins anew.
+// A submission is another one than the next student's, though both are of one exercise, and the copy that a teacher
+// tries is another one than the exercise; a teacher who has changed the exercise begins anew. file: of the exercise.
 RunningAttempt::Work* RunningAttempt::begunFrom(const std::shared_ptr<const ExerciseSnapshot>& exercise,
-                                                const AssignedExercise& assigned) {
+                                                const DocumentFile& file, const AssignedExercise& assigned) {
   const auto isMeant = [&](const Work& each) {
     if (each.origin == exercise) return true;
-    return !exercise->work && isSameExercise(each.tab->document.file().assigned, assigned);
+    const AssignedExercise& work = each.tab->document.file().assigned;
+    return !exercise->work && isSameExercise(work, assigned) && isBegunFrom(work, file);
   };
   const auto found = std::find_if(m_works.rbegin(), m_works.rend(), isMeant);
   return found == m_works.rend() ? nullptr : &*found;
@@ -120,16 +126,17 @@ void RunningAttempt::begin(const DocumentTab& from) {
   Attempt attempt = exercise->attempt.value_or(Attempt());
   attempt.handedIn.clear();
   if (attempt.begun.empty()) attempt.begun = presentTime();
-  const AssignedExercise assigned = assignmentOf(*exercise, attempt);
+  const DocumentFile& file = from.document.file();
+  const AssignedExercise assigned = assignmentOf(*exercise, attempt, file.id);
   m_isDockWanted = true;
-  if (const Work* const work = begunFrom(exercise, assigned)) return m_parts.tabs.setCurrent(work->tab);
+  if (const Work* const work = begunFrom(exercise, file, assigned)) return m_parts.tabs.setCurrent(work->tab);
 
   const DocumentKind* kind = m_parts.kinds.withId(exercise->subject->kind().id());
   OpenedFile opened{kind, {}, {}};
   opened.file.id = newDocumentId();
   opened.file.title = titleOfWork(*exercise).toStdString();
   opened.file.assigned = assigned;
-  if (exercise->work) opened.file.recordings = from.document.file().recordings;
+  if (exercise->work) opened.file.recordings = file.recordings;
   opened.content = exercise->work;
   if (!opened.content && exercise->subject->startsSlowly()) return prepare(from, exercise, std::move(opened));
   if (!opened.content) opened.content = exercise->subject->start(*exercise->task);
@@ -142,10 +149,11 @@ void RunningAttempt::prepare(const DocumentTab& from, const std::shared_ptr<cons
   Job job;
   job.name = tr("Preparing the exercise");
   job.owner = &from;
-  job.work = [this, exercise, work](Progress) mutable {
+  job.work = [this, exercise, file = from.document.file(), work](Progress) mutable {
     work.content = exercise->subject->start(*exercise->task);
-    return Job::Finish([this, exercise, work]() mutable {
-      if (const Work* const begun = begunFrom(exercise, work.file.assigned)) return m_parts.tabs.setCurrent(begun->tab);
+    return Job::Finish([this, exercise, file, work]() mutable {
+      if (const Work* const begun = begunFrom(exercise, file, work.file.assigned))
+        return m_parts.tabs.setCurrent(begun->tab);
       start(exercise, std::move(work));
     });
   };

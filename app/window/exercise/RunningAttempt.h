@@ -25,11 +25,12 @@ class RunningAttempt : public QObject {
  public:
   RunningAttempt(const WindowContext& parts, QObject* parent);
 
-  // Opens what the student begins with, or continues with; shows the work that was begun from the same before. from: a
-  // student's or a teacher's document.
+  // Opens what the student begins with, or continues with; shows the work that was begun from the same document before.
+  // from: a student's or a teacher's document; neither is shown the work of the other.
   void begin(const DocumentTab& from);
-  // The work on the exercise with this key that was current last; null: none is open.
-  const DocumentTab* workOn(const std::string& key) const;
+  // The work that was begun from the exercise of a tab and was current last, or else any work on that exercise; null:
+  // none is open.
+  const DocumentTab* workOn(const DocumentTab& from) const;
 
  signals:
   void changed();  // which work there is
@@ -45,7 +46,8 @@ class RunningAttempt : public QObject {
   };
   Work* find(const DocumentTab* tab);
   Work* current() { return m_works.empty() || !m_isCurrent ? nullptr : &m_works.back(); }
-  Work* begunFrom(const std::shared_ptr<const ExerciseSnapshot>& exercise, const AssignedExercise& assigned);
+  Work* begunFrom(const std::shared_ptr<const ExerciseSnapshot>& exercise, const DocumentFile& file,
+                  const AssignedExercise& assigned);
   void prepare(const DocumentTab& from, const std::shared_ptr<const ExerciseSnapshot>& exercise, OpenedFile work);
   void start(const std::shared_ptr<const ExerciseSnapshot>& exercise, OpenedFile work);
   void connectLesson();

@@ -2,16 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/exercise/StartedWork.h"
 
+#include "base/JsonText.h"
 #include "document/exercise/ExerciseJson.h"
 
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
 
-AssignedExercise assignmentOf(const ExerciseSnapshot& exercise, const Attempt& attempt) {
+namespace {
+
+constexpr const char* kBegunFrom = "begun_from";  // in the attempt: id of a document
+
+}  // namespace
+
+AssignedExercise assignmentOf(const ExerciseSnapshot& exercise, const Attempt& attempt, const std::string& begunFrom) {
   AssignedExercise assigned;
   assigned.description = std::make_shared<const nlohmann::json>(ExerciseKind::description(forStudents(exercise)));
-  assigned.attempt = std::make_shared<const nlohmann::json>(toJson(attempt));
+  nlohmann::json json = toJson(attempt);
+  if (!begunFrom.empty()) json[kBegunFrom] = begunFrom;
+  assigned.attempt = std::make_shared<const nlohmann::json>(std::move(json));
   return assigned;
 }
 
@@ -34,6 +43,13 @@ Result<std::shared_ptr<const ExerciseSnapshot>> exerciseOf(const ExerciseKind& k
 
 bool isSameExercise(const AssignedExercise& one, const AssignedExercise& other) {
   return one && other && (one.description == other.description || *one.description == *other.description);
+}
+
+bool isBegunFrom(const AssignedExercise& work, const DocumentFile& exercise) {
+  if (!work) return false;
+  const std::string from = stringAt(*work.attempt, kBegunFrom);
+  const bool isDescription = !exercise.path.empty() && !exercise.isContainer;
+  return from.empty() || from == exercise.id || isDescription;
 }
 
 }  // namespace handwheel

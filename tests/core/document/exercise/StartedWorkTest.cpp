@@ -97,6 +97,27 @@ class StartedWorkTest : public QObject {
     QVERIFY(!isMarked({}, "diameter"));
   }
 
+  // The exercise and the copy of it that is tried are two documents, and so are the works.
+  void knowsWhatItWasBegunFrom() {
+    const auto exercise = exerciseFrom(kindOfStartedWork(), shoulderDescription());
+    const AssignedExercise work = assignmentOf(*exercise, kHalfDone, "1");
+    DocumentFile one, other, description;
+    one.id = "1";
+    other.id = "2";
+    description.id = "3";
+    description.path = "/shoulder.exercise.json";
+    QVERIFY(isBegunFrom(work, one) && !isBegunFrom(work, other));
+    QVERIFY(isBegunFrom(work, description));  // read once more, it has another id
+    description.isContainer = true;
+    QVERIFY(!isBegunFrom(work, description));
+    // Later time and hints, and an older file.
+    Attempt later = kHalfDone;
+    later.seconds += 60.0;
+    QVERIFY(!isBegunFrom(withAttempt(work, later), other) && isBegunFrom(withAttempt(work, later), one));
+    QVERIFY(isBegunFrom(assignmentOf(*exercise, kHalfDone), other));
+    QVERIFY(!isBegunFrom({}, one));
+  }
+
   // Time and hints do not come back with an undo, and are worth saving.
   void anUndoKeepsTheAttempt() {
     WorkpieceDocument document(startedWork());
