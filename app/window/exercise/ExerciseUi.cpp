@@ -18,6 +18,7 @@
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseLesson.h"
 #include "window/exercise/RunningAttempt.h"
+#include "window/kinds/KindPanel.h"
 #include "window/kinds/SuggestedName.h"
 
 #include <QCoreApplication>
@@ -101,6 +102,8 @@ std::shared_ptr<const ExerciseSnapshot> ExerciseUi::snapshot() const {
 }
 
 void ExerciseUi::setDocument(DocumentTab* document) {
+  // Without its pages an exercise is a picture; what was in front belongs to the document that was shown before.
+  if (document && document != this->document()) raiseKindPanel(parts());
   RigidPartsUi::setDocument(document);
   if (current() != nullptr) connect(current(), &Document::changed, this, &ExerciseUi::refresh);
   m_editor->setDocument(current() && !current()->exercise().isForStudents ? current() : nullptr);

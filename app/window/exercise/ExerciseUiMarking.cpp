@@ -15,6 +15,7 @@
 #include "window/exercise/ClassView.h"
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseUi.h"
+#include "window/kinds/KindPanel.h"
 #include "window/kinds/SuggestedName.h"
 
 #include <QFile>
@@ -65,6 +66,7 @@ void ExerciseUi::mark(const QStringList& paths) {
       m_editor->classView()->setReport(m_classes[owner].report);
       m_editor->setCurrentWidget(m_editor->classView());
       if (!parts().isPanelVisible()) parts().showPanel->trigger();
+      raiseKindPanel(parts());
       reportMarked(m_classes[owner].report);
     });
   };

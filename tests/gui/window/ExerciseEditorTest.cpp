@@ -18,7 +18,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// The panel in which a teacher prepares an exercise.
+// The panel in which a teacher prepares an exercise, with copy and work beside it.
 class ExerciseEditorTest : public QObject {
   Q_OBJECT
 
@@ -184,6 +184,66 @@ class ExerciseEditorTest : public QObject {
     driver.choose("saveFile");
     QVERIFY(driver.settle());
     QVERIFY(!driver.window().isWindowModified());
+  }
+
+  // A teacher who tries the copy begins with a new bar, though the own work is still open.
+  void theCopyHasWorkOfItsOwn() {
+    WindowDriver driver;
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    auto* tabs = driver.window().findChild<DocumentTabs*>();
+    const DocumentTab* const own = tabs->current();
+    auto* bar = driver.find<QTabBar>("documentTabBar");
+    bar->setCurrentIndex(0);
+    driver.choose("studentCopy");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 3);
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 4);
+    const DocumentTab* const tried = tabs->current();
+    QVERIFY(tried != own && driver.find<QDockWidget>("lessonDock")->isVisible());
+    // Each goes on with its own.
+    bar->setCurrentIndex(2);
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    QVERIFY(tabs->current() == tried);
+    bar->setCurrentIndex(0);
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    QVERIFY(tabs->current() == own);
+    QCOMPARE(driver.tabs(), 4);
+  }
+
+  // The pages of the exercise are in front whenever it is shown, and the panel of the part after that of the program.
+  void thePanelComesToTheFront() {
+    WindowDriver driver;
+    const auto isInFront = [&driver](const char* dock) {
+      return !driver.find<QDockWidget>(dock)->visibleRegion().isEmpty();
+    };
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(isInFront("kindDock"));
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    driver.choose("programDockToggle");
+    QTRY_VERIFY(isInFront("programDock") && !isInFront("kindDock"));
+    driver.choose("programDockToggle");
+    QTRY_VERIFY(isInFront("kindDock"));
+    driver.choose("programDockToggle");
+    QTRY_VERIFY(isInFront("programDock"));
+    auto* bar = driver.find<QTabBar>("documentTabBar");
+    bar->setCurrentIndex(0);
+    QTRY_VERIFY(isInFront("kindDock") && driver.find<QWidget>("exerciseEditor")->isVisible());
+    // So after any other panel.
+    bar->setCurrentIndex(1);
+    driver.find<QDockWidget>("viewDock")->raise();
+    QTRY_VERIFY(isInFront("viewDock"));
+    bar->setCurrentIndex(0);
+    QTRY_VERIFY(isInFront("kindDock"));
+    QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Exercise"));
   }
 };
 

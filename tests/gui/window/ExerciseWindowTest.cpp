@@ -144,37 +144,6 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(!labelsOf(lesson).contains("takes a pass back"));
   }
 
-  // A teacher who tries the copy begins with a new bar, though the own work is still open.
-  void theCopyHasWorkOfItsOwn() {
-    WindowDriver driver;
-    driver.choose("exercise/shaft");
-    QVERIFY(driver.settle());
-    driver.choose("beginExercise");
-    QVERIFY(driver.settle());
-    auto* tabs = driver.window().findChild<DocumentTabs*>();
-    const DocumentTab* const own = tabs->current();
-    auto* bar = driver.find<QTabBar>("documentTabBar");
-    bar->setCurrentIndex(0);
-    driver.choose("studentCopy");
-    QVERIFY(driver.settle());
-    QCOMPARE(driver.tabs(), 3);
-    driver.choose("beginExercise");
-    QVERIFY(driver.settle());
-    QCOMPARE(driver.tabs(), 4);
-    const DocumentTab* const tried = tabs->current();
-    QVERIFY(tried != own && driver.find<QDockWidget>("lessonDock")->isVisible());
-    // Each goes on with its own.
-    bar->setCurrentIndex(2);
-    driver.choose("beginExercise");
-    QVERIFY(driver.settle());
-    QVERIFY(tabs->current() == tried);
-    bar->setCurrentIndex(0);
-    driver.choose("beginExercise");
-    QVERIFY(driver.settle());
-    QVERIFY(tabs->current() == own);
-    QCOMPARE(driver.tabs(), 4);
-  }
-
   // Save writes the description that was opened; no name is asked for.
   void aDescriptionIsSavedInPlace() {
     const QTemporaryDir folder;

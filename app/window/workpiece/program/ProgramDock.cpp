@@ -11,6 +11,7 @@
 #include "viewport/path/PathLayer.h"
 #include "window/ActionToolTip.h"
 #include "window/documents/DocumentTab.h"
+#include "window/kinds/KindPanel.h"
 #include "window/workpiece/ZeroSymbol.h"
 #include "window/workpiece/program/ProgramFile.h"
 #include "window/workpiece/program/ProgramSession.h"
@@ -66,6 +67,8 @@ void ProgramDock::makeDock() {
   window->resizeDocks({m_dock}, {kUsualWidth}, Qt::Horizontal);
   connect(m_dock, &QDockWidget::visibilityChanged, this, [this](bool isVisible) {
     m_toggle.setChecked(isVisible);
+    // Of the panels behind it, the one of the part is what comes next.
+    if (std::exchange(m_isInFront, isVisible) && m_dock->isHidden()) raiseKindPanel(m_parts);
     if (!m_document || !m_dock->isHidden()) return;  // another dock covers it, or no workpiece is shown
     m_isOpen = false;
     show();

@@ -59,7 +59,8 @@ class ProgramDock : public QObject {
 
   WindowContext m_parts;
   QAction m_toggle;
-  bool m_isOpen = false;  // as the user wants it, for any workpiece
+  bool m_isOpen = false;     // as the user wants it, for any workpiece
+  bool m_isInFront = false;  // of the panels that share its place
   QPointer<QDockWidget> m_dock;
   QPointer<QStackedWidget> m_pages;
   QPointer<SimulationBanner> m_banner;
