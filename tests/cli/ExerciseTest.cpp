@@ -97,6 +97,19 @@ class ExerciseTest : public QObject {
       highest = std::max(highest, segment[1].get<double>());
     QVERIFY(std::abs(highest - 119.5) < 1e-6);
     QVERIFY(bench.run({"exercise", "shaft.handwheel", "--facing", "1", "-o", "x.handwheel"}).code != 0);
+    // Turned end for end, each point is reflected between the same heights; the radii stay.
+    const Ran turned = bench.run({"exercise", "faced.exercise.json", "--turn-target", "-o", "turned.exercise.json"});
+    QVERIFY2(turned.code == 0 && turned.err.contains("is the free one"), turned.err);
+    const auto other = nlohmann::json::parse(bench.content("turned.exercise.json").toStdString());
+    const auto &before = faced["task"]["target"]["segments"], &after = other["task"]["target"]["segments"];
+    QCOMPARE(after.size(), before.size());
+    double lowest = highest;
+    for (const auto& segment : before) lowest = std::min({lowest, segment[1].get<double>(), segment[3].get<double>()});
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const auto &a = before[i], &b = after[before.size() - 1 - i];
+      QVERIFY(std::abs(a[0].get<double>() - b[2].get<double>()) < 1e-9);
+      QVERIFY(std::abs(highest + lowest - a[1].get<double>() - b[3].get<double>()) < 1e-6);
+    }
     // The same files give the same marks.
     QCOMPARE(
         bench.run({"mark", "shaft.handwheel", "bob.handwheel", "ada.handwheel", "--json", "--sort", "-Points"}).out,

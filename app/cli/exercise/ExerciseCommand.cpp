@@ -60,7 +60,8 @@ std::shared_ptr<const ExerciseSnapshot> exerciseIn(const OpenedFile& opened) {
   return std::dynamic_pointer_cast<const ExerciseSnapshot>(opened.content);
 }
 
-// Another target, where one is asked for: from a file first, then in round sizes; and what of it is marked.
+// Another target, where one is asked for: from a file first, then end for end, then in round sizes; and what of it is
+// marked.
 Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const ExerciseSnapshot> exercise,
                                                            const OperationValues& values, Progress progress) {
   auto changed = std::make_shared<ExerciseSnapshot>(*exercise);
@@ -72,6 +73,14 @@ Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const
     for (const Note& note : imported->notes) complain(noteText(note).toStdString());
     for (const Note& note : exercise->subject->placeNotes(*changed->task)) complain(noteText(note).toStdString());
     if (imported->lies) complain(noteText(*imported->lies).toStdString());
+  }
+  if (values.flag("turn-target")) {
+    auto turned = exercise->subject->withTurnedTarget(*changed->task);
+    if (!turned) return turned.error();
+    changed->task = std::move(*turned);
+  }
+  if (values.flag("turn-target") || values.isSet("import-target")) {
+    if (const auto ends = exercise->subject->endsNote(*changed->task)) complain(noteText(*ends).toStdString());
   }
   if (values.isSet("round-target")) {
     auto rounded = withRoundedTarget(*exercise->subject, *changed->task, values);
@@ -145,7 +154,7 @@ std::string problemOf(const Arguments& arguments, const OperationValues& values)
   if (!arguments.has("output")) return "The option -o OUT is missing.";
   int purposes = 0;
   for (const char* const purpose : kPurposes) purposes += values.isSet(purpose) ? 1 : 0;
-  for (const char* const change : {"import-target", "round-target", "mark-sizes"})
+  for (const char* const change : {"import-target", "turn-target", "round-target", "mark-sizes"})
     if (purposes > 0 && values.isSet(change)) return "--" + std::string(change) + " is for the exercise itself.";
   if (values.isSet("facing") && !values.isSet("import-target")) return "--facing needs --import-target.";
   if (values.isSet("sharp-corners") && !values.isSet("round-target")) return "--sharp-corners needs --round-target.";
@@ -219,6 +228,7 @@ const Operation& exerciseOperation() {
            .meaning = "With --import-target: allowance for facing at the free end of the bar; default: 1",
            .word = "MM",
            .hasDefault = false},
+          flag("turn-target", "Turn the target end for end: the end at the chuck becomes the free one"),
           withoutDefault(*roundTargetOperation().find("round-target")),
           *roundTargetOperation().find("sharp-corners"),
           flag("mark-sizes",

@@ -47,7 +47,7 @@ ExerciseUi::ExerciseUi(const WindowContext& window)
   m_pages->addWidget(m_editor);
   m_pages->addWidget(m_student);
   buildActions();
-  m_editor->showTargetActions({m_import, m_target, m_round});
+  m_editor->showTargetActions({m_import, m_target, m_turn, m_round});
   connect(m_attempt, &RunningAttempt::message, this, &KindUi::message);
   connect(m_attempt, &RunningAttempt::changed, this, &ExerciseUi::refresh);
   connect(m_student, &ExerciseLesson::begun, m_begin, &QAction::trigger);
@@ -80,6 +80,8 @@ void ExerciseUi::buildActions() {
   m_import = action("importExerciseTarget", tr("&Import target…"),
                     tr("Import the shape that students are to make, from DXF, SVG, STEP, a mesh or a workpiece"));
   m_target = action("takeTarget", tr("Take as &target"), tr("Make the shape of that work the target of the exercise"));
+  m_turn = action("turnTargetAction", tr("Turn the target en&d for end"),
+                  tr("Make the end at the chuck the free one, whose face is finished"));
   m_round = action("roundTargetAction", tr("&Round the target…"),
                    tr("Give the target round sizes and sharp corners, as a drawing has them"));
   m_mark = action("markExercise", tr("&Mark…"), tr("Mark files that students have handed in"));
@@ -89,6 +91,7 @@ void ExerciseUi::buildActions() {
   connect(m_openSolution, &QAction::triggered, this, &ExerciseUi::openSolution);
   connect(m_import, &QAction::triggered, this, &ExerciseUi::askForTarget);
   connect(m_target, &QAction::triggered, this, [this] { takeWork(true); });
+  connect(m_turn, &QAction::triggered, this, &ExerciseUi::turnTarget);
   connect(m_round, &QAction::triggered, this, &ExerciseUi::askToRound);
   connect(m_mark, &QAction::triggered, this, &ExerciseUi::chooseSubmissions);
 }
@@ -148,6 +151,7 @@ void ExerciseUi::refresh() {
   m_openSolution->setEnabled(!isStudent && exercise.solution);
   m_import->setEnabled(!isStudent);
   m_target->setEnabled(!isStudent && hasWork);
+  m_turn->setEnabled(!isStudent && exercise.subject->endsNote(*exercise.task));
   m_round->setEnabled(!isStudent);
   emit stateChanged();
 }
@@ -157,7 +161,7 @@ QWidget* ExerciseUi::panel() {
 }
 
 QList<QAction*> ExerciseUi::menu() {
-  return {m_begin, m_preview, m_solution, m_openSolution, m_import, m_target, m_round, m_mark};
+  return {m_begin, m_preview, m_solution, m_openSolution, m_import, m_target, m_turn, m_round, m_mark};
 }
 
 QList<QAction*> ExerciseUi::toolBar() {

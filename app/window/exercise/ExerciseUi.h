@@ -60,6 +60,7 @@ class ExerciseUi : public RigidPartsUi {
                    const ExerciseSubject::ImportedTask& imported);
   // False: it stays as it is.
   bool changeTarget(DocumentTab* owner, const QString& text, const TaskPointer& before, const TaskPointer& made);
+  void turnTarget();
   void askToRound();
   void chooseSubmissions();
   void mark(const QStringList& paths);
@@ -86,7 +87,7 @@ class ExerciseUi : public RigidPartsUi {
   mutable DisplayModel m_displayed;
   mutable TaskPointer m_displayedTask;
   mutable SnapshotPointer m_displayedWork;
-  QAction *m_begin, *m_preview, *m_solution, *m_openSolution, *m_import, *m_target, *m_round, *m_mark;
+  QAction *m_begin, *m_preview, *m_solution, *m_openSolution, *m_import, *m_target, *m_turn, *m_round, *m_mark;
 };
 
 }  // namespace handwheel

@@ -14,6 +14,7 @@
 #include "window/documents/FileDialogs.h"
 #include "window/exercise/ExerciseUi.h"
 #include "window/exercise/RoundTargetDialog.h"
+#include "window/exercise/TargetPlaceView.h"
 
 #include <QFile>
 #include <QFileDialog>
@@ -67,9 +68,16 @@ void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const Task
     QStringList notes;
     for (const std::vector<Note>& of : {subject.placeNotes(**task), ofFile})
       for (const Note& note : of) notes << noteText(note);
+    if (const auto ends = subject.endsNote(**task)) notes << noteText(*ends);
     return notes.join(QLatin1Char('\n'));
   };
   const auto shownDialog = std::make_shared<QPointer<PropertyDialog>>();
+  auto* view = new TargetPlaceView;
+  const auto showPlace = [task, &subject, intro, shownDialog, view] {
+    if (!*shownDialog) return;
+    (*shownDialog)->setIntro(intro());
+    view->setPicture(subject.placePicture(**task));
+  };
   auto* dialog = new PropertyDialog(
       {tr("Where the target lies"), intro(), tr("&Import")},
       [task, &subject, place = imported.place] {
@@ -77,15 +85,24 @@ void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const Task
         std::erase_if(shown, [&](const Property& each) { return each.group != place; });
         return shown;
       },
-      [task, &subject, intro, shownDialog](const std::string& id, const PropertyValue& value) -> Status {
+      [task, &subject, showPlace](const std::string& id, const PropertyValue& value) -> Status {
         Result<TaskPointer> changed = subject.withProperty(**task, id, value);
         if (!changed) return changed.error();
         *task = std::move(*changed);
-        if (*shownDialog) (*shownDialog)->setIntro(intro());
+        showPlace();
         return Done{};
       },
       parts().window);
   *shownDialog = dialog;
+  dialog->addView(view);
+  connect(view, &TargetPlaceView::turned, dialog, [task, &subject, showPlace, dialog] {
+    Result<TaskPointer> turned = subject.withTurnedTarget(**task);
+    if (!turned) return;  // there is no picture of it, and no button
+    *task = std::move(*turned);
+    showPlace();
+    dialog->refresh();
+  });
+  showPlace();
   dialog->setObjectName(QStringLiteral("targetPlaceDialog"));
   dialog->setModal(true);
   connect(dialog, &QDialog::accepted, this, [this, owner, name, before, task] {
@@ -129,6 +146,22 @@ void ExerciseUi::takeTarget(const SnapshotPointer& work) {
     return [this, owner, before, made = *task] { changeTarget(owner, tr("Take the target"), before->task, made); };
   };
   parts().jobs.start(std::move(job));
+}
+
+// The sizes that are marked stay where they are measured, which is said.
+void ExerciseUi::turnTarget() {
+  const auto before = snapshot();
+  const Result<TaskPointer> turned = before->subject->withTurnedTarget(*before->task);
+  if (!turned) return report(tr("The target was not turned"), turned.error());
+  changeTarget(document(), tr("Turn the target end for end"), before->task, *turned);
+  Message done{Message::Weight::Info, tr("The target lies the other way round now")};
+  if (const auto ends = before->subject->endsNote(**turned)) done.detail = noteText(*ends);
+  done.advice = tr("“Criteria” are measured at the places where they were: look at them.");
+  done.about = &document()->document;
+  done.isOver = [exercise = QPointer<ExerciseDocument>(current()), task = *turned] {
+    return !exercise || exercise->exercise().task != task;
+  };
+  emit message(done);
 }
 
 void ExerciseUi::askToRound() {

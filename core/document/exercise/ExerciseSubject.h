@@ -134,6 +134,18 @@ class ExerciseSubject {
     (void)task;
     return {};
   }
+  // Which end of the target is the free one of the stock, in words; none: it has no ends, or there is no target.
+  virtual std::optional<Note> endsNote(const ExerciseTask& task) const {
+    (void)task;
+    return std::nullopt;
+  }
+  // The target in the stock; null: there is none, or it would take long.
+  virtual QImage placePicture(const ExerciseTask& task) const {
+    (void)task;
+    return {};
+  }
+  // A task whose target lies the other way round, between the same places. Errors: ExerciseError::WithoutTarget.
+  virtual Result<TaskPointer> withTurnedTarget(const ExerciseTask& task) const = 0;
   // The extensions of the files that a target is imported from: ".step", …
   virtual std::vector<std::string> targetEndings() const = 0;
   struct ImportedTask {

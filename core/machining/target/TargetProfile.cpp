@@ -123,6 +123,18 @@ TargetProfile TargetProfile::moved(double dz) const {
   return TargetProfile(std::move(all), m_outline->isClosed);
 }
 
+// Reflected, and walked the other way so that the material stays on the left: both reverse an arc, so it keeps its
+// bulge.
+TargetProfile TargetProfile::turnedEndForEnd() const {
+  const double sum = lowerEnd() + upperEnd();
+  const auto reflected = [sum](const ProfilePoint& p) { return ProfilePoint(p.x(), sum - p.y()); };
+  std::vector<ProfileSegment> all;
+  all.reserve(m_outline->segments.size());
+  for (auto segment = m_outline->segments.rbegin(); segment != m_outline->segments.rend(); ++segment)
+    all.push_back({reflected(segment->to), reflected(segment->from), segment->bulge});
+  return TargetProfile(std::move(all), m_outline->isClosed);
+}
+
 bool TargetProfile::operator==(const TargetProfile& other) const {
   return m_outline == other.m_outline || m_outline->segments == other.m_outline->segments;
 }

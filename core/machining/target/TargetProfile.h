@@ -51,6 +51,8 @@ class TargetProfile {
 
   // The same part further up.
   TargetProfile moved(double dz) const;
+  // The same part end for end, between the same heights.
+  TargetProfile turnedEndForEnd() const;
 
   bool operator==(const TargetProfile& other) const;
 

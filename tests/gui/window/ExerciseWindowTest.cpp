@@ -382,6 +382,12 @@ class ExerciseWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!labelsOf(dialog).contains("does not fit"), kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(faceIs("97.5\u00a0mm"), kPatienceMs);  // nothing in the dialog tells another place
     QVERIFY(!labelsOf(dialog).contains("behind the free end of the bar"));
+    // The end of ⌀24 is at the largest X of the drawing; end for end, that of ⌀36 is the free one, and back.
+    QVERIFY2(labelsOf(dialog).contains(QStringLiteral("⌀24 mm is the free one")), qPrintable(labelsOf(dialog)));
+    QVERIFY(dialog->findChild<QLabel*>("targetPlacePicture")->isVisible());
+    dialog->findChild<QPushButton*>("turnTarget")->click();
+    QVERIFY2(labelsOf(dialog).contains(QStringLiteral("⌀36 mm is the free one")), qPrintable(labelsOf(dialog)));
+    QVERIFY(faceIs("97.5\u00a0mm"));
     dialog->findChild<QPushButton*>("propertiesAccept")->click();
     QVERIFY(driver.settle());
     const auto& task = static_cast<const TurningTask&>(*exercise.exercise().task);
@@ -389,6 +395,12 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(std::abs(task.target->largestRadius() - 18.0) < 1e-3);
     QVERIFY(std::abs(task.target->length() - 60.0) < 1e-3);
     QVERIFY(std::abs(task.target->upperEnd() - (task.stock.length - 2.5)) < 1e-3);
+    QVERIFY(std::abs(task.target->extentAt(task.target->upperEnd() - 20.5)->outer - 18.0) < 1e-3);
+    driver.choose("turnTargetAction");
+    QTRY_VERIFY(driver.text("messageText").contains("the other way round"));
+    const auto& back = static_cast<const TurningTask&>(*exercise.exercise().task);
+    QVERIFY(std::abs(back.target->extentAt(back.target->upperEnd() - 19.5)->outer - 12.0) < 1e-3);
+    driver.click("quickActions/undo");
     driver.click("quickActions/undo");
     QTRY_VERIFY(exercise.exercise().task == before);
   }

@@ -36,6 +36,10 @@ PropertyDialog::PropertyDialog(const Text& text, Shown shown, Change change, QWi
   m_list->setProperties(m_shown());
 }
 
+void PropertyDialog::addView(QWidget* view) {
+  static_cast<QVBoxLayout*>(layout())->insertWidget(layout()->indexOf(m_list), view);
+}
+
 void PropertyDialog::edit(const std::string& id, const PropertyValue& value) {
   const Status changed = m_change(id, value);
   if (!changed) m_list->refuse(id, value, errorSentence(changed.error()));

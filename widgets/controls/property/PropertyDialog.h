@@ -30,6 +30,8 @@ class PropertyDialog : public QDialog {
   // To be called when what is shown has changed by itself.
   void refresh() { m_list->setProperties(m_shown()); }
   void setIntro(const QString& text) { m_intro->setText(text); }
+  // Puts a view of what is shown between introduction and fields; it belongs to the dialog then.
+  void addView(QWidget* view);
   void setLengthUnit(LengthUnit unit) { m_list->setLengthUnit(unit); }
   // Changes numbers while they are being typed, and not only when they are entered.
   void followTyping() { connect(m_list, &PropertyList::typed, this, &PropertyDialog::edit); }

@@ -259,6 +259,10 @@ Result<DrillingSubject::ImportedTask> DrillingSubject::withImportedTarget(const 
   return imported;
 }
 
+Result<TaskPointer> DrillingSubject::withTurnedTarget(const ExerciseTask&) const {
+  return Error{ExerciseError::WithoutTarget, {}, {}, {}};
+}
+
 Result<DrillingSubject::RoundedTask> DrillingSubject::withRoundedTarget(const ExerciseTask&, double, double) const {
   return Error{ExerciseError::WithoutTarget, {}, {}, {}};
 }

@@ -45,7 +45,8 @@ class DrillingSubject : public ExerciseSubject {
   // Another stock: a document of a volume, VDB or images.
   Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,
                                           std::optional<double> facing, Progress progress) const override;
-  // Error WithoutTarget, always: a path has no sizes to be rounded; nor is there a drawing of it.
+  // Error WithoutTarget, always: a path has neither ends nor sizes to be rounded; nor is there a drawing of it.
+  Result<TaskPointer> withTurnedTarget(const ExerciseTask& task) const override;
   Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const override;
 
   std::vector<Measurement> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,

@@ -231,4 +231,10 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
   return details;
 }
 
+QImage targetInBar(const TurningTask& task) {
+  constexpr double kBarSamples = 500.0;  // of the bar, which alone is drawn by them
+  if (!task.target) return {};
+  return sectionPicture(TurnedProfile(task.stock, task.stock.length / kBarSamples), lineOf(*task.target));
+}
+
 }  // namespace handwheel

@@ -42,6 +42,9 @@ class TurningSubject : public ExerciseSubject {
   nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const override;
   Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const override;
   std::vector<Note> placeNotes(const ExerciseTask& task) const override;
+  std::optional<Note> endsNote(const ExerciseTask& task) const override;
+  QImage placePicture(const ExerciseTask& task) const override;
+  Result<TaskPointer> withTurnedTarget(const ExerciseTask& task) const override;
   std::vector<std::string> targetEndings() const override;
   Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,
                                           std::optional<double> facing, Progress progress) const override;

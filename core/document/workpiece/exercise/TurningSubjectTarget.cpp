@@ -4,6 +4,7 @@
 // The targets of exercises of turning: from work, from a file, in round sizes.
 #include "base/NumberText.h"
 #include "document/exercise/ExerciseErrors.h"
+#include "document/workpiece/exercise/TurningDetails.h"
 #include "document/workpiece/exercise/TurningSubject.h"
 #include "document/workpiece/target/TargetImport.h"
 #include "document/workpiece/target/TargetPlace.h"
@@ -58,6 +59,29 @@ std::vector<Note> TurningSubject::placeNotes(const ExerciseTask& task) const {
                              "to a larger size, then what is left for facing."),
            {roundedText(diameter, 6), roundedText(target.length(), 6), roundedText(stock.diameter, 6),
             roundedText(stock.length, 6)}}};
+}
+
+std::optional<Note> TurningSubject::endsNote(const ExerciseTask& task) const {
+  const auto& target = static_cast<const TurningTask&>(task).target;
+  if (!target) return std::nullopt;
+  const auto diameter = [&](double z) {
+    const auto extent = target->extentAt(z);
+    return roundedText(extent ? std::round(2e3 * extent->outer) / 1e3 : 0.0, 6);
+  };
+  return Note{QT_TRANSLATE_NOOP("Note",
+                                "The end of ⌀%1 mm is the free one, whose face is finished; the end of ⌀%2 mm is "
+                                "towards the chuck."),
+              {diameter(target->upperEnd()), diameter(target->lowerEnd())}};
+}
+
+QImage TurningSubject::placePicture(const ExerciseTask& task) const {
+  return targetInBar(static_cast<const TurningTask&>(task));
+}
+
+Result<TaskPointer> TurningSubject::withTurnedTarget(const ExerciseTask& task) const {
+  const auto& target = static_cast<const TurningTask&>(task).target;
+  if (!target) return Error{ExerciseError::WithoutTarget, {}, {}, {}};
+  return handwheel::withTarget(task, target->turnedEndForEnd());
 }
 
 std::vector<std::string> TurningSubject::targetEndings() const {

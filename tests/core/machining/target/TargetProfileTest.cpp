@@ -174,6 +174,44 @@ class TargetProfileTest : public QObject {
     }));
   }
 
+  void endForEnd() {
+    QVERIFY(rc::check("a shaft end for end has the distances of the reflected points", [] {
+      const auto made = TargetProfile::make(anyShaft());
+      RC_PRE(made.hasValue());
+      const TargetProfile turned = made->turnedEndForEnd();
+      RC_ASSERT(std::abs(turned.lowerEnd() - made->lowerEnd()) < 1e-9);
+      RC_ASSERT(std::abs(turned.upperEnd() - made->upperEnd()) < 1e-9);
+      RC_ASSERT(std::abs(turned.volume() - made->volume()) < 1e-9 * made->volume());
+      const ProfilePoint p(evenly(0.0, 40.0), evenly(-10.0, 100.0));
+      const ProfilePoint reflected(p.x(), made->lowerEnd() + made->upperEnd() - p.y());
+      RC_ASSERT(std::abs(turned.distance(p) - made->distance(reflected)) < 1e-9);
+    }));
+  }
+
+  // A quarter of a ball at the upper end, and a bore through, whose outline is closed.
+  void arcsAndBoresEndForEnd() {
+    const auto ball = TargetProfile::make(
+        {{{0, 0}, {10, 0}, 0.0}, {{10, 0}, {10, 20}, 0.0}, {{10, 20}, {0, 30}, std::tan(std::acos(-1.0) / 8.0)}});
+    QVERIFY(ball);
+    const TargetProfile turned = ball->turnedEndForEnd();
+    // The surface of the ball is 10 mm around (0, 10) now.
+    QVERIFY(std::abs(turned.distance({10.0 * std::sqrt(0.5), 10.0 - 10.0 * std::sqrt(0.5)})) < 1e-9);
+    QVERIFY(std::abs(turned.extentAt(30.0)->outer - 10.0) < 1e-9);
+    const auto bush = TargetProfile::make(
+        through({{5, 0}, {20, 0}, {20, 30}, {15, 30}, {15, 50}, {8, 50}, {8, 20}, {5, 20}, {5, 0}}));
+    QVERIFY(bush && bush->isClosed());
+    const TargetProfile other = bush->turnedEndForEnd();
+    QVERIFY(other.isClosed());
+    QCOMPARE(other.extentAt(5.0)->inner, 8.0);
+    QCOMPARE(other.extentAt(45.0)->outer, 20.0);
+    QCOMPARE(other.turnedEndForEnd().extentAt(5.0)->inner, 5.0);
+    // They are as sound as what was read.
+    for (const TargetProfile* each : {&turned, &other}) {
+      const auto again = TargetProfile::make({each->segments().begin(), each->segments().end()});
+      QVERIFY(again && std::abs(again->volume() - each->volume()) < 1e-9 * each->volume());
+    }
+  }
+
   void extentsByDistance() {
     QVERIFY(rc::check("the ends of an extent are on the surface", [] {
       const auto made = TargetProfile::make(anyShaft());
