@@ -23,6 +23,20 @@ std::string csvField(std::string text, bool isNumber) {
   return quoted + "\"";
 }
 
+const char* wordOf(WorkOrigin origin) {
+  switch (origin) {
+    case WorkOrigin::Hand:
+      return translatable("ClassTable", "by hand");
+    case WorkOrigin::Program:
+      return translatable("ClassTable", "by program");
+    case WorkOrigin::Both:
+      return translatable("ClassTable", "both");
+    case WorkOrigin::Unknown:
+      break;
+  }
+  return "";
+}
+
 }  // namespace
 
 ClassTable::ClassTable(const Exercise& exercise) : m_criteria(exercise.criteria) {}
@@ -39,6 +53,8 @@ std::string ClassTable::heading(std::size_t column) const {
       return translatable("ClassTable", "Minutes");
     case Hints:
       return translatable("ClassTable", "Hints");
+    case Made:
+      return translatable("ClassTable", "Made");
     case Points:
       return translatable("ClassTable", "Points");
     case Percent:
@@ -65,6 +81,8 @@ std::string ClassTable::cell(const ClassRow& row, std::size_t column) const {
       return row.attempt.student;
     case File:
       return row.file;
+    case Made:
+      return wordOf(row.origin);
     case HandedIn:
       return row.attempt.handedIn;
     default:
@@ -95,8 +113,8 @@ void ClassTable::sort(std::size_t column, bool isDescending) {
 
 std::string ClassTable::csv(std::string (*translated)(const std::string&)) const {
   std::string text = "\xEF\xBB\xBF";
+  const auto words = [&](const std::string& name) { return translated ? translated(name) : name; };
   for (std::size_t column = 0; column < columns(); ++column) {
-    const auto words = [&](const std::string& name) { return translated ? translated(name) : name; };
     std::string head = column < FirstCriterion ? words(heading(column)) : heading(column);
     if (column >= FirstCriterion) head += " (" + words(translatable("ClassTable", "points")) + ")";
     text += (column > 0 ? "," : "") + csvField(std::move(head), false);
@@ -105,7 +123,9 @@ std::string ClassTable::csv(std::string (*translated)(const std::string&)) const
   for (const ClassRow& row : m_rows) {
     for (std::size_t column = 0; column < columns(); ++column) {
       const bool isPlain = isNumber(column) && row.problem.empty();
-      text += (column > 0 ? "," : "") + csvField(cell(row, column), isPlain);
+      const bool isWord = column == Made && row.origin != WorkOrigin::Unknown;
+      const std::string field = cell(row, column);
+      text += (column > 0 ? "," : "") + csvField(isWord ? words(field) : field, isPlain);
     }
     text += "\r\n";
   }

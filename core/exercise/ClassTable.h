@@ -4,6 +4,7 @@
 
 #include "exercise/Attempt.h"
 #include "exercise/Marking.h"
+#include "exercise/WorkOrigin.h"
 
 namespace handwheel {
 
@@ -12,6 +13,7 @@ struct ClassRow {
   std::string file;  // its name
   Attempt attempt;
   Marking marking;
+  WorkOrigin origin = WorkOrigin::Unknown;
   std::string problem = {};               // why it was not marked; empty: it was
   std::vector<std::string> remarks = {};  // what the teacher is to know of the file
 };
@@ -20,7 +22,7 @@ struct ClassRow {
 class ClassTable {
  public:
   // The columns before those of the criteria; what a teacher looks for is first.
-  enum Column : std::size_t { Student, Points, Percent, Minutes, Hints, HandedIn, File, FirstCriterion };
+  enum Column : std::size_t { Student, Points, Percent, Minutes, Hints, Made, HandedIn, File, FirstCriterion };
 
   explicit ClassTable(const Exercise& exercise);
 
@@ -30,8 +32,10 @@ class ClassTable {
   std::size_t columns() const { return m_criteria.size() + FirstCriterion; }
   // English, or the name of a criterion.
   std::string heading(std::size_t column) const;
-  bool isNumber(std::size_t column) const { return column != Student && column != HandedIn && column != File; }
-  // As a text; numbers with a decimal point. Empty where there is none.
+  bool isNumber(std::size_t column) const {
+    return column != Student && column != Made && column != HandedIn && column != File;
+  }
+  // As a text; numbers with a decimal point, how the work was made in English. Empty where there is none.
   std::string cell(std::size_t row, std::size_t column) const;
 
   // Sorts by a column; numbers by value, what is empty last. Equal rows keep their order.
@@ -39,7 +43,7 @@ class ClassTable {
 
   // RFC 4180 in UTF-8, with the mark by which spreadsheets know that, and a header; fields that a spreadsheet would
   // take for a formula get an apostrophe in front.
-  // translated: of the headings that are not names of criteria; null: English.
+  // translated: of the headings that are not names of criteria, and of how work was made; null: English.
   std::string csv(std::string (*translated)(const std::string&) = nullptr) const;
 
  private:

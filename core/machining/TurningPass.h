@@ -35,6 +35,7 @@ struct TurningPass {
   std::optional<ThreadCut> thread = {};
   // r/min that the levers asked for on the way to each point, where the motor could not hold that; empty: it could.
   std::vector<double> askedSpeeds = {};
+  bool isOfProgram = false;  // a program has moved the tool, and no hand
 };
 
 // Cuts as this pass does, with the centre of its nose from a to b. Returns the samples that changed.

@@ -54,8 +54,8 @@ std::string classTable(const ClassReport& report) {
   constexpr std::size_t kMostOnPaper = 16;
   ClassTable table(report.exercise);
   for (const ReportedWork& work : report.works) table.add(work.row);
-  std::vector<std::size_t> columns = {ClassTable::Student, ClassTable::Minutes, ClassTable::Hints, ClassTable::Points,
-                                      ClassTable::Percent};
+  std::vector<std::size_t> columns = {ClassTable::Student, ClassTable::Minutes, ClassTable::Hints,
+                                      ClassTable::Made,    ClassTable::Points,  ClassTable::Percent};
   std::vector<std::string> headings;
   for (const std::size_t column : columns) headings.push_back(translatedHeading(table.heading(column)));
   const std::size_t criteria = table.columns() - ClassTable::FirstCriterion;
@@ -70,7 +70,10 @@ std::string classTable(const ClassReport& report) {
       cellsOf(headings, "th");
   for (std::size_t row = 0; row < table.rows().size(); ++row) {
     std::vector<std::string> cells;
-    for (const std::size_t column : columns) cells.push_back(table.cell(row, column));
+    for (const std::size_t column : columns) {
+      cells.push_back(table.cell(row, column));
+      if (column == ClassTable::Made && !cells.back().empty()) cells.back() = translatedHeading(cells.back());
+    }
     if (cells.front().empty()) cells.front() = table.rows()[row].file;
     html += cellsOf(cells, "td");
   }

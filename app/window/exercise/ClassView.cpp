@@ -33,6 +33,8 @@ ResultCell timeCell(const std::string& utc) {
 ResultCell cellOf(const ClassTable& table, std::size_t row, std::size_t column) {
   if (column == ClassTable::HandedIn) return timeCell(table.rows()[row].attempt.handedIn);
   ResultCell cell{QString::fromStdString(table.cell(row, column))};
+  if (column == ClassTable::Made && !cell.text.isEmpty())
+    cell.text = QCoreApplication::translate("ClassTable", cell.text.toUtf8().constData());
   bool isNumber = false;
   const double number = cell.text.toDouble(&isNumber);
   if (table.isNumber(column) && isNumber) cell.number = number;

@@ -5,6 +5,7 @@
 #include "document/DocumentKind.h"
 #include "document/Property.h"
 #include "exercise/Marking.h"
+#include "exercise/WorkOrigin.h"
 
 #include <QImage>
 
@@ -121,6 +122,16 @@ class ExerciseSubject {
   virtual bool startsSlowly() const { return false; }
   // Whether a document can be work on this task: of the same stock. Error: ExerciseError::OtherWork {reason}.
   virtual Status checkWork(const ExerciseTask& task, const Snapshot& work) const = 0;
+  // How the work was made.
+  virtual WorkOrigin originOf(const Snapshot& work) const {
+    (void)work;
+    return WorkOrigin::Unknown;
+  }
+  // Whether students may make it by program.
+  virtual bool areProgramsAllowed(const ExerciseTask& task) const {
+    (void)task;
+    return true;
+  }
   // Work as a description in JSON tells it, for model solutions. Errors: ElementMalformed, Cancelled.
   virtual Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                            Progress progress) const = 0;

@@ -54,6 +54,12 @@ Result<ClassRow> markSubmission(const ExerciseSnapshot& scheme, const ExerciseSn
   row.attempt = *submission.attempt;
   if (!isSameScheme(scheme, submission))
     row.remarks.emplace_back("It was done by another version of the exercise: its sizes or its stock are not these.");
+  row.origin = scheme.subject->originOf(*submission.work);
+  const bool isByProgram = row.origin == WorkOrigin::Program || row.origin == WorkOrigin::Both;
+  if (isByProgram && !scheme.subject->areProgramsAllowed(*scheme.task))
+    row.remarks.emplace_back(row.origin == WorkOrigin::Both
+                                 ? "Part of it was cut by a program, which this exercise does not allow."
+                                 : "It was cut by a program, which this exercise does not allow.");
   row.marking = markWork(scheme, *submission.work, row.attempt, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return row;

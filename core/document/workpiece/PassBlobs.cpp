@@ -21,6 +21,7 @@ constexpr const char* kPath = "workpiece/path";           // of all passes
 constexpr const char* kSpeeds = "workpiece/speeds";       // of the passes with "speeds"
 constexpr const char* kAsked = "workpiece/asked";         // of the passes with "asked_speeds"
 constexpr const char* kBore = "bore";                     // value of "side"
+constexpr const char* kOfProgram = "program";             // key of passes
 constexpr const char* kPoles = "poles";                   // value of "method"
 constexpr const char *kRight = "right", *kLeft = "left";  // values of "hand"
 // Keys of passes and of their threads.
@@ -126,6 +127,7 @@ std::optional<TurningPass> readPass(const nlohmann::json& entry, const PassArray
   TurningPass pass;
   if (!entry.is_object()) return std::nullopt;
   pass.noseRadius = numberIn(entry, kNose);
+  pass.isOfProgram = isTrueIn(entry, kOfProgram);
   const std::uint64_t count = pointsIn(entry);
   if (const auto side = entry.find(kSide); side != entry.end()) {
     if (*side != kBore) return std::nullopt;
@@ -194,6 +196,7 @@ nlohmann::json writePasses(const TurningPasses& passes, Container& container) {
     }
     if (pass.thread) entry[kThread] = threadJson(*pass.thread);
     if (pass.side == TurningSide::Bore) entry[kSide] = kBore;
+    if (pass.isOfProgram) entry[kOfProgram] = true;
     if (pass.method == TurningMethod::Poles) {
       entry[kMethod] = kPoles;
       entry[kResolutionKey] = pass.resolution;

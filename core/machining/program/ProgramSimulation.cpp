@@ -41,6 +41,7 @@ ProgramSimulation::ProgramSimulation(TurnedProfile part, const ToolPath& path, c
 TurningPass ProgramSimulation::shapeOf(const ToolMove& move) const {
   const ProgramTool& tool = m_setup.toolOf(move);
   TurningPass shape;
+  shape.isOfProgram = true;
   shape.noseRadius = tool.noseRadius;
   const bool isBoring = tipDirection(m_setup.dialect, tool.orientation).x() > 0.0;
   if (m_state.isDrilling || isBoring) shape.side = TurningSide::Bore;

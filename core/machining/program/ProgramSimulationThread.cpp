@@ -69,6 +69,7 @@ TurningPass ProgramSimulation::threadOf(const ToolMove& move) const {
   const ProfilePoint shift = ProfilePoint(0.0, zeroHeight()) - nose * tipDirection(m_setup.dialect, tool.orientation);
   const double way = move.to.y() - move.from.y();
   TurningPass pass;
+  pass.isOfProgram = true;
   pass.noseRadius = nose;
   pass.path = {move.from + shift, move.to + shift};
   pass.times = {0.0, move.time};

@@ -87,6 +87,32 @@ class ClassTableTest : public QObject {
     QCOMPARE(students(table).substr(0, 5), std::string("=Bob|"));
   }
 
+  // By hand, by program, both; what is not known comes last.
+  void howItWasMade() {
+    ClassTable table(task());
+    const std::pair<const char*, WorkOrigin> works[] = {{"Ada", WorkOrigin::Program},
+                                                        {"Bob", WorkOrigin::Unknown},
+                                                        {"Cleo", WorkOrigin::Both},
+                                                        {"Dora", WorkOrigin::Hand}};
+    for (const auto& [student, origin] : works) {
+      table.add(row(student, 20.0, 10.0));
+      ClassRow known = table.rows().back();
+      known.origin = origin;
+      known.attempt.student += "2";
+      table.add(known);
+    }
+    QCOMPARE(table.cell(0, ClassTable::Made), std::string());
+    QCOMPARE(table.cell(1, ClassTable::Made), std::string("by program"));
+    QCOMPARE(table.cell(5, ClassTable::Made), std::string("both"));
+    QCOMPARE(table.cell(7, ClassTable::Made), std::string("by hand"));
+    QVERIFY(!table.isNumber(ClassTable::Made));
+    table.sort(ClassTable::Made, false);
+    QCOMPARE(students(table), std::string("Cleo2|Dora2|Ada2|Ada|Bob|Bob2|Cleo|Dora|"));
+    // In the words of the window.
+    const std::string csv = table.csv([](const std::string& word) { return "<" + word + ">"; });
+    QVERIFY(csv.find("<Made>") != csv.npos && csv.find("<by hand>") != csv.npos && csv.find("<>") == csv.npos);
+  }
+
   // As RFC 4180 says; no field is a formula to a spreadsheet.
   void csv() {
     ClassTable table(task());
@@ -95,12 +121,12 @@ class ClassTableTest : public QObject {
     QCOMPARE(
         QByteArray::fromStdString(table.csv()),
         QByteArray(
-            "\xEF\xBB\xBFStudent,Points,Percent,Minutes,Hints,Handed in,File,\"Diameter \"\"front\"\", 20 "
+            "\xEF\xBB\xBFStudent,Points,Percent,Minutes,Hints,Made,Handed in,File,\"Diameter \"\"front\"\", 20 "
             "(points)\",Time (points)\r\n"
-            "'=Bob,10,100,1.5,3,2026-11-23T08:15:00Z,'=Bob.handwheel,8,2\r\n"
-            "\"Cleo, \"\"the 2nd\"\"\",0,0,1.5,3,2026-11-23T08:15:00Z,\"Cleo, \"\"the 2nd\"\".handwheel\",0,0\r\n"));
+            "'=Bob,10,100,1.5,3,,2026-11-23T08:15:00Z,'=Bob.handwheel,8,2\r\n"
+            "\"Cleo, \"\"the 2nd\"\"\",0,0,1.5,3,,2026-11-23T08:15:00Z,\"Cleo, \"\"the 2nd\"\".handwheel\",0,0\r\n"));
     QCOMPARE(ClassTable(Exercise()).csv(),
-             std::string("\xEF\xBB\xBFStudent,Points,Percent,Minutes,Hints,Handed in,File\r\n"));
+             std::string("\xEF\xBB\xBFStudent,Points,Percent,Minutes,Hints,Made,Handed in,File\r\n"));
   }
 };
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "controls/program/ProgramEditor.h"
 #include "document/exercise/ExerciseDocument.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/exercise/TurningTask.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
@@ -244,6 +246,30 @@ class ExerciseEditorTest : public QObject {
     bar->setCurrentIndex(0);
     QTRY_VERIFY(isInFront("kindDock"));
     QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Exercise"));
+  }
+
+  // Where the exercise wants all done by hand, no program is run or made, and the panel says why.
+  void programsAreRefused() {
+    WindowDriver driver;
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    auto* tabs = driver.window().findChild<DocumentTabs*>();
+    QVERIFY(tabs->current()->document.setProperty("programs", false));
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    driver.choose("programDockToggle");
+    QTRY_VERIFY(driver.find<ProgramEditor>("programEditor")->isVisible());
+    QVERIFY2(driver.text("programSummary").contains("by hand"), qPrintable(driver.text("programSummary")));
+    auto* editor = driver.find<ProgramEditor>("programEditor");
+    editor->insertPlainText("G7 G21 G97 S600 M3\nG0 X36 Z2\nG1 Z-20 F120\nG0 X44\nM2\n");
+    driver.click("programRun");
+    QVERIFY(driver.settle());
+    QVERIFY2(driver.text("programSummary").contains("by hand"), qPrintable(driver.text("programSummary")));
+    QVERIFY(!driver.find<QPushButton>("programCut")->isEnabled());
+    driver.find<QToolButton>("programMake")->actions().back()->trigger();  // "Rough and finish…"
+    QVERIFY(!driver.window().findChild<QDialog*>("cyclesDialog"));
+    const auto& work = static_cast<const WorkpieceSnapshot&>(*tabs->current()->document.snapshot());
+    QVERIFY(!work.part);
   }
 };
 

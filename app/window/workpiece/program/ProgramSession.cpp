@@ -64,6 +64,7 @@ ProgramSession::ProgramSession(const WindowContext& parts, DocumentTab& document
       m_runs(JobRunner::Policy::Queue, parts.pool),
       m_views(JobRunner::Policy::Queue, parts.pool),
       m_files(JobRunner::Policy::Queue, parts.pool) {
+  m_isByHand = isToBeDoneByHand();
   prepareActions();
   m_panel = new ProgramPanel({&m_open, &m_save, &m_saveAs, &m_fromPasses, &m_cycles}, parts.window);
   m_panel->hide();
@@ -74,6 +75,7 @@ ProgramSession::ProgramSession(const WindowContext& parts, DocumentTab& document
   connect(&m_pause, &QTimer::timeout, this, &ProgramSession::check);
   showName();
   documentChanged();
+  isRefused();
 }
 
 ProgramSession::~ProgramSession() {
@@ -235,6 +237,7 @@ void ProgramSession::checked(const std::vector<Error>& problems, bool isJumping)
   if (isJumping && count > 0) m_panel->editor().goTo(findings.front().line, std::max(1, findings.front().column));
   m_panel->setFindings(std::move(findings));
   m_panel->setSummary(count > 0 ? tr("%n error(s): the program does not run as it is.", nullptr, count) : QString());
+  if (count == 0) isRefused();
 }
 
 void ProgramSession::fail(const QString& title, const Error& error) {

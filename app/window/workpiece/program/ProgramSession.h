@@ -62,6 +62,8 @@ class ProgramSession : public QObject {
   const WorkpieceDocument& workpiece() const;
   ProgramSetup setup() const;
   void prepareActions();
+  bool isToBeDoneByHand() const;  // as the exercise wants it that this is work on; O(its description)
+  bool isRefused();               // as it is to be done by hand; says so
   void connectPanel();
   // The text is another one, or is understood otherwise: what was found of it is over.
   void textChanged();
@@ -105,6 +107,7 @@ class ProgramSession : public QObject {
   QPointer<ProgramPanel> m_panel;
   ProgramTools m_tools;                               // the table; what is not in it has the nose of the panel
   std::shared_ptr<const ProgramTools> m_storedTools;  // of the document, as they were last
+  bool m_isByHand = false;                            // the exercise allows no programs
   bool m_hasOwnTools = false;                         // the user made it, so that it is that of the next text, too
   QString m_path;                                     // of the file; empty: none yet
   ProgramFile m_file;

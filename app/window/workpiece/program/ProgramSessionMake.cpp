@@ -23,6 +23,7 @@
 namespace handwheel {
 
 void ProgramSession::askForPasses() {
+  if (isRefused()) return;
   auto* dialog = new NumbersDialog(
       tr("Program from passes"),
       tr("The passes that cut this part become a program in the chosen dialect. It is shown in the editor; "
@@ -51,6 +52,7 @@ void ProgramSession::writePasses(double spindle) {
 }
 
 void ProgramSession::askForCycles() {
+  if (isRefused()) return;
   const CycleSettings usual;
   const auto& target = workpiece().workpiece().target;
   const double drill = target ? drillFor(target->profile, shippedLatheTools()) : 0.0;

@@ -117,8 +117,21 @@ void ProgramSession::documentChanged() {
   forgetRun();
 }
 
+bool ProgramSession::isToBeDoneByHand() const {
+  const auto task = assignedTask(m_document.document.file().assigned);
+  return task && !task->areProgramsAllowed;
+}
+
+bool ProgramSession::isRefused() {
+  if (!m_isByHand) return false;
+  m_panel->setSummary(
+      tr("This exercise is to be done by hand: it does not allow programs to be made, run, or to cut."));
+  return true;
+}
+
 void ProgramSession::run() {
   forgetRun();
+  if (isRefused()) return;
   m_pause.stop();
   m_checks.cancelAll();
   m_start = workpiece().workpiece();
@@ -205,6 +218,7 @@ void ProgramSession::leave() {
 }
 
 void ProgramSession::cut() {
+  if (isRefused()) return;
   if (!isCuttable()) return;
   if (m_trial->collisionCount() > 0) return askToCut();
   cutAnyway(m_trial);

@@ -125,10 +125,11 @@ TaskPointer TurningSubject::fromJson(const nlohmann::json& json, std::vector<Err
   return std::make_shared<const TurningTask>(turningTaskFrom(json, damage));
 }
 
-// A target may be given as outer and inner points, too.
+// A target may be given as outer and inner points, and that programs are allowed may be said, too.
 nlohmann::json TurningSubject::unknownKeys(const nlohmann::json& json, const ExerciseTask& task) const {
   if (!json.is_object()) return nlohmann::json::object();
   nlohmann::json beyond = keysBeyond(json, toJson(task));
+  beyond.erase("programs");  // which is not written where they are allowed
   const auto target = beyond.find("target");
   if (target == beyond.end() || !target->is_object()) return beyond;
   for (const char* const known : {"outer", "inner"}) target->erase(known);
@@ -158,6 +159,8 @@ std::vector<ExerciseText> TurningSubject::conditions(const ExerciseTask& task) c
     lines.push_back({QT_TRANSLATE_NOOP("Note", "Force up to %1 N"), {shownText(turning.forceLimit)}});
   if (turning.powerLimit > 0)
     lines.push_back({QT_TRANSLATE_NOOP("Note", "Power up to %1 kW"), {shownText(turning.powerLimit)}});
+  if (!turning.areProgramsAllowed)
+    lines.push_back({QT_TRANSLATE_NOOP("Note", "By hand: programs are not allowed"), {}});
   for (const AllowedTool& tool : turning.tools)
     lines.push_back(
         {QT_TRANSLATE_NOOP("Note", "Tool: %1, nose radius %2 mm"), {toolName(tool), shownText(tool.noseRadius)}});
@@ -185,6 +188,19 @@ Status TurningSubject::checkWork(const ExerciseTask& task, const Snapshot& work)
   };
   if (wanted.diameter == given.diameter && wanted.length == given.length) return Done{};
   return Error{ExerciseError::OtherWork, {"its bar is " + text(given) + ", not " + text(wanted)}, {}, {}};
+}
+
+WorkOrigin TurningSubject::originOf(const Snapshot& work) const {
+  const WorkpieceSnapshot& workpiece = turnedOf(work);
+  bool hasHand = false, hasProgram = false;
+  if (workpiece.part)
+    for (const auto& pass : workpiece.part->passes) (pass->isOfProgram ? hasProgram : hasHand) = true;
+  if (hasHand && hasProgram) return WorkOrigin::Both;
+  return hasHand ? WorkOrigin::Hand : hasProgram ? WorkOrigin::Program : WorkOrigin::Unknown;
+}
+
+bool TurningSubject::areProgramsAllowed(const ExerciseTask& task) const {
+  return turningOf(task).areProgramsAllowed;
 }
 
 Result<SnapshotPointer> TurningSubject::makeWork(const ExerciseTask& task, const nlohmann::json& description,

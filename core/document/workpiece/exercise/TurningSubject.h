@@ -34,6 +34,9 @@ class TurningSubject : public ExerciseSubject {
   std::vector<ExerciseText> conditions(const ExerciseTask& task) const override;
   SnapshotPointer start(const ExerciseTask& task) const override;
   Status checkWork(const ExerciseTask& task, const Snapshot& work) const override;
+  // By its passes; those of files of older programs count as made by hand.
+  WorkOrigin originOf(const Snapshot& work) const override;
+  bool areProgramsAllowed(const ExerciseTask& task) const override;
   // {"passes": [{"nose_radius": mm, "side": "outside" or "bore", "feed": mm per revolution, "points": [[r, z], …],
   //   "thread": {"pitch": mm, "starts", "hand": "right" or "left", "flat": mm}}]}, all but points may be left out:
   // points of the centre of the nose.

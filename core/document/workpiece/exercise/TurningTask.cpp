@@ -66,6 +66,7 @@ const WorkMaterials& materials() {
 }
 
 constexpr std::string_view kToolPrefix = "tool.";
+constexpr const char* kPrograms = "programs";
 
 std::string nameOf(const LatheTool& tool) {
   return std::string(titleOf(tool.kind)) + " " + tool.designation;
@@ -124,6 +125,7 @@ Json toJson(const TurningTask& task) {
   Json json = Json::object();
   for (const TaskNumber& number : taskNumbers()) json[number.id] = valueOf(number, task);
   json["material"] = task.material;
+  if (!task.areProgramsAllowed) json[kPrograms] = false;  // else as before there was a choice, for the same key
   json["tools"] = Json::array();
   for (const AllowedTool& tool : task.tools) {
     const Json beyond = tool.others.empty() ? Json::object() : Json::parse(tool.others, nullptr, false);
@@ -156,6 +158,10 @@ TurningTask turningTaskFrom(const Json& json, std::vector<Error>& damage) {
     task.material = TurningTask().material;
     damage.push_back({ErrorCode::ElementMalformed, {"material", "it is not known"}, {}, {}});
   }
+  if (const auto programs = json.find(kPrograms); programs != json.end() && programs->is_boolean())
+    task.areProgramsAllowed = programs->get<bool>();
+  else if (programs != json.end())
+    damage.push_back({ErrorCode::ElementMalformed, {kPrograms, "a switch was expected"}, {}, {}});
   if (const auto tools = json.find("tools"); tools != json.end() && tools->is_array()) {
     for (const Json& each : *tools) {
       const auto nose = each.is_object() ? each.find("nose_radius") : each.end();
@@ -191,6 +197,12 @@ std::vector<Property> propertiesOf(const TurningTask& task) {
     if (p.id.ends_with("diameter")) p.prefix = "⌀";
     all.push_back(std::move(p));
   }
+  Property programs;
+  programs.id = kPrograms;
+  programs.group = all.back().group;
+  programs.label = QT_TRANSLATE_NOOP("Property", "Programs allowed");
+  programs.value = task.areProgramsAllowed;
+  all.push_back(std::move(programs));
   Property material;
   material.id = "material";
   material.group = all.front().group;
@@ -214,6 +226,12 @@ Result<TurningTask> withTaskProperty(TurningTask task, const std::string& id, co
     if (!number || !(*number >= 0.0 && *number < static_cast<double>(materials().all().size())))
       return malformed("there is no such choice");
     task.material = materials().all()[static_cast<std::size_t>(*number)].id;
+    return task;
+  }
+  if (id == kPrograms) {
+    const auto* isOn = std::get_if<bool>(&value);
+    if (!isOn) return malformed("a switch was expected");
+    task.areProgramsAllowed = *isOn;
     return task;
   }
   if (id == kAllowanceId && task.target) {

@@ -27,8 +27,9 @@ struct TurningTask : ExerciseTask {
   StockCylinder stock{40.0, 100.0, 0.0};
   std::string material = "medium-carbon-steel";  // id of a WorkMaterial
   ReviewedLathe lathe{800.0, 25.0, 100.0, 2.0};
-  double forceLimit = 2000.0;  // N, of the lathe; shown to the student; 0: any
-  double powerLimit = 3.0;     // kW; 0: any
+  double forceLimit = 2000.0;      // N, of the lathe; shown to the student; 0: any
+  double powerLimit = 3.0;         // kW; 0: any
+  bool areProgramsAllowed = true;  // for students; else all is to be cut by hand
   std::vector<AllowedTool> tools;
   std::optional<TargetProfile> target;
 

@@ -4,6 +4,8 @@
 
 #include "TestClass.h"
 #include "TurningExercises.h"
+#include "document/exercise/Submission.h"
+#include "document/workpiece/ProgramTrial.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceErrors.h"
 #include "document/workpiece/WorkpieceKind.h"
@@ -39,6 +41,18 @@ OpenedFile startedWork() {
   opened.content = exercise->subject->start(*exercise->task);
   opened.file.assigned = assignmentOf(*exercise, kHalfDone);
   return opened;
+}
+
+// The same work, and a program that turns 20 mm of it to this diameter.
+WorkpieceSnapshot goneOnByProgram(const Snapshot& work, double diameter) {
+  WorkpieceSnapshot made = static_cast<const WorkpieceSnapshot&>(work);
+  const std::string text =
+      "G7 G21 G97 S600 M3\nG0 X" + std::to_string(diameter) + " Z2\nG1 Z-20 F120\nG0 X44\nG0 Z2\nM2\n";
+  const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, made.stock, 25.0, 0.0);
+  const auto trial = ProgramTrial::run(made, text, setup, 0.05, nullptr);
+  if (!trial || !trial.value()->part()) qFatal("the program does not touch the part");
+  made.part = trial.value()->part();
+  return made;
 }
 
 }  // namespace
@@ -116,6 +130,57 @@ class StartedWorkTest : public QObject {
     QVERIFY(!isBegunFrom(withAttempt(work, later), other) && isBegunFrom(withAttempt(work, later), one));
     QVERIFY(isBegunFrom(assignmentOf(*exercise, kHalfDone), other));
     QVERIFY(!isBegunFrom({}, one));
+  }
+
+  // The recording tells who moved the tool, also out of its file.
+  void byHandAndByProgram() {
+    const auto exercise = exerciseFrom(kindOfStartedWork(), shoulderDescription());
+    const ExerciseSubject& subject = *exercise->subject;
+    const SnapshotPointer bar = subject.start(*exercise->task);
+    const SnapshotPointer byHand = workFrom(*exercise, shoulderWork());
+    const WorkpieceSnapshot byProgram = goneOnByProgram(*bar, 30.0), byBoth = goneOnByProgram(*byHand, 28.0);
+    QVERIFY(subject.originOf(*bar) == WorkOrigin::Unknown);
+    QVERIFY(subject.originOf(*byHand) == WorkOrigin::Hand);
+    QVERIFY(subject.originOf(byProgram) == WorkOrigin::Program);
+    QVERIFY(subject.originOf(byBoth) == WorkOrigin::Both);
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("both.handwheel").toStdString();
+    const OpenedFile begun = startedWork();
+    QVERIFY(saveDocument(*begun.kind, begun.file, byBoth, path).hasValue());
+    const Result<OpenedFile> opened = workpiecesOnly().open(path, {});
+    QVERIFY(opened && subject.originOf(*opened->content) == WorkOrigin::Both);
+  }
+
+  // The marks say it of work that an exercise wants to be done by hand.
+  void programsThatAreNotAllowed() {
+    const auto open = exerciseFrom(kindOfStartedWork(), shoulderDescription());
+    QVERIFY(open->subject->areProgramsAllowed(*open->task) && !open->subject->toJson(*open->task).contains("programs"));
+    nlohmann::json description = shoulderDescription();
+    description["task"]["programs"] = false;
+    const auto closed = exerciseFrom(kindOfStartedWork(), description);
+    QVERIFY(!closed->subject->areProgramsAllowed(*closed->task));
+    QVERIFY(closed->subject->toJson(*closed->task)["programs"] == false);
+    QCOMPARE(closed->subject->conditions(*closed->task).size(), open->subject->conditions(*open->task).size() + 1);
+    const auto remarksOn = [](const ExerciseSnapshot& scheme, SnapshotPointer work) {
+      const auto submission = handedIn(scheme, std::move(work), kHalfDone);
+      const auto row = submission ? markSubmission(scheme, *submission, "x") : Result<ClassRow>(submission.error());
+      return row ? row->remarks.size() : std::size_t{99};
+    };
+    const auto byProgram =
+        std::make_shared<const WorkpieceSnapshot>(goneOnByProgram(*closed->subject->start(*closed->task), 30.0));
+    QCOMPARE(remarksOn(*closed, byProgram), std::size_t(1));
+    QCOMPARE(remarksOn(*open, byProgram), std::size_t(0));
+    QCOMPARE(remarksOn(*closed, workFrom(*closed, shoulderWork())), std::size_t(0));
+    // A setting of the teacher; what is said as it is anyway is no unknown key.
+    const auto changed = closed->subject->withProperty(*closed->task, "programs", true);
+    QVERIFY(changed && closed->subject->areProgramsAllowed(**changed));
+    QVERIFY(!closed->subject->withProperty(*closed->task, "programs", 1.0));
+    description["task"]["programs"] = true;
+    QVERIFY(open->subject->unknownKeys(description["task"], *open->task).empty());
+    std::vector<Error> damage;
+    description["task"]["programs"] = "no";
+    const TaskPointer read = open->subject->fromJson(description["task"], damage);
+    QVERIFY(open->subject->areProgramsAllowed(*read) && damage.size() == 1);
   }
 
   // Time and hints do not come back with an undo, and are worth saving.
