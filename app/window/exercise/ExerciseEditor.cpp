@@ -14,6 +14,7 @@
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QListWidget>
 #include <QLocale>
 #include <QMenu>
@@ -152,6 +153,9 @@ ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString
   rows.down->setToolTip(tr("Move the selected row down"));
   for (QToolButton* each : {add, rows.remove, rows.up, rows.down}) buttons->addWidget(each);
   buttons->addStretch(1);
+  rows.sum = new QLabel(rows.page);
+  rows.sum->setObjectName(name + QStringLiteral("/sum"));
+  buttons->addWidget(rows.sum);
   rows.list = new QListWidget(rows.page);
   rows.list->setObjectName(name);
   rows.list->setAccessibleName(addTip);
@@ -243,6 +247,7 @@ void ExerciseEditor::refresh() {
     steps += tr("%1. %2").arg(i + 1).arg(QString::fromStdString(exercise.steps[i].title));
   fillRows(m_criteria, criteria, properties,
            [&](int row) { return criterionPrefix(exercise.criteria[static_cast<std::size_t>(row)]); });
+  m_criteria.sum->setText(tr("Points: %1").arg(QLocale().toString(exercise.points())));
   fillRows(m_steps, steps, withoutLists(properties), [](int row) { return stepPrefix(static_cast<std::size_t>(row)); });
   m_step->show(exercise, m_steps.list->currentRow());
 }

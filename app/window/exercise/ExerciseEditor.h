@@ -7,6 +7,7 @@
 #include <QPointer>
 #include <QTabWidget>
 
+class QLabel;
 class QListWidget;
 class QMenu;
 class QToolButton;
@@ -40,6 +41,7 @@ class ExerciseEditor : public QTabWidget {
     PropertyList* properties = nullptr;
     QToolButton* remove = nullptr;
     QToolButton *up = nullptr, *down = nullptr;
+    QLabel* sum = nullptr;  // of all rows
   };
   Rows makeRows(const QString& name, const QString& addTip, const std::function<void(QToolButton*)>& setUpAdding);
   void fillRows(Rows& rows, const QStringList& names, const std::vector<Property>& properties,

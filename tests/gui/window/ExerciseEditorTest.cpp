@@ -45,6 +45,13 @@ class ExerciseEditorTest : public QObject {
     };
     QTRY_COMPARE(field("upper"), QStringLiteral("25"));
     QCOMPARE(field("lower"), QStringLiteral("24.916"));  // IT10 of 18 to 30 mm: 84 µm
+    // The sum of the points stands there, too.
+    driver.edit("criterion.c1.points", "7.5");
+    QTRY_VERIFY2(driver.text("criteria/sum").contains("7.5"), qPrintable(driver.text("criteria/sum")));
+    emit menu->aboutToShow();
+    menu->actions().first()->trigger();
+    driver.edit("criterion.c2.points", "3");
+    QTRY_VERIFY2(driver.text("criteria/sum").contains("10.5"), qPrintable(driver.text("criteria/sum")));
   }
 
   // All sizes of the target that are not marked yet by one entry of the menu, in one undo step.
