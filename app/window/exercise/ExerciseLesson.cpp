@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 
@@ -155,6 +156,8 @@ void ExerciseLesson::setExercise(const ExerciseSnapshot& shown, const Attempt& a
   m_steps->setEnabled(isRunning);
   for (QWidget* each : std::initializer_list<QWidget*>{m_measure, m_name, m_handIn}) each->setVisible(isRunning);
   m_sizes->setText(drawingText(shown, exercise));
+  m_sizes->setEnabled(true);
+  m_isMeasured = false;
   m_name->setText(QString::fromStdString(attempt.student));
   setSeconds(attempt.seconds, exercise.allowedSeconds);
   followName();
@@ -167,9 +170,17 @@ void ExerciseLesson::setSeconds(double seconds, double allowed) {
 void ExerciseLesson::setMeasured(const ExerciseSnapshot& measured, const Marking& marking) {
   const Exercise exercise = inLanguage(measured);
   m_sizes->setText(measuredText(exercise, marking));
+  m_sizes->setEnabled(true);
+  m_isMeasured = true;
   setMet(measured, marking);
   // They may be below what is in view. Once they are laid out.
   QTimer::singleShot(0, this, [this] { m_reading->verticalScrollBar()->setValue(m_sizes->y()); });
+}
+
+void ExerciseLesson::setOutdated() {
+  if (!std::exchange(m_isMeasured, false)) return;
+  m_sizes->setText(tr("The work was changed since; measured before that:") + QLatin1Char('\n') + m_sizes->text());
+  m_sizes->setEnabled(false);
 }
 
 void ExerciseLesson::setMet(const ExerciseSnapshot& measured, const Marking& marking) {

@@ -30,6 +30,8 @@ class ExerciseLesson : public QWidget {
   void setMet(const ExerciseSnapshot& measured, const Marking& marking);
   // Shows each size of the drawing, too.
   void setMeasured(const ExerciseSnapshot& exercise, const Marking& marking);
+  // The part is another one than was measured: the sizes stay, but look old.
+  void setOutdated();
 
  signals:
   void begun();
@@ -51,6 +53,7 @@ class ExerciseLesson : public QWidget {
   QLineEdit* m_name;
   QPushButton* m_handIn;
   bool m_isRunning = false;
+  bool m_isMeasured = false;  // the sizes are those of the part as it is
 };
 
 // Whether all criteria of a step are met; false for a step without any.

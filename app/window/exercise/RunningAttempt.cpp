@@ -255,6 +255,7 @@ void RunningAttempt::measure() {
 void RunningAttempt::check() {
   const Work* const work = current();
   if (!work) return;
+  m_lesson->setOutdated();
   const std::vector<ExerciseStep>& steps = work->exercise->exercise.steps;
   const auto waits = [](const ExerciseStep& step) { return !step.criteria.empty(); };
   if (std::any_of(steps.begin(), steps.end(), waits)) start(m_checks, tr("Checking the steps"), *work, false);

@@ -101,6 +101,14 @@ class ExerciseWindowTest : public QObject {
     const auto* const sizes = partOfLesson<QLabel>(driver, "exerciseLesson", "lesson/sizes");
     QTRY_VERIFY(sizes->visibleRegion().boundingRect().height() > sizes->fontMetrics().height());
     QTRY_VERIFY(sizes->visibleRegion().contains(QPoint(2, 2)));  // the first of them is in view
+    // What was measured looks old once the work is another one, and new when it is measured again.
+    QVERIFY(sizes->isEnabled());
+    QVERIFY(driver.window().findChild<DocumentTabs*>()->current()->document.setProperty("chord", 0.05));
+    QTRY_VERIFY(!sizes->isEnabled() && sizes->text().startsWith("The work was changed since"));
+    QVERIFY(sizes->text().contains(QStringLiteral("✗")));
+    partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/measure")->click();
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(sizes->isEnabled() && !sizes->text().contains("changed since"));
 
     QVERIFY(!partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->isEnabled());
   }
