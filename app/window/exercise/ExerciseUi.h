@@ -61,6 +61,8 @@ class ExerciseUi : public RigidPartsUi {
   // False: it stays as it is.
   bool changeTarget(DocumentTab* owner, const QString& text, const TaskPointer& before, const TaskPointer& made);
   void turnTarget();
+  // A message that is removed as soon as the exercise has another task.
+  void sayWhileTarget(Message said, DocumentTab* owner, const TaskPointer& task);
   void askToRound();
   void chooseSubmissions();
   void mark(const QStringList& paths);

@@ -112,10 +112,11 @@ void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const Task
       return;
     }
     parts().log.add(tr("Target read from %1").arg(name));
-    emit message({Message::Weight::Info,
+    Message taken{Message::Weight::Info,
                   tr("%1 is the target now").arg(name),
                   {},
-                  tr("“Task” shows where it lies in the bar, “Criteria” what is measured.")});
+                  tr("“Task” shows where it lies in the bar, “Criteria” what is measured.")};
+    sayWhileTarget(std::move(taken), owner, *task);
   });
   dialog->open();
 }
@@ -157,11 +158,16 @@ void ExerciseUi::turnTarget() {
   Message done{Message::Weight::Info, tr("The target lies the other way round now")};
   if (const auto ends = before->subject->endsNote(**turned)) done.detail = noteText(*ends);
   done.advice = tr("“Criteria” are measured at the places where they were: look at them.");
-  done.about = &document()->document;
-  done.isOver = [exercise = QPointer<ExerciseDocument>(current()), task = *turned] {
+  sayWhileTarget(std::move(done), document(), *turned);
+}
+
+// Undo makes it untrue.
+void ExerciseUi::sayWhileTarget(Message said, DocumentTab* owner, const TaskPointer& task) {
+  said.about = &owner->document;
+  said.isOver = [exercise = QPointer<const ExerciseDocument>(static_cast<ExerciseDocument*>(&owner->document)), task] {
     return !exercise || exercise->exercise().task != task;
   };
-  emit message(done);
+  emit message(said);
 }
 
 void ExerciseUi::askToRound() {

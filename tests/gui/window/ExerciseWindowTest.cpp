@@ -409,8 +409,10 @@ class ExerciseWindowTest : public QObject {
     const auto& back = static_cast<const TurningTask&>(*exercise.exercise().task);
     QVERIFY(std::abs(back.target->extentAt(back.target->upperEnd() - 19.5)->outer - 12.0) < 1e-3);
     driver.click("quickActions/undo");
+    QTRY_VERIFY(!driver.text("messageText").contains("the other way round"));
     driver.click("quickActions/undo");
     QTRY_VERIFY(exercise.exercise().task == before);
+    QVERIFY(!driver.text("messageText").contains("is the target now"));  // which is not so any more
   }
 
   // The work becomes the model solution, which says so and can be looked at.
