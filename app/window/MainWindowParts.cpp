@@ -105,6 +105,9 @@ void MainWindow::buildDocks() {
   m_history = new QUndoView(&m_undo, this);
   m_history->setObjectName(QStringLiteral("historyView"));
   m_history->setAccessibleName(tr("History"));
+  m_history->setWordWrap(true);  // a step may say the name of a file
+  m_history->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_history->setResizeMode(QListView::Adjust);
   m_kindPanels = new QStackedWidget(this);
   for (const auto& [id, each] : m_uis) m_kindPanels->addWidget(each->panel());
   m_documentsDock = addDock(*this, Qt::LeftDockWidgetArea, "documentsDock", tr("Documents"), m_documents, "documents");

@@ -177,28 +177,47 @@ void ExerciseEditor::makeInstructionEditor() {
   m_step = new InstructionEditor(m_steps.page);
   m_steps.page->layout()->addWidget(new ScrolledPanel(m_step, ScrolledPanel::Ways::Vertical));
   connect(m_step, &InstructionEditor::markToggled, this, &ExerciseEditor::toggleMark);
-  connect(m_step, &InstructionEditor::hintAdded, this, [this] {
-    changeHints([](std::vector<std::string>& hints) { hints.push_back(tr("New hint").toStdString()); });
-  });
-  connect(m_step, &InstructionEditor::hintChanged, this, [this](std::size_t hint, const std::string& text) {
-    changeHints([&](std::vector<std::string>& hints) {
-      if (hint < hints.size()) hints[hint] = text;
-      std::erase(hints, std::string());
-    });
-  });
-  connect(m_step, &InstructionEditor::hintRemoved, this, [this](std::size_t hint) {
-    changeHints([&](std::vector<std::string>& hints) {
-      if (hint < hints.size()) hints.erase(hints.begin() + static_cast<std::ptrdiff_t>(hint));
-    });
-  });
+  connect(m_step, &InstructionEditor::hintAdded, this, &ExerciseEditor::addHint);
+  connect(m_step, &InstructionEditor::hintChanged, this, &ExerciseEditor::changeHint);
+  connect(m_step, &InstructionEditor::hintRemoved, this, &ExerciseEditor::removeHint);
 }
 
-void ExerciseEditor::changeHints(const std::function<void(std::vector<std::string>&)>& changing) {
+std::optional<ExerciseSnapshot> ExerciseEditor::withHints(
+    const std::function<void(std::vector<std::string>&)>& changing) const {
   const int row = m_steps.list->currentRow();
-  if (!m_document || row < 0) return;
+  if (!m_document || row < 0) return std::nullopt;
   ExerciseSnapshot exercise = m_document->exercise();
   changing(exercise.exercise.steps[static_cast<std::size_t>(row)].hints);
-  change(tr("Change the hints of a step"), std::move(exercise));
+  return exercise;
+}
+
+std::string ExerciseEditor::partOfHint(std::size_t hint) const {
+  return "step." + std::to_string(m_steps.list->currentRow()) + ".hint." + std::to_string(hint);
+}
+
+// Its text, which is typed next, belongs to the same undo step.
+void ExerciseEditor::addHint() {
+  std::size_t added = 0;
+  auto exercise = withHints([&](std::vector<std::string>& hints) {
+    added = hints.size();
+    hints.push_back(tr("New hint").toStdString());
+  });
+  if (exercise) m_document->change(tr("Add a hint"), std::move(*exercise), partOfHint(added), DragPhase::Continues);
+}
+
+void ExerciseEditor::changeHint(std::size_t hint, const std::string& text) {
+  auto exercise = withHints([&](std::vector<std::string>& hints) {
+    if (hint < hints.size()) hints[hint] = text;
+    std::erase(hints, std::string());
+  });
+  if (exercise) m_document->change(tr("Change a hint"), std::move(*exercise), partOfHint(hint), DragPhase::Ends);
+}
+
+void ExerciseEditor::removeHint(std::size_t hint) {
+  auto exercise = withHints([&](std::vector<std::string>& hints) {
+    if (hint < hints.size()) hints.erase(hints.begin() + static_cast<std::ptrdiff_t>(hint));
+  });
+  if (exercise) change(tr("Remove a hint"), std::move(*exercise));
 }
 
 void ExerciseEditor::toggleMark(const std::string& id) {

@@ -6,6 +6,7 @@
 
 #include <QPointer>
 #include <QTabWidget>
+#include <optional>
 
 class QLabel;
 class QListWidget;
@@ -52,7 +53,12 @@ class ExerciseEditor : public QTabWidget {
   void addSizes(QMenu& menu);
   void makeInstructionEditor();
   void toggleMark(const std::string& id);
-  void changeHints(const std::function<void(std::vector<std::string>&)>& changing);
+  void addHint();
+  void changeHint(std::size_t hint, const std::string& text);
+  void removeHint(std::size_t hint);
+  // The exercise with other hints of the step that is shown; none: no step is.
+  std::optional<ExerciseSnapshot> withHints(const std::function<void(std::vector<std::string>&)>& changing) const;
+  std::string partOfHint(std::size_t hint) const;
   void change(const QString& text, ExerciseSnapshot exercise);
 
   QPointer<ExerciseDocument> m_document;

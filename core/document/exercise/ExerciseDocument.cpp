@@ -57,6 +57,10 @@ void ExerciseDocument::change(const QString& text, ExerciseSnapshot exercise) {
   commit(text, std::make_unique<ExerciseEdit>(std::move(exercise)));
 }
 
+void ExerciseDocument::change(const QString& text, ExerciseSnapshot exercise, std::string part, DragPhase gesture) {
+  commit(text, std::make_unique<ExerciseEdit>(std::move(exercise), std::move(part)), gesture);
+}
+
 ExerciseEdit::ExerciseEdit(ExerciseSnapshot exercise, std::string property)
     : m_exercise(std::make_shared<const ExerciseSnapshot>(std::move(exercise))), m_property(std::move(property)) {}
 

@@ -25,6 +25,8 @@ class ExerciseDocument : public Document {
 
   // Makes another value the present one, as one undo step.
   void change(const QString& text, ExerciseSnapshot exercise);
+  // The same, as the beginning or end of a gesture: with the next change of this part it is one undo step.
+  void change(const QString& text, ExerciseSnapshot exercise, std::string part, DragPhase gesture);
 
  private:
   friend class ExerciseEdit;

@@ -111,10 +111,25 @@ class ExerciseEditorTest : public QObject {
 
     auto* hints = driver.find<QListWidget>("steps/hints");
     QCOMPARE(hints->count(), static_cast<int>(before.hints.size()));
+    const auto steps = [&driver] {
+      return driver.window().findChild<DocumentTabs*>()->current()->document.history()->index();
+    };
+    const int done = steps();
     driver.click("steps/addHint");
     QCOMPARE(step().hints.size(), before.hints.size() + 1);
     hints->item(hints->count() - 1)->setText("Oil | or air; not both");
     QCOMPARE(step().hints.back(), std::string("Oil | or air; not both"));
+    QCOMPARE(steps(), done + 1);  // added with its text
+    driver.click("steps/addHint");
+    hints->item(hints->count() - 1)->setText("Slowly");
+    QCOMPARE(steps(), done + 2);
+    QCOMPARE(step().hints.size(), before.hints.size() + 2);
+    driver.click("quickActions/undo");
+    QTRY_COMPARE(step().hints.size(), before.hints.size() + 1);
+    hints->item(hints->count() - 1)->setText("Oil | or air; not both!");
+    QCOMPARE(steps(), done + 2);  // a change later is one of its own
+    driver.click("quickActions/undo");
+    QTRY_COMPARE(step().hints.back(), std::string("Oil | or air; not both"));
     hints->setCurrentRow(hints->count() - 1);
     driver.click("steps/removeHint");
     QVERIFY(step().hints == before.hints);
