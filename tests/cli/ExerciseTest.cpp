@@ -71,6 +71,10 @@ class ExerciseTest : public QObject {
     QVERIFY2(csv.count('\n') == 3 && csv.contains("'=Bob"), csv);
     const QByteArray html = bench.content("class.html");
     QVERIFY(html.contains("Ada") && html.contains("=Bob"));
+    // A heading of one word is not broken; eleven criteria with long names are numbered, and named below.
+    QVERIFY(html.contains("<th style=\"white-space: nowrap\">Points</th>"));
+    QVERIFY(html.contains("<th style=\"white-space: nowrap\">11</th>") && html.contains("The numbered columns"));
+    QVERIFY(html.contains("<td>by hand</td>") && ada["made_by"] == "hand");
     // Seven curves of a part that was turned, one of an untouched bar, and a picture of each.
     QCOMPARE(html.count("data:image/png;base64,"), 7 + 1 + 2);
     QVERIFY2(blueShare(html, "work0-picture-0") < 0.01, "what is left of the model solution");

@@ -17,6 +17,7 @@
 #include <QUrl>
 #include <algorithm>
 #include <functional>
+#include <string_view>
 
 namespace handwheel {
 
@@ -44,12 +45,26 @@ std::string said(const char* text, std::vector<std::string> arguments = {}) {
 
 std::string cellsOf(const std::vector<std::string>& cells, const char* element) {
   std::string html = "<tr>";
-  for (const std::string& cell : cells) html += std::string("<") + element + ">" + escaped(cell) + "</" + element + ">";
+  for (const std::string& cell : cells) {
+    // A single word is not broken where its column is narrow.
+    const bool isWord = std::string_view(element) == "th" && cell.find(' ') == cell.npos;
+    html += std::string("<") + element + (isWord ? " style=\"white-space: nowrap\">" : ">") + escaped(cell) + "</" +
+            element + ">";
+  }
   return html + "</tr>\n";
 }
 
-// The class on one page: the criteria are numbered, and named below. More of them than fit on paper stand with each
-// student only.
+// Whether the columns of the class can be headed by the names of the criteria.
+bool areNamesShort(const std::vector<MarkingCriterion>& criteria) {
+  constexpr std::size_t kMostNamed = 8;
+  constexpr qsizetype kLongestName = 14;  // signs
+  return criteria.size() <= kMostNamed && std::all_of(criteria.begin(), criteria.end(), [](const MarkingCriterion& c) {
+           return !c.name.empty() && QString::fromStdString(c.name).size() <= kLongestName;
+         });
+}
+
+// The class on one page: the criteria are named where there is room, else numbered, and named below. More of them than
+// fit on paper stand with each student only.
 std::string classTable(const ClassReport& report) {
   constexpr std::size_t kMostOnPaper = 16;
   ClassTable table(report.exercise);
@@ -59,10 +74,10 @@ std::string classTable(const ClassReport& report) {
   std::vector<std::string> headings;
   for (const std::size_t column : columns) headings.push_back(translatedHeading(table.heading(column)));
   const std::size_t criteria = table.columns() - ClassTable::FirstCriterion;
-  const bool fits = criteria <= kMostOnPaper;
+  const bool fits = criteria <= kMostOnPaper, isNamed = areNamesShort(report.exercise.criteria);
   for (std::size_t i = 0; fits && i < criteria; ++i) {
     columns.push_back(ClassTable::FirstCriterion + i);
-    headings.push_back(std::to_string(i + 1));
+    headings.push_back(isNamed ? report.exercise.criteria[i].name : std::to_string(i + 1));
   }
   std::string html =
       "<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\" width=\"100%\" "
@@ -78,7 +93,7 @@ std::string classTable(const ClassReport& report) {
     html += cellsOf(cells, "td");
   }
   html += "</table>\n";
-  if (!fits) return html;
+  if (!fits || isNamed) return html;
   html += "<p style=\"font-size: 8pt\">" +
           said(QT_TRANSLATE_NOOP("Note", "The numbered columns are the points of these criteria:")) + "</p>\n";
   html += "<ol style=\"font-size: 8pt\">\n";
