@@ -41,29 +41,50 @@ LessonStep lessonStep(const Exercise& exercise, const Attempt& attempt, std::siz
   return shown;
 }
 
-// "⌀30 h10: 29.916 … 30 mm", and where it is measured. zero: Z from which the read-out counts.
+// "-30": a coordinate in mm.
+QString coordinateText(double at) {
+  constexpr double kShown = 1e6;  // parts of a mm: what is below is rounding
+  return QLocale().toString(std::round(at * kShown) / kShown + 0.0, 'g', 8);
+}
+
+// Where a criterion is measured: the faces of a length by their heights, else each place with its name. zero: Z from
+// which the read-out counts.
+QString placeText(const MarkingCriterion& c, const MeasurementType& type, double zero) {
+  QStringList places, heights;
+  for (std::size_t i = 0; i < std::min(type.arguments.size(), c.arguments.size()); ++i) {
+    const bool isHeight = type.arguments[i].ends_with('Z');
+    const QString at = coordinateText(c.arguments[i] - (isHeight ? zero : 0.0));
+    if (isHeight) heights << at;
+    places << QCoreApplication::translate("Property", type.arguments[i].c_str()) + QLatin1Char(' ') + at +
+                  QStringLiteral(" mm");
+  }
+  const bool areFaces = heights.size() == 2 && places.size() == 4;  // with the radius at which each is
+  return areFaces ? ExerciseLesson::tr("between the faces at Z %1 mm and Z %2 mm").arg(heights[0], heights[1])
+                  : places.join(QStringLiteral(", "));
+}
+
+// "⌀30", and "h10" behind it where the name does not say that already.
+QString nameWithTolerance(const MarkingCriterion& c) {
+  const QString name = QString::fromStdString(c.name), tolerance = QString::fromStdString(c.tolerance);
+  return tolerance.isEmpty() || name.contains(tolerance) ? name : name + QLatin1Char(' ') + tolerance;
+}
+
+// "⌀30 h10: 29.916 … 30 mm", and where it is measured.
 QString sizeText(const MarkingCriterion& c, const MeasurementType& type, double zero) {
-  const auto number = [](double value) { return QLocale().toString(value, 'g', 8); };
   const bool isTime = type.unit == "s";
   const auto value = [&](double figure) {
-    return isTime ? QString::fromStdString(minutesText(figure)) : number(figure);
+    return isTime ? QString::fromStdString(minutesText(figure)) : QLocale().toString(figure, 'g', 8);
   };
   const QString unit = type.unit.empty() || isTime ? QString() : QLatin1Char(' ') + QString::fromStdString(type.unit);
-  QString text = QString::fromStdString(c.name);
+  QString text = nameWithTolerance(c);
   if (c.lower && c.upper)
     text += ExerciseLesson::tr(": %1 … %2%3").arg(value(*c.lower), value(*c.upper), unit);
   else if (c.upper)
     text += ExerciseLesson::tr(": at most %1%2").arg(value(*c.upper), unit);
   else if (c.lower)
     text += ExerciseLesson::tr(": at least %1%2").arg(value(*c.lower), unit);
-  QStringList places;
-  constexpr double kShown = 1e6;  // parts of a mm: what is below is rounding
-  for (std::size_t i = 0; i < std::min(type.arguments.size(), c.arguments.size()); ++i) {
-    const double at = c.arguments[i] - (type.arguments[i].ends_with('Z') ? zero : 0.0);
-    places += QCoreApplication::translate("Property", type.arguments[i].c_str()) + QLatin1Char(' ') +
-              number(std::round(at * kShown) / kShown + 0.0) + QStringLiteral(" mm");
-  }
-  return places.isEmpty() ? text : text + QStringLiteral("\n    ") + places.join(QStringLiteral(", "));
+  const QString place = placeText(c, type, zero);
+  return place.isEmpty() ? text : text + QStringLiteral("\n    ") + place;
 }
 
 // What is on the drawing: stock and machine, then each size with its limits.
@@ -87,7 +108,7 @@ QString measuredText(const Exercise& exercise, const Marking& marking) {
     const MarkingCriterion* c = exercise.find(mark.criterion);
     if (!c || c->isHidden) continue;
     const QString sign = mark.verdict == Verdict::Met ? QStringLiteral("✓") : QStringLiteral("✗");
-    lines += sign + QLatin1Char(' ') + QString::fromStdString(c->name) + QStringLiteral(": ") + reasonText(mark);
+    lines += sign + QLatin1Char(' ') + nameWithTolerance(*c) + QStringLiteral(": ") + reasonText(mark);
   }
   return lines.join(QLatin1Char('\n'));
 }

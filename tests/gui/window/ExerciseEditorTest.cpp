@@ -52,6 +52,12 @@ class ExerciseEditorTest : public QObject {
     menu->actions().first()->trigger();
     driver.edit("criterion.c2.points", "3");
     QTRY_VERIFY2(driver.text("criteria/sum").contains("10.5"), qPrintable(driver.text("criteria/sum")));
+    // Students read the class beside the limits that it stands for.
+    driver.choose("studentCopy");
+    QVERIFY(driver.settle());
+    QString sizes;
+    for (const QLabel* const each : driver.window().findChildren<QLabel*>("lesson/sizes")) sizes += each->text();
+    QVERIFY2(sizes.contains(QStringLiteral("h10: 24.916 … 25 mm")), qPrintable(sizes));
   }
 
   // All sizes of the target that are not marked yet by one entry of the menu, in one undo step.

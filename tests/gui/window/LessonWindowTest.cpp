@@ -20,6 +20,7 @@ class LessonWindowTest : public QObject {
     QString sizes;  // of the page of a student's file, and of the panel beside the work
     for (const QLabel* const each : driver.window().findChildren<QLabel*>("lesson/sizes")) sizes += each->text();
     QVERIFY2(sizes.contains(QStringLiteral("From Z -27 mm, To Z -1 mm")), qPrintable(sizes));
+    QVERIFY2(sizes.contains(QStringLiteral("between the faces at Z -30 mm and Z 0 mm")), qPrintable(sizes));
   }
 };
 
