@@ -99,8 +99,8 @@ ProgramPanel::ProgramPanel(const Actions& actions, QWidget* parent)
   column->setSpacing(6);
   column->addWidget(makeFileRow(actions));
   column->addWidget(makeSetupRow());
+  column->addWidget(makeRunRow());  // above what comes and goes, so that it stays in its place
   column->addWidget(m_editor, 1);
-  column->addWidget(makeRunRow());
   column->addWidget(m_summary);
   column->addWidget(m_list);
   column->addWidget(m_player);

@@ -482,6 +482,18 @@ class ProgramWindowTest : public QObject {
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.readAll().endsWith("M30\r\n%\r\n(end)"));
   }
+
+  // What a run says comes and goes below the text; its buttons stay where the mouse is.
+  void theButtonsStayInTheirPlace() {
+    ProgramWindow window;
+    QVERIFY(window.begin());
+    const auto* run = window.driver.find<QPushButton>("programRun");
+    const QPoint before = run->mapTo(run->window(), QPoint());
+    for (const char* text : {kTurned, "G7 G21 G97 S600 M3\nG99999\nM2\n"}) {
+      QVERIFY(window.run(text));
+      QCOMPARE(run->mapTo(run->window(), QPoint()), before);
+    }
+  }
 };
 
 HANDWHEEL_WINDOW_TEST(ProgramWindowTest)
