@@ -200,6 +200,47 @@ class PlanTest : public QObject {
     QVERIFY2(cell.read("deburr.mod").contains("! Outdated: the part block has moved"), cell.read("deburr.mod"));
   }
 
+  // The same of a path to a target that was moved, and of one along a curve whose tool is another one now; `verify` and
+  // `inspect` say it, too.
+  void anOutdatedTargetAndTool() {
+    const PlannedCell cell;
+    cell.run({"configuration", "irb120", "--add", "home", "--joints", "joint_2=0.2,joint_5=0.6", "-o", "c.handwheel"});
+    cell.run({"configuration", "c.handwheel", "--at", "400,100,300", "--turn", "180,0,0", "--add-target", "drop", "-o",
+              "c.handwheel"});
+    const Ran planned =
+        cell.run({"plan", "c.handwheel", "--from", "home", "--to", "drop", "--name", "reach", "-o", "c.handwheel"});
+    QVERIFY2(planned.code == 0, planned.err);
+    const auto inspected = [&] {
+      return jsonOf(cell.run({"inspect", "c.handwheel", "--json"}).out)["document"]["paths"][0];
+    };
+    const QStringList post{"post", "c.handwheel", "reach", "--controller", "rapid", "-o", "reach.mod"};
+    QCOMPARE(cell.run(post).code, 0);
+    QVERIFY(!inspected()["outdated"].get<bool>());
+    QVERIFY(!cell.read("reach.mod").contains("Outdated"));
+    cell.run({"set", "c.handwheel", "target.drop.x=390", "-o", "c.handwheel"});
+    QVERIFY(inspected()["outdated"].get<bool>());
+    QCOMPARE(inspected()["targets_moved"][0].get<std::string>(), std::string("drop"));
+    const Ran verified = cell.run({"verify", "c.handwheel", "reach"});
+    QVERIFY2(verified.out.contains("drop") && verified.out.contains("plan it again"), verified.out);
+    QVERIFY(jsonOf(cell.run({"verify", "c.handwheel", "reach", "--json"}).out)["outdated"].get<bool>());
+    const Ran refused = cell.run(post);
+    QCOMPARE(refused.code, 1);
+    QVERIFY2(refused.err.contains("drop") && refused.err.contains("--outdated"), refused.err);
+    const Ran written = cell.run(post + QStringList{"--outdated", "--json"});
+    QVERIFY2(written.code == 0 && written.err.contains("drop"), written.err);
+    QVERIFY2(cell.read("reach.mod").contains("! Outdated: the tool does not come to the target drop"),
+             cell.read("reach.mod"));
+    cell.run({"body", "c.handwheel", "--add", "box:120,200,100", "--at", "420,0,50", "--name", "block", "-o",
+              "b.handwheel"});
+    const Ran process = cell.run({"process", "b.handwheel", "--part", "block", "--near", "360,0,100", "--free",
+                                  "--standoff", "2", "--name", "deburr", "-o", "b.handwheel"});
+    QVERIFY2(process.code == 0, process.err);
+    cell.run({"set", "b.handwheel", "tcp.z=-1", "-o", "b.handwheel"});
+    const Ran other = cell.run({"post", "b.handwheel", "deburr", "--controller", "rapid", "-o", "deburr.mod"});
+    QCOMPARE(other.code, 1);
+    QVERIFY2(other.err.contains("tool centre point") && other.err.contains("--outdated"), other.err);
+  }
+
   // On the top of a block, with a bend, 5 mm above it.
   void alongADrawnCurve() {
     const PlannedCell cell;

@@ -58,6 +58,17 @@ std::string share(double value) {
 
 }  // namespace
 
+std::vector<std::string> reasonsOf(const Outdating& outdating) {
+  std::vector<std::string> reasons;
+  if (!outdating.part.empty())
+    reasons.push_back("the part " + outdating.part + " has moved since the path was planned along it");
+  if (outdating.isToolOther)
+    reasons.emplace_back("the tool centre point was changed since the path was planned along its curve");
+  for (const std::string& target : outdating.targets)
+    reasons.push_back("the tool does not come to the target " + target + " any more: that, or the tool, has moved");
+  return reasons;
+}
+
 nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
   const PathMetrics& metrics = checked.metrics;
   nlohmann::ordered_json collisions = nlohmann::ordered_json::array();
@@ -68,7 +79,11 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
       {"manipulability", metrics.manipulability}, {"security_mm", metrics.security},
       {"limit_margin", metrics.leastMargin},      {"cycle_s", checked.seconds},
       {"robots_moved", checked.robotsMoved},      {"collisions", collisions}};
-  if (!checked.partMoved.empty()) json["part_moved"] = checked.partMoved;
+  const Outdating& outdating = checked.outdating;
+  json["outdated"] = outdating.isAny();
+  if (!outdating.part.empty()) json["part_moved"] = outdating.part;
+  if (outdating.isToolOther) json["tool_changed"] = true;
+  if (!outdating.targets.empty()) json["targets_moved"] = outdating.targets;
   if (checked.way.stopsAt) json["stops_at"] = {{"place", *checked.way.stopsAt}, {"share", checked.way.reached}};
   return json;
 }
@@ -88,8 +103,7 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
   }
   for (const std::string& robot : checked.robotsMoved)
     text += "the robot " + robot + " has moved since the path was made; the figures hold for its present position\n";
-  if (!checked.partMoved.empty())
-    text += "the part " + checked.partMoved + " has moved since the path was planned along it: plan it again\n";
+  for (const std::string& reason : reasonsOf(checked.outdating)) text += reason + ": plan it again\n";
   for (const PathCollision& each : checked.verification.collisions) {
     const auto [link, other] = scene.namesOf(each.deepest);
     text += "motion to place " + std::to_string(checked.placeOf(each.motion) + 1) + ", " + share(each.from) + " to " +

@@ -11,9 +11,11 @@
 namespace handwheel {
 
 // The measurements of a path for reports. Keys: certified, length_rad, waypoints, min_clearance_mm, manipulability,
-// security_mm, limit_margin, cycle_s, collisions.
+// security_mm, limit_margin, cycle_s, robots_moved, outdated, collisions.
 nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
+// Why a path does not lead to what it was planned for any more: phrases.
+std::vector<std::string> reasonsOf(const Outdating& outdating);
 // Says on stderr what a proof rests on: links without meshes, simplified shapes.
 void warnOfShapes(const CellScene& scene);
 

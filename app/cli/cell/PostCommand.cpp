@@ -62,8 +62,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
     complain(std::string("warning: ") + post->title() + " is not the language of the controller of this robot, " +
              written->otherRobot);
   }
-  if (!checked->partMoved.empty())
-    complain("warning: the part " + checked->partMoved + " has moved since the path was planned along it");
+  for (const std::string& reason : reasonsOf(checked->outdating)) complain("warning: " + reason);
   if (arguments.has("json")) {
     return print(textOf({{"controller", post->id()},
                          {"motions", readBack.motions},
@@ -71,7 +70,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
                          {"error_deg", readBack.angle},
                          {"exact_stops", written->exactStops},
                          {"other_robot", !written->otherRobot.empty()},
-                         {"outdated", !checked->partMoved.empty()},
+                         {"outdated", checked->outdating.isAny()},
                          {"frame", written->frame.empty() ? nlohmann::json() : nlohmann::json(written->frame)},
                          {"certified", true}}));
   }
@@ -103,8 +102,8 @@ Command postCommand() {
                           "RAPID: only name the frame of the cell; another module of the same task has its data"});
   spec.options.push_back(resolutionOption());
   spec.options.push_back({"outdated", 0, "",
-                          "Write it even if the part that it was planned along stands elsewhere now; a comment of the "
-                          "program says so"});
+                          "Write it even if its part or a target has moved, or the tool has changed, since it was "
+                          "planned; a comment of the program says so"});
   spec.options.push_back({"output", 'o', "OUT", "The file to write"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});

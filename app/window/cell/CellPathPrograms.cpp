@@ -47,7 +47,7 @@ QString withEnding(const QString& file, const PostProcessor& post) {
 
 }  // namespace
 
-// A path that was not verified as it is now, or that leads past its part, is first said to be so.
+// A path that was not verified as it is now, or that leads past its part or a target, is first said to be so.
 void CellPaths::requestProgram() {
   const RobotPath* const present = path();
   if (!present) return;
@@ -67,7 +67,7 @@ void CellPaths::requestProgram() {
     if (!now) return true;
     if (document != m_document) return false;  // its state is looked at while it is shown
     const auto found = m_checks.of(*now);
-    return found && (!isKnown || found->partMoved.empty());
+    return found && (!isKnown || !found->outdating.isAny());
   };
   if (!known) {
     const PathStatus status = pathStatusOf(m_checks.stateOf(*present), *present, cell().displayUnit(), QLocale());
@@ -76,9 +76,8 @@ void CellPaths::requestProgram() {
     asked.advice = tr("Only what is proven free of collisions is exported.");
     asked.actionText = m_verify.text();
     asked.action = answer([this] { m_verify.trigger(); });
-  } else if (!known->partMoved.empty()) {
-    asked.detail = tr("It leads along the curve where %1 was when it was planned: the tool does not meet it any more.")
-                       .arg(QString::fromStdString(known->partMoved));
+  } else if (known->outdating.isAny()) {
+    asked.detail = outdatingReasons(known->outdating).join(QLatin1Char(' '));
     asked.actionText = tr("Plan it again");
     asked.action = answer([this] { m_again.trigger(); });
     asked.otherText = tr("Export it as it is");
@@ -175,9 +174,9 @@ void CellPaths::exportProgram(const PostProcessor& post, const QString& file, co
                                                      : FrameData::AtController](Progress) -> Job::Finish {
     auto written =
         writeProgram(*scene, *plans, path, *known, post, QFile::encodeName(file).toStdString(), outdated, frameData);
-    return [this, stillOpen, &post, file, partMoved = known->partMoved, written = std::move(written)] {
+    return [this, stillOpen, &post, file, outdating = known->outdating, written = std::move(written)] {
       if (!written) return report(stillOpen(), written.error());
-      reportWritten(stillOpen(), *written, post, file, QString::fromStdString(partMoved));
+      reportWritten(stillOpen(), *written, post, file, outdating);
     };
   };
   m_parts.jobs.start(std::move(job));
@@ -194,7 +193,7 @@ void CellPaths::reportNotWritten(const std::string& path) {
 }
 
 void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
-                              const QString& file, const QString& partMoved) {
+                              const QString& file, const Outdating& outdating) {
   const QLocale locale;
   QString detail = tr("%Ln motion(s), read back within %1 mm.", nullptr, static_cast<int>(written.check.motions))
                        .arg(locale.toString(written.check.distance, 'g', 2));
@@ -209,11 +208,9 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
     detail += QLatin1Char(' ') + tr("%1 is not the language of the controller of this robot, %2.")
                                      .arg(QLatin1String(post.title()), QString::fromStdString(written.otherRobot));
   }
-  if (!partMoved.isEmpty()) {
-    detail += QLatin1Char(' ') +
-              tr("It follows the curve at the former position of %1: a comment of the program says so.").arg(partMoved);
-  }
-  emit message({isOther || !partMoved.isEmpty() ? Message::Weight::Warning : Message::Weight::Info,
+  for (const QString& reason : outdatingReasons(outdating)) detail += QLatin1Char(' ') + reason;
+  if (outdating.isAny()) detail += QLatin1Char(' ') + tr("A comment of the program says so.");
+  emit message({isOther || outdating.isAny() ? Message::Weight::Warning : Message::Weight::Info,
                 tr("%1 was written").arg(QFileInfo(file).fileName()),
                 detail,
                 {},

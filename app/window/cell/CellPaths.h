@@ -154,7 +154,7 @@ class CellPaths : public QObject {
   void reportNotWritten(const std::string& path);
   // tab: null where it was closed.
   void reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
-                     const QString& file, const QString& partMoved);
+                     const QString& file, const Outdating& outdating);
   void importProgram(const QString& file);
   void reportFrames(const DocumentTab& tab, const QString& file, const TakenFrames& frames);
   void verify();

@@ -236,8 +236,10 @@ void CellPaths::setPlaceHere() {
   CellPlans changed = plans();
   RobotPath* const of = pathByHand(changed, entry.name);
   if (entry.kind != Kind::Place || !of || entry.place >= of->places.size()) return;
-  of->places[entry.place].joints = cell().joints();
-  of->places[entry.place].isCritical = true;
+  Waypoint& place = of->places[entry.place];
+  place.joints = cell().joints();
+  place.isCritical = true;
+  place.target.reset();
   commit(tr("Set place %1 of %2").arg(entry.place + 1).arg(QString::fromStdString(entry.name)), std::move(changed));
 }
 
@@ -272,8 +274,7 @@ void CellPaths::removeCurrent() {
     std::erase_if(changed.configurations, [&](const NamedConfiguration& each) { return each.name == entry.name; });
     commit(tr("Remove %1").arg(name), std::move(changed));
   } else if (entry.kind == Kind::Target) {
-    std::erase_if(changed.targets, [&](const NamedTarget& each) { return each.name == entry.name; });
-    commit(tr("Remove %1").arg(name), std::move(changed));
+    commit(tr("Remove %1").arg(name), withoutTarget(std::move(changed), entry.name));
   } else if (entry.kind == Kind::Frame) {
     commit(tr("Remove %1").arg(name), withoutFrame(entry.name, cell().placement()));
   } else if (entry.kind == Kind::Path) {
@@ -294,15 +295,12 @@ void CellPaths::rename(const PlanTree::Entry& entry, const QString& name) {
                        : entry.kind == Kind::Frame ? changed.frame(wanted) != nullptr
                                                    : changed.path(wanted) != nullptr;
   if (wanted == entry.name || isTaken || !isBodyName(wanted)) return update();
-  const auto renameIn = [&](auto& all) {
-    for (auto& each : all) {
+  if (entry.kind == Kind::Configuration) {
+    for (NamedConfiguration& each : changed.configurations) {
       if (each.name == entry.name) each.name = wanted;
     }
-  };
-  if (entry.kind == Kind::Configuration) {
-    renameIn(changed.configurations);
   } else if (entry.kind == Kind::Target) {
-    renameIn(changed.targets);
+    changed = withTargetRenamed(std::move(changed), entry.name, wanted);
   } else if (entry.kind == Kind::Frame) {
     changed = withFrameRenamed(std::move(changed), entry.name, wanted);
   } else if (RobotPath* const of = pathOf(changed, entry.name)) {

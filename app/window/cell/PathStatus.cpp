@@ -33,6 +33,8 @@ class Words {
         return tr("not verified since the tool centre point was changed");
       case BasisChange::Clearance:
         return tr("not verified since the clearance was changed");
+      case BasisChange::Targets:
+        return tr("not verified since its targets were moved");
       case BasisChange::Nothing:
         break;
     }
@@ -44,7 +46,7 @@ class Words {
     const PathFindings& found = *result.found;
     if (found.stopsAt) return tr("line cannot be followed, %1").arg(time(result));
     if (!found.isCertified) return tr("%1, %2").arg(collisions(found), time(result));
-    if (!found.partMoved.empty()) return tr("plan again: %1 has moved").arg(QString::fromStdString(found.partMoved));
+    if (found.outdating.isAny()) return planAgain(found.outdating);
     const QString known = tr("%1, %2").arg(clearanceText(found.leastClearance, m_unit, m_locale), time(result));
     return moved(found, found.hasShapeless ? tr("free, except for links without meshes, %1").arg(known)
                                            : tr("free, %1").arg(known));
@@ -70,10 +72,8 @@ class Words {
                                     "joints.")
                                      .arg(*found.stopsAt + 1)};
     if (!found.isCertified) return lines + collisionsOf(found);
-    if (!found.partMoved.empty()) {
-      lines += tr("It follows the curve at the former position of %1. Plan it again to follow the part.")
-                   .arg(QString::fromStdString(found.partMoved));
-    }
+    lines += outdatingReasons(found.outdating);
+    if (found.outdating.isAny()) lines += tr("Plan it again.");
     const double kept = found.clearance;
     lines += kept > 0.0 ? tr("Every motion is proven to keep a clearance of %1.")
                               .arg(quantityText(kept, Quantity::Length, m_unit, m_locale))
@@ -92,6 +92,12 @@ class Words {
   }
   static QString collisions(const PathFindings& found) {
     return tr("%Ln collision(s)", nullptr, static_cast<int>(found.collisions));
+  }
+  static QString planAgain(const Outdating& outdating) {
+    if (outdating.part.empty() && outdating.isToolOther) return tr("plan again: the tool centre point was changed");
+    if (outdating.part.empty())
+      return tr("plan again: it misses %1").arg(QString::fromStdString(*outdating.targets.begin()));
+    return tr("plan again: %1 has moved").arg(QString::fromStdString(outdating.part));
   }
   static QString moved(const PathFindings& found, const QString& text) {
     if (found.robotsMoved.empty()) return text;
@@ -112,6 +118,22 @@ QStringList collisionsOf(const PathFindings& found) {
                  .arg(QString::fromStdString(each.link), QString::fromStdString(each.other));
   }
   return texts;
+}
+
+QStringList outdatingReasons(const Outdating& outdating) {
+  QStringList reasons;
+  if (!outdating.part.empty()) {
+    reasons +=
+        Words::tr("It leads along the curve where %1 was when it was planned: the tool does not meet it any more.")
+            .arg(QString::fromStdString(outdating.part));
+  }
+  if (outdating.isToolOther)
+    reasons += Words::tr("The tool centre point was another one when its curve was planned: that is not met any more.");
+  for (const std::string& target : outdating.targets) {
+    reasons += Words::tr("The tool does not come to the target %1 any more: that, or the tool, has moved since.")
+                   .arg(QString::fromStdString(target));
+  }
+  return reasons;
 }
 
 QString clearanceText(double least, LengthUnit unit, const QLocale& locale) {
@@ -140,7 +162,7 @@ PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, L
     const QString text = Words::notSince(state.change);
     return plain(text, text + QLatin1Char('\n') + Words::tr("Before: %1").arg(found), "info");
   }
-  const bool isFree = state.last->found && state.last->found->isCertified && state.last->found->partMoved.empty();
+  const bool isFree = state.last->found && state.last->found->isCertified && !state.last->found->outdating.isAny();
   // Only what was proven in this session is shown as such.
   const bool isStored = isFree && !state.last->checked;
   const QString summary = isStored ? Words::tr("%1, as stored with the cell").arg(found) : found;

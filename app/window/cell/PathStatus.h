@@ -22,6 +22,9 @@ PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, L
 // "12.3 mm": the least clearance that was found; "> 1000 mm" where everything is further away than is measured.
 QString clearanceText(double least, LengthUnit unit, const QLocale& locale);
 
+// Why a path does not lead to what it was planned for any more, a sentence each.
+QStringList outdatingReasons(const Outdating& outdating);
+
 // The first collisions that were found, a text each.
 QStringList collisionsOf(const PathFindings& found);
 

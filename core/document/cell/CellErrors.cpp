@@ -68,6 +68,16 @@ const ErrorDescription CellError::PathOutdated{
     .sentences = {translatable("ErrorText", "the path '%1' leads along the curve where '%2' was when it was planned")},
     .advice = {translatable("ErrorText", "Plan it again, or write it as it is; on the command line: --outdated.")}};
 
+const ErrorDescription CellError::PathToolChanged{
+    .id = "PathToolChanged",
+    .sentences = {translatable("ErrorText", "the curve of the path '%1' was planned with another tool centre point")},
+    .advice = {translatable("ErrorText", "Plan it again, or write it as it is; on the command line: --outdated.")}};
+
+const ErrorDescription CellError::PathTargetMoved{
+    .id = "PathTargetMoved",
+    .sentences = {translatable("ErrorText", "the path '%1' leads to where the target '%2' was when it was planned")},
+    .advice = {translatable("ErrorText", "Plan it again, or write it as it is; on the command line: --outdated.")}};
+
 const ErrorDescription CellError::LineCollides{
     .id = "LineCollides",
     .sentences = {translatable("ErrorText", "on the straight line to %1 the robot collides: %2 with %3")},

@@ -166,4 +166,28 @@ CellPlans withoutFrame(const std::string& name, const CellPlacement& cell) {
   return plans;
 }
 
+CellPlans withTargetRenamed(CellPlans plans, const std::string& name, const std::string& wanted) {
+  for (NamedTarget& target : plans.targets) {
+    if (target.name == name) target.name = wanted;
+  }
+  for (RobotPath& path : plans.paths) {
+    for (Waypoint& place : path.places) {
+      if (!place.target || place.target->name != name) continue;
+      place.target->name = wanted;
+      if (place.name == name) place.name = wanted;
+    }
+  }
+  return plans;
+}
+
+CellPlans withoutTarget(CellPlans plans, const std::string& name) {
+  std::erase_if(plans.targets, [&](const NamedTarget& each) { return each.name == name; });
+  for (RobotPath& path : plans.paths) {
+    for (Waypoint& place : path.places) {
+      if (place.target && place.target->name == name) place.target.reset();
+    }
+  }
+  return plans;
+}
+
 }  // namespace handwheel

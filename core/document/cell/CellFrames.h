@@ -64,4 +64,9 @@ NamedTarget targetShownAt(NamedTarget target, const Pose& shown, const CellPlace
 CellPlans withFrameRenamed(CellPlans plans, const std::string& name, const std::string& wanted);
 CellPlans withoutFrame(const std::string& name, const CellPlacement& cell);
 
+// The plans with another name for a target, which must be free, also of the places of paths that were planned to it; or
+// without one of their targets: then these places are given by their joint values alone.
+CellPlans withTargetRenamed(CellPlans plans, const std::string& name, const std::string& wanted);
+CellPlans withoutTarget(CellPlans plans, const std::string& name);
+
 }  // namespace handwheel

@@ -19,7 +19,8 @@ using nlohmann::json;
 const std::string kProofs = "cell/proofs.json";
 constexpr std::uint64_t kMethod = 1;  // of verification and digests; counted on when what is proven changes
 
-constexpr std::array<const char*, 7> kParts = {"robots", "path", "joints", "bodies", "allowed", "tool", "clearance"};
+constexpr std::array<const char*, 8> kParts = {"robots",  "path", "joints",    "bodies",
+                                               "allowed", "tool", "clearance", "targets"};
 
 json toJson(const std::string& path, const PathProof& proof) {
   const PathFindings& found = proof.found;
@@ -32,7 +33,9 @@ json toJson(const std::string& path, const PathProof& proof) {
                  {"seconds", found.seconds},
                  {"shapeless", found.hasShapeless},
                  {"robots_moved", found.robotsMoved},
-                 {"part_moved", found.partMoved},
+                 {"part_moved", found.outdating.part},
+                 {"tool_changed", found.outdating.isToolOther},
+                 {"targets_moved", found.outdating.targets},
                  {"listed", json::array()},
                  {"basis", json::object()}};
   if (found.stopsAt) stored["stops_at"] = *found.stopsAt;
@@ -53,6 +56,15 @@ bool isAt(const json& object, const char* key) {
   return found != object.end() && found->is_boolean() && found->get<bool>();
 }
 
+std::set<std::string> namesAt(const json& object, const char* key) {
+  std::set<std::string> names;
+  const auto found = object.find(key);
+  for (const json& each : found != object.end() && found->is_array() ? *found : json::array()) {
+    if (each.is_string()) names.insert(each.get<std::string>());
+  }
+  return names;
+}
+
 std::optional<PathProof> proofFrom(const json& stored) {
   const auto clearance = lengthAt(stored, "clearance_mm"), least = lengthAt(stored, "least_clearance_mm"),
              seconds = lengthAt(stored, "seconds");
@@ -69,11 +81,9 @@ std::optional<PathProof> proofFrom(const json& stored) {
   found.leastClearance = *least;
   found.seconds = *seconds;
   found.hasShapeless = isAt(stored, "shapeless");
-  found.partMoved = stringAt(stored, "part_moved");
-  const auto moved = stored.find("robots_moved"), listed = stored.find("listed");
-  for (const json& each : moved != stored.end() && moved->is_array() ? *moved : json::array()) {
-    if (each.is_string()) found.robotsMoved.insert(each.get<std::string>());
-  }
+  found.robotsMoved = namesAt(stored, "robots_moved");
+  found.outdating = {stringAt(stored, "part_moved"), isAt(stored, "tool_changed"), namesAt(stored, "targets_moved")};
+  const auto listed = stored.find("listed");
   for (const json& each : listed != stored.end() && listed->is_array() ? *listed : json::array()) {
     if (each.is_object() && found.listed.size() < PathFindings::kMostListed)
       found.listed.push_back({countAt(each, "place"), stringAt(each, "link"), stringAt(each, "other")});

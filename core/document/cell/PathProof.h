@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/cell/path/Outdating.h"
+
 #include <array>
 #include <map>
 #include <optional>
@@ -14,10 +16,10 @@ namespace handwheel {
 struct Container;
 
 // The inputs of a path's verification, in the order in which a change is named. Nothing: none of it has changed.
-enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Clearance };
+enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Clearance, Targets };
 
 // A digest of each of these (SHA-256, hexadecimal digits), in order, without Nothing.
-using BasisDigests = std::array<std::string, 7>;
+using BasisDigests = std::array<std::string, 8>;
 
 // What the verification of a path found, in brief. Lengths in mm, times in s.
 struct PathFindings {
@@ -37,7 +39,7 @@ struct PathFindings {
   double seconds = 0.0;
   bool hasShapeless = false;  // links without meshes were left out
   std::set<std::string> robotsMoved = {};
-  std::string partMoved = {};
+  Outdating outdating = {};
 
   bool operator==(const PathFindings&) const = default;
 };

@@ -8,6 +8,7 @@
 #include "document/cell/CellDisplay.h"
 #include "document/cell/CellImport.h"
 #include "document/cell/RobotCellDocument.h"
+#include "document/cell/path/Outdating.h"
 #include "document/formats/MeshExport.h"
 #include "document/scene/BodyDescription.h"
 #include "document/scene/BodyLinks.h"
@@ -135,8 +136,17 @@ nlohmann::json describeFrames(const RobotCellSnapshot& cell) {
 
 nlohmann::json describePaths(const RobotCellSnapshot& cell) {
   nlohmann::json list = nlohmann::json::array();
-  for (const RobotPath& path : cell.plans->paths)
-    list.push_back({{"name", path.name}, {"robot", describedArm(cell, path.arm)}, {"places", path.places.size()}});
+  const CellPlacement placement{*cell.plans, cell.bodies, cell.robot->model, cell.joints};
+  for (const RobotPath& path : cell.plans->paths) {
+    const Outdating outdating = outdatingOf(*cell.robot, placement, path);
+    list.push_back({{"name", path.name},
+                    {"robot", describedArm(cell, path.arm)},
+                    {"places", path.places.size()},
+                    {"outdated", outdating.isAny()}});
+    if (!outdating.part.empty()) list.back()["part_moved"] = outdating.part;
+    if (outdating.isToolOther) list.back()["tool_changed"] = true;
+    if (!outdating.targets.empty()) list.back()["targets_moved"] = outdating.targets;
+  }
   return list;
 }
 

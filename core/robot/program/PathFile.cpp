@@ -72,6 +72,26 @@ bool isAt(const Json& object, const char* key) {
   return found != object.end() && found->is_boolean() && found->get<bool>();
 }
 
+// As numbersOfPose() writes it; none where that is no rigid one.
+std::optional<Pose> poseAt(const Json& json, const char* key) {
+  const std::vector<double> numbers = numbersAt(json, key, 12);
+  if (numbers.size() != 12) return std::nullopt;
+  Pose pose = Pose::Identity();
+  for (Eigen::Index i = 0; i < 12; ++i) pose.matrix()(i / 4, i % 4) = numbers[static_cast<std::size_t>(i)];
+  const Eigen::Matrix3d turn = pose.linear();
+  constexpr double kSkew = 1e-6;
+  const bool isTurn =
+      (turn.transpose() * turn - Eigen::Matrix3d::Identity()).norm() < kSkew && turn.determinant() > 0.0;
+  return isTurn ? std::optional(pose) : std::nullopt;
+}
+
+// None where it cannot be used: the place is as good without it.
+std::optional<PlaceTarget> placeTargetFrom(const Json& json) {
+  const std::string name = stringAt(json, "name");
+  const auto inTool = name.empty() ? std::nullopt : poseAt(json, "in_tool");
+  return inTool ? std::optional(PlaceTarget{name, *inTool}) : std::nullopt;
+}
+
 Result<Waypoint> placeFrom(const Json& json, const std::string& element, const RobotModel& robot,
                            const JointValues& others) {
   if (!json.is_object()) return malformedPath(element, "an object was expected");
@@ -91,6 +111,7 @@ Result<Waypoint> placeFrom(const Json& json, const std::string& element, const R
   place.motion = isLinear ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
   place.speed = numberAt(json, "speed", isLinear ? 250.0 : 0.25, 1e-3, isLinear ? 1e5 : 1.0);
   place.blend = numberAt(json, "blend_mm", 0.0, 0.0, 1e4);
+  if (const auto target = json.find("target"); target != json.end()) place.target = placeTargetFrom(*target);
   return place;
 }
 
@@ -98,20 +119,9 @@ Json processJson(const PathProcess& process) {
   Json values = Json::object();
   for (const auto& [name, value] : process.values)
     std::visit([&, &key = name](const auto& known) { values[key] = known; }, value);
-  return {{"values", values}, {"part", numbersOfPose(process.part)}, {"planned", numbersOfPose(process.planned)}};
-}
-
-// As numbersOfPose() writes it; none where that is no rigid one.
-std::optional<Pose> poseAt(const Json& json, const char* key) {
-  const std::vector<double> numbers = numbersAt(json, key, 12);
-  if (numbers.size() != 12) return std::nullopt;
-  Pose pose = Pose::Identity();
-  for (Eigen::Index i = 0; i < 12; ++i) pose.matrix()(i / 4, i % 4) = numbers[static_cast<std::size_t>(i)];
-  const Eigen::Matrix3d turn = pose.linear();
-  constexpr double kSkew = 1e-6;
-  const bool isTurn =
-      (turn.transpose() * turn - Eigen::Matrix3d::Identity()).norm() < kSkew && turn.determinant() > 0.0;
-  return isTurn ? std::optional(pose) : std::nullopt;
+  Json json = {{"values", values}, {"part", numbersOfPose(process.part)}, {"planned", numbersOfPose(process.planned)}};
+  if (process.tool) json["tool"] = numbersOfPose(*process.tool);
+  return json;
 }
 
 // None where it cannot be used: the path is as good without it.
@@ -125,6 +135,7 @@ std::optional<PathProcess> processFrom(const Json& json) {
   PathProcess process;
   process.part = *part;
   process.planned = poseAt(json, "planned").value_or(*part);
+  process.tool = poseAt(json, "tool");
   for (const auto& [name, value] : values->items()) {
     if (value.is_boolean()) process.values[name] = value.get<bool>();
     if (value.is_number()) process.values[name] = value.get<double>();
@@ -188,6 +199,8 @@ Json toJson(const RobotModel& robot, const RobotPath& path) {
                       {"speed", place.speed},
                       {"blend_mm", place.blend}});
     if (begin && place.isPlannedFrom(*begin)) places.back()["planned"] = true;
+    if (place.target)
+      places.back()["target"] = {{"name", place.target->name}, {"in_tool", numbersOfPose(place.target->inTool)}};
     if (!begin || place.isCritical) begin = &place;
   }
   Json json = {{"name", path.name}, {"places", places}};

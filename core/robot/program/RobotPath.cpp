@@ -39,9 +39,14 @@ bool Waypoint::isPlannedFrom(const Waypoint& begin) const {
          isSame((*plannedBetween)[1], joints);
 }
 
+bool PlaceTarget::operator==(const PlaceTarget& other) const {
+  return name == other.name && inTool.matrix() == other.inTool.matrix();
+}
+
 bool Waypoint::operator==(const Waypoint& other) const {
   return joints.size() == other.joints.size() && joints == other.joints && name == other.name &&
-         isCritical == other.isCritical && motion == other.motion && speed == other.speed && blend == other.blend;
+         isCritical == other.isCritical && motion == other.motion && speed == other.speed && blend == other.blend &&
+         target == other.target;
 }
 
 bool NamedConfiguration::operator==(const NamedConfiguration& other) const {
@@ -49,7 +54,10 @@ bool NamedConfiguration::operator==(const NamedConfiguration& other) const {
 }
 
 bool PathProcess::operator==(const PathProcess& other) const {
-  return values == other.values && part.matrix() == other.part.matrix() && planned.matrix() == other.planned.matrix();
+  const bool isSameTool =
+      tool.has_value() == other.tool.has_value() && (!tool || tool->matrix() == other.tool->matrix());
+  return values == other.values && part.matrix() == other.part.matrix() && planned.matrix() == other.planned.matrix() &&
+         isSameTool;
 }
 
 bool RobotPath::operator==(const RobotPath& other) const {
@@ -117,7 +125,10 @@ std::size_t CellPlans::bytes() const {
     }
   }
   for (const RobotPath& path : paths) {
-    for (const Waypoint& place : path.places) sum += sizeof place + place.name.size() + ofValues(place.joints);
+    for (const Waypoint& place : path.places) {
+      sum += sizeof place + place.name.size() + ofValues(place.joints);
+      if (place.target) sum += place.target->name.size();
+    }
   }
   return sum;
 }

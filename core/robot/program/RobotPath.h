@@ -19,6 +19,15 @@
 
 namespace handwheel {
 
+// The target that a place of a path was planned to.
+struct PlaceTarget {
+  std::string name;
+  // Where it was then for the tool at that place: not the identity where the arm cannot turn the tool as the target is.
+  Pose inTool = Pose::Identity();
+
+  bool operator==(const PlaceTarget& other) const;
+};
+
 // A waypoint: a place of a path, and the motion that ends there.
 struct Waypoint {
   JointValues joints;  // of the whole cell; those of other robots tell where these stood; rad, mm
@@ -30,6 +39,7 @@ struct Waypoint {
   // The ends between which the planner made the joint motions to this place: those of the critical place before and its
   // own. As long as they are the same, planning again may keep these motions. Null: it did not. Not compared.
   std::shared_ptr<const std::array<JointValues, 2>> plannedBetween = {};
+  std::optional<PlaceTarget> target = {};  // none: it was given as joint values, or set by hand since
 
   // Whether the planner made the motions that lead from this critical place to it.
   bool isPlannedFrom(const Waypoint& begin) const;
@@ -43,6 +53,7 @@ struct PathProcess {
   std::map<std::string, Value> values;  // of the operation "process", by its parameters; those that are not standard
   Pose part = Pose::Identity();         // of the part, in the frame of the base, when they were chosen,
   Pose planned = part;                  // and when the path was planned last
+  std::optional<Pose> tool = {};        // the tool's centre point then, as CellPlans::tool; none: it is not known
 
   bool operator==(const PathProcess& other) const;
 };

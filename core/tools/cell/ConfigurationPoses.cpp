@@ -84,7 +84,7 @@ Status changeTargets(const OperationValues& values, const RobotCellSnapshot& cel
   if (values.isSet("remove-target")) {
     const std::string name = values.text("remove-target");
     if (!plans.target(name)) return Error{CellError::PlaceMissing, {name}, {}, {}};
-    std::erase_if(plans.targets, [&](const NamedTarget& each) { return each.name == name; });
+    plans = withoutTarget(std::move(plans), name);
   }
   if (!values.isSet("add-target")) return Done{};
   NamedTarget target{.name = values.text("add-target")};

@@ -81,6 +81,7 @@ void HandGuidingTool::setPlace(const Guidance& pulled) {
   for (std::size_t i = 0; i < pulled.scene->dofs.size(); ++i)
     place.joints[pulled.scene->dofs[i]] = values[static_cast<Eigen::Index>(i)];
   place.isCritical = true;
+  place.target.reset();
   path.process.reset();
   const QString text = QCoreApplication::translate("HandGuidingTool", "Pull place %1 of %2")
                            .arg(pulled.pulled->place + 1)

@@ -115,8 +115,8 @@ void move(SurfaceTrack& track, const Pose& by) {
   }
 }
 
-PathProcess processOf(const OperationValues& values, const Pose& chosen, const Pose& planned) {
-  PathProcess process{{}, chosen, planned};
+PathProcess processOf(const OperationValues& values, const Pose& chosen, const Pose& planned, const Pose& tool) {
+  PathProcess process{{}, chosen, planned, tool};
   for (const Parameter& parameter : values.operation().parameters) {
     const std::string& id = parameter.property.id;
     if (values.isSet(id) && id != "name") process.values.emplace(id, *values.value(id));
@@ -329,18 +329,9 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
     if (!leg) return leg.error();
   }
   planned.path.arm = cell.plans->arm;
-  planned.path.process = processOf(values, asChosen.pose, body.pose);
+  planned.path.process = processOf(values, asChosen.pose, body.pose, cell.plans->tool);
   planned.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return planned;
-}
-
-std::string partElsewhere(const CellScene& scene, const PathProcess& process) {
-  constexpr double kSame = 1e-6;  // mm, and of the turn
-  const OperationValues values = valuesOf(process);
-  if (!values.isSet("part")) return {};  // of another version of the program
-  const Result<BodyPointer> part = partCalled(values, scene);
-  if (!part || (*part)->pose.isApprox(process.planned, kSame)) return {};
-  return (*part)->name;
 }
 
 OperationValues valuesOf(const PathProcess& process) {

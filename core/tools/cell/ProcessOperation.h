@@ -31,9 +31,6 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
                                 const std::shared_ptr<const PartSurface>& surface, const Body& body,
                                 Progress progress = {}, const std::optional<Pose>& chosenAt = {});
 
-// The name of the part that a path was planned on, when that stands elsewhere now; empty: it does not, or is gone.
-std::string partElsewhere(const CellScene& scene, const PathProcess& process);
-
 // The values that a path was planned with, without those that the operation does not take any more.
 OperationValues valuesOf(const PathProcess& process);
 

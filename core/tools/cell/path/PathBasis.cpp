@@ -43,7 +43,20 @@ PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path) {
           plannedDofs(*cell.robot, path.arm),
           cell.plans->allowed,
           toolOf(*cell.robot, *cell.plans, path.arm),
-          cell.plans->clearance};
+          cell.plans->clearance,
+          targetsOf(*cell.plans, path)};
+}
+
+std::vector<std::pair<NamedTarget, NamedFrame>> targetsOf(const CellPlans& plans, const RobotPath& path) {
+  std::vector<std::pair<NamedTarget, NamedFrame>> targets;
+  for (const Waypoint& place : path.places) {
+    if (!place.target) continue;
+    const NamedTarget* const target = plans.target(place.target->name);
+    const NamedFrame* const frame = target ? plans.frame(target->frame) : nullptr;
+    targets.emplace_back(target ? *target : NamedTarget(), frame ? *frame : NamedFrame());
+    targets.back().first.name = targets.back().first.frame = targets.back().second.name = {};
+  }
+  return targets;
 }
 
 BasisChange changeSince(const PathBasis& basis, const RobotCellSnapshot& cell, const RobotPath& path) {
@@ -54,6 +67,7 @@ BasisChange changeSince(const PathBasis& basis, const RobotCellSnapshot& cell, c
   if (basis.allowed != cell.plans->allowed) return BasisChange::Pairs;
   if (basis.tool.matrix() != toolOf(*cell.robot, *cell.plans, path.arm).matrix()) return BasisChange::Tool;
   if (basis.clearance != cell.plans->clearance) return BasisChange::Clearance;
+  if (basis.targets != targetsOf(*cell.plans, path)) return BasisChange::Targets;
   return BasisChange::Nothing;
 }
 

@@ -7,7 +7,6 @@
 #include "planning/CartesianLine.h"
 #include "robot/dh/DhTable.h"
 #include "robot/posts/PostText.h"
-#include "tools/cell/ProcessOperation.h"
 #include "tools/cell/path/PathBlends.h"
 
 #include <algorithm>
@@ -67,7 +66,7 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   }
   CheckedPath checked;
   checked.robotsMoved = scene.robotsElsewhere(path);
-  if (path.process) checked.partMoved = partElsewhere(scene, *path.process);
+  checked.outdating = outdatingOf(*scene.robot, {plans, scene.bodies, scene.robot->model, scene.others}, path);
   checked.way = resolved(scene, plans, path, progress.part(0.0, 0.1));
   MotionCheckSettings check;
   check.clearance = settings.clearance;
@@ -91,7 +90,7 @@ PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, doub
                      .seconds = checked.seconds,
                      .hasShapeless = !scene.shapeless.empty(),
                      .robotsMoved = checked.robotsMoved,
-                     .partMoved = checked.partMoved};
+                     .outdating = checked.outdating};
   for (std::size_t i = 0; i < std::min(all.size(), PathFindings::kMostListed); ++i) {
     auto [link, other] = scene.namesOf(all[i].deepest);
     found.listed.push_back({checked.placeOf(all[i].motion), std::move(link), std::move(other)});
@@ -127,9 +126,15 @@ namespace {
 std::vector<std::string> remarksOn(const CellScene& scene, const CheckedPath& checked) {
   constexpr std::size_t kLongestName = 60;
   std::vector<std::string> remarks;
-  if (!checked.partMoved.empty())
-    remarks.push_back("Outdated: the part " + identifierOf(checked.partMoved, kLongestName) +
+  const Outdating& outdating = checked.outdating;
+  if (!outdating.part.empty())
+    remarks.push_back("Outdated: the part " + identifierOf(outdating.part, kLongestName) +
                       " has moved since the path was planned along it.");
+  if (outdating.isToolOther)
+    remarks.push_back("Outdated: the tool centre point was changed since the path was planned along its curve.");
+  for (const std::string& target : outdating.targets)
+    remarks.push_back("Outdated: the tool does not come to the target " + identifierOf(target, kLongestName) +
+                      " any more: that, or the tool, has moved since the path was planned.");
   for (const std::string& robot : checked.robotsMoved)
     remarks.push_back("Proven with the robot " + identifierOf(robot, kLongestName) +
                       " where it stood at export: it has moved since the path was made.");

@@ -37,9 +37,8 @@ struct CheckedPath {
   double seconds = 0.0;  // with a stop at each place, but between lines that blend
   // Other robots that stand elsewhere than when the path was made. What is said of it is true of where they stand now.
   std::set<std::string> robotsMoved = {};
-  // The part that the path was planned along, when that stands elsewhere now: the tool does not meet its curve any
-  // more.
-  std::string partMoved = {};
+  // What the path was planned for, and the tool does not meet any more.
+  Outdating outdating = {};
 
   bool isCertified() const { return !way.stopsAt && !verification.certified.empty() && verification.isCertified(); }
   // The place that a motion of the verification leads to, from 1.

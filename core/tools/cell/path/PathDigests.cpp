@@ -122,6 +122,28 @@ std::string ofPath(const RobotPath& path) {
     digest.add(robot);
     digest.add(base);
   }
+  for (std::size_t i = 0; i < path.places.size(); ++i) {
+    const auto& target = path.places[i].target;
+    if (!target) continue;
+    digest.add(std::uint64_t{i});
+    digest.add(target->name);
+    digest.add(target->inTool);
+  }
+  return digest.text();
+}
+
+// Empty where no place was planned to a target, as of proofs that were stored when they did not tell.
+std::string ofTargets(const CellPlans& plans, const RobotPath& path) {
+  const auto targets = targetsOf(plans, path);
+  if (targets.empty()) return {};
+  Digest digest;
+  for (const auto& [target, frame] : targets) {
+    digest.add(target.pose);
+    digest.add(std::uint64_t{target.body});
+    digest.add(frame.pose);
+    digest.add(std::uint64_t{frame.body});
+    digest.add(frame.link);
+  }
   return digest.text();
 }
 
@@ -160,7 +182,8 @@ BasisDigests PathDigests::of(const RobotPath& path) const {
           m_bodies,
           m_allowed,
           ofValue(toolOf(*m_cell->robot, plans, path.arm)),
-          ofValue(plans.clearance)};
+          ofValue(plans.clearance),
+          ofTargets(plans, path)};
 }
 
 BasisChange changeBetween(const BasisDigests& then, const BasisDigests& now) {

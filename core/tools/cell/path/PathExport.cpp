@@ -35,6 +35,13 @@ std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, co
   return Error{CellError::PathCollides, {path.name, std::to_string(collisions.size()), link, other}, {}, {}};
 }
 
+std::optional<Error> outdatingProblem(const RobotPath& path, const Outdating& outdating) {
+  if (!outdating.part.empty()) return Error{CellError::PathOutdated, {path.name, outdating.part}, {}, {}};
+  if (outdating.isToolOther) return Error{CellError::PathToolChanged, {path.name}, {}, {}};
+  if (outdating.targets.empty()) return std::nullopt;
+  return Error{CellError::PathTargetMoved, {path.name, *outdating.targets.begin()}, {}, {}};
+}
+
 std::string otherRobot(const CellScene& scene, const PostProcessor& post) {
   const LibraryRobot* const robot = libraryRobot(scene.plannedArm().title);
   return robot && !std::string_view(robot->title).starts_with(post.maker()) ? robot->title : "";
@@ -122,8 +129,9 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
                                     const CheckedPath& checked, const PostProcessor& post,
                                     const std::filesystem::path& output, OutdatedPath outdated, FrameData frameData) {
   if (const auto problem = problemOf(scene, path, checked)) return *problem;
-  if (!checked.partMoved.empty() && outdated == OutdatedPath::Refuse)
-    return Error{CellError::PathOutdated, {path.name, checked.partMoved}, {}, {}};
+  if (outdated == OutdatedPath::Refuse) {
+    if (const auto problem = outdatingProblem(path, checked.outdating)) return *problem;
+  }
   const Result<Pose> frame = programFrame(scene, plans);
   if (!frame) return frame.error();
   RobotProgram program = programOf(scene, plans, path, checked);

@@ -18,7 +18,7 @@ struct WrittenProgram {
   std::string frame = {};  // CellPlans::workFrame, if places of the program are in it
 };
 
-// What becomes of a path that is free, but leads along a curve of a part that stands elsewhere now.
+// What becomes of a path that is free, but does not lead any more to what it was planned for (Outdating).
 enum class OutdatedPath { Refuse, Write };
 
 // Where the data of a program's frame are: two modules of one RAPID task must not both have them. Other languages have
@@ -31,7 +31,8 @@ Result<Pose> programFrame(const CellScene& scene, const CellPlans& plans);
 
 // Writes a certified path as a program, its places in CellPlans::workFrame, with remarks of what was not proven or does
 // not hold any more. What the controller cannot do is an error before anything is written; so is a text that does not
-// read back as the path (1e-3 mm, 1e-3°). Errors: PathCollides, LineUnreachable, PathOutdated, FrameMissing,
+// read back as the path (1e-3 mm, 1e-3°). Errors: PathCollides, LineUnreachable, PathOutdated, PathToolChanged,
+// PathTargetMoved, FrameMissing,
 // FrameStray, FrameMoves, those of PostProcessor::refusals() and of writing.
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const CheckedPath& checked, const PostProcessor& post,

@@ -6,6 +6,7 @@
 #include "document/cell/CellErrors.h"
 #include "document/cell/CellFrames.h"
 #include "document/cell/CellReach.h"
+#include "document/cell/path/Outdating.h"
 #include "planning/PlanningFidelity.h"
 #include "planning/ToolTrack.h"
 #include "planning/planners/Planners.h"
@@ -67,6 +68,34 @@ std::string nameOf(const Waypoint& place, std::size_t number) {
 
 std::shared_ptr<const std::array<JointValues, 2>> planEnds(const JointValues& from, const JointValues& to) {
   return std::make_shared<const std::array<JointValues, 2>>(std::array<JointValues, 2>{from, to});
+}
+
+// Brings a place to a target, the nearest way that is free from where it is.
+Status bringTo(const NamedTarget& target, const CellScene& scene, const CellPlacement& cell, Waypoint& place) {
+  const Result<Pose> pose = poseOfTarget(target, cell);
+  if (!pose) return pose.error();
+  const Result<ArmValues> values = nearestFree(scene, cell.plans, *pose, scene.planned(place.joints));
+  if (!values) return values.error();
+  place.joints = scene.whole(*values);
+  const auto inTool = targetInTool(*scene.robot, cell, cell.plans.arm, place.joints, target.name);
+  place.target.reset();
+  if (inTool) place.target = PlaceTarget{target.name, *inTool};
+  return Done{};
+}
+
+// The places with those that were planned to targets where the tool does not come to these any more brought there. Of a
+// target that is missing the place stays as it is.
+Result<std::vector<Waypoint>> atTargets(std::span<const Waypoint> places, const CellScene& scene,
+                                        const CellPlans& plans) {
+  const CellPlacement cell{plans, scene.bodies, scene.robot->model, scene.others};
+  std::vector<Waypoint> all(places.begin(), places.end());
+  for (Waypoint& place : all) {
+    const NamedTarget* const target = place.target ? plans.target(place.target->name) : nullptr;
+    const auto inTool = target ? targetInTool(*scene.robot, cell, plans.arm, place.joints, target->name) : std::nullopt;
+    if (!inTool || isSamePlace(*inTool, place.target->inTool)) continue;
+    if (const Status brought = bringTo(*target, scene, cell, place); !brought) return brought.error();
+  }
+  return all;
 }
 
 // Plans between two places of a path.
@@ -249,11 +278,9 @@ Result<Waypoint> placeCalled(const CellScene& scene, const RobotCellSnapshot& ce
                     .name = configuration->name};
   }
   if (const NamedTarget* target = cell.plans->target(text)) {
-    const Result<Pose> pose = poseOfTarget(*target, {*cell.plans, cell.bodies, scene.robot->model, cell.joints});
-    if (!pose) return pose.error();
-    const Result<ArmValues> values = nearestFree(scene, *cell.plans, *pose, scene.planned(near));
-    if (!values) return values.error();
-    return Waypoint{.joints = scene.whole(*values), .name = target->name};
+    Waypoint place{.joints = near, .name = target->name};
+    const Status brought = bringTo(*target, scene, {*cell.plans, cell.bodies, scene.robot->model, cell.joints}, place);
+    return brought ? Result<Waypoint>(std::move(place)) : brought.error();
   }
   const bool isHere = text == "here";
   const auto numbers = isHere ? std::nullopt : numbersOf(text, scene.scene.size());
@@ -295,9 +322,12 @@ RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& pl
   return settings;
 }
 
-Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const Waypoint> places,
+Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const Waypoint> given,
                                    const RouteSettings& settings, Progress progress) {
   const auto begin = std::chrono::steady_clock::now();
+  const Result<std::vector<Waypoint>> at = atTargets(given, scene, plans);
+  if (!at) return at.error();
+  const std::span<const Waypoint> places = *at;
   std::vector<const Waypoint*> kept;
   for (const Waypoint& place : places) {
     const bool isEnd = &place == &places.front() || &place == &places.back();

@@ -40,10 +40,11 @@ struct PlannedPath {
   std::size_t keptLegs = 0;  // as they were
 };
 
-// Plans through these places, at least two. A leg between critical places that was planned between the same ends, and
-// is still proven free, is kept; of others the places that are not critical are left out. Straight lines to a place
-// stay lines. Errors: PlaceCollides, PlaceBeyondLimits, OthersMoved, RouteNotFound, LineUnreachable, LineCollides,
-// PathTooShort, Cancelled.
+// Plans through these places, at least two. Those that were planned to targets go to where these are now. A leg between
+// critical places that was planned between the same ends, and is still proven free, is kept; of others the places that
+// are not critical are left out. Straight lines to a place stay lines. Errors: PlaceCollides, PlaceBeyondLimits,
+// OthersMoved, RouteNotFound, LineUnreachable, LineCollides, PathTooShort, Cancelled; those of nearestFree() at targets
+// that have moved.
 Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const Waypoint> places,
                                    const RouteSettings& settings, Progress progress = {});
 

@@ -5,10 +5,13 @@
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/CellFrames.h"
+#include "document/cell/path/Outdating.h"
+#include "robot/program/PathFile.h"
 #include "tools/cell/ConfigurationOperation.h"
 #include "tools/cell/path/PlanOperation.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -155,6 +158,60 @@ class TargetsTest : public QObject {
     QVERIFY(placesOf(values, *scene, m_cell->content()).error().code == CellError::PlaceMissing);
   }
 
+  // A path that was planned to a target is outdated once the tool does not come to that any more: the numbers of the
+  // target, its frame or its body have changed, or the tool has. Planned again it comes there, and begins where it did.
+  void aPathWhoseTargetHasMoved_data() {
+    QTest::addColumn<int>("what");
+    QTest::newRow("target") << 0;
+    QTest::newRow("frame") << 1;
+    QTest::newRow("body") << 2;
+    QTest::newRow("tool") << 3;
+  }
+  void aPathWhoseTargetHasMoved() {
+    QFETCH(const int, what);
+    const BodyId box = m_cell->addBox({20, 20, 20}, {-300, -300, -300});
+    const Pose frame = poseOf({100, 50, 20}, {0, 0, 0.3}), body = poseOf({-300, -300, -300}, Vec3::Zero());
+    Pose there = m_cell->tool();
+    there.translation() += Vec3(-30.0, 20.0, 10.0);
+    CellPlans plans;
+    plans.frames = {{"F", frame}};
+    plans.targets = {what == 2 ? NamedTarget{"T", body.inverse(Eigen::Isometry) * there, box}
+                               : NamedTarget{"T", frame.inverse(Eigen::Isometry) * there, 0, "F"}};
+    m_cell->plan(plans);
+    const RobotPath path = plannedTo({{.joints = m_cell->document().joints()}, called("T")});
+    QVERIFY(path.places.back().target && path.places.back().target->inTool.isApprox(Pose::Identity(), 1e-6));
+    QVERIFY(!outdating(path).isAny());
+    const Vec3 by(10.0, -5.0, 3.0);
+    if (what == 0) plans.targets[0].pose.pretranslate(frame.linear().transpose() * by);
+    if (what == 1) plans.frames[0].pose.pretranslate(by);
+    if (what == 2) {
+      Body moved = *m_cell->document().bodies().withId(box);
+      moved.pose.pretranslate(by);
+      m_cell->document().commit("Move", std::move(changeBodyEdit(m_cell->document().bodies(), moved)).value());
+    }
+    if (what == 3) plans.tool.translation().z() = 8.0;
+    m_cell->plan(plans);
+    QVERIFY((outdating(path) == Outdating{.targets = {"T"}}));
+    const RobotPath again = plannedTo(path.places);
+    QVERIFY(!outdating(again).isAny());
+    const Pose reached = toolPose(m_cell->document().robot(), plans, again.places.back().joints);
+    if (what < 3) there.pretranslate(by);
+    QVERIFY(reached.isApprox(there, 1e-6));
+    QVERIFY(again.places.front().joints == path.places.front().joints);
+    // In files, and by another name of the target.
+    const RobotModel& robot = m_cell->document().robot().model;
+    const auto read = pathFrom(toJson(robot, path), robot, m_cell->document().joints());
+    QVERIFY(read && *read == path);
+    plans.paths = {path};
+    const CellPlans renamed = withTargetRenamed(plans, "T", "U");
+    m_cell->plan(renamed);
+    QCOMPARE(renamed.paths[0].places.back().name, std::string("U"));
+    QVERIFY((outdating(renamed.paths[0]) == Outdating{.targets = {"U"}}));
+    m_cell->plan(withoutTarget(renamed, "U"));
+    QVERIFY(!m_cell->document().plans()->paths[0].places.back().target);
+    QVERIFY(!outdating(renamed.paths[0]).isAny());
+  }
+
   // One name is one place.
   void namesAreUnique() {
     const RobotCellSnapshot cell = changedBy(operationValues({{"add", std::string("home")}}), m_cell->content());
@@ -200,6 +257,20 @@ class TargetsTest : public QObject {
   }
 
  private:
+  Waypoint called(const char* place) {
+    const auto found = placeCalled(*m_cell->scene(), m_cell->content(), place, m_cell->document().joints());
+    if (!found) qFatal("refused: %s", found.error().code->id);
+    return *found;
+  }
+  RobotPath plannedTo(const std::vector<Waypoint>& places) {
+    const auto made = plannedThrough(*m_cell->scene(), *m_cell->document().plans(), places, {});
+    if (!made) qFatal("not planned: %s", made.error().code->id);
+    return made->path;
+  }
+  Outdating outdating(const RobotPath& path) {
+    return outdatingOf(m_cell->document().robot(), m_cell->document().placement(), path);
+  }
+
   std::unique_ptr<ArmCell> m_cell;
 };
 

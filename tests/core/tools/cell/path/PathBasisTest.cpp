@@ -4,6 +4,7 @@
 
 #include "../ArmCell.h"
 #include "TestClass.h"
+#include "document/cell/CellFrames.h"
 #include "document/cell/RobotChanges.h"
 #include "robot/dh/DhTable.h"
 #include "tools/cell/path/PathExport.h"
@@ -52,6 +53,27 @@ class PathBasisTest : public QObject {
     QCOMPARE(change(), seen);
     m_cell->document().history()->undo();
     QCOMPARE(change(), BasisChange::Nothing);
+  }
+
+  // Where a target is that a place was planned to, and the frame of that; not how they are called, nor other targets.
+  void itsTargets() {
+    CellPlans plans = *m_cell->document().plans();
+    plans.frames = {{"F", poseOf({10, 20, 30}, Vec3::Zero())}};
+    plans.targets = {{"T", poseOf({400, 0, 300}, Vec3::Zero()), 0, "F"}, {"U", poseOf({400, 0, 300}, Vec3::Zero())}};
+    plans.paths[0].places[1].target = PlaceTarget{"T"};
+    m_cell->plan(plans);
+    m_basis = basisOf(m_cell->content(), *way());
+    plans.targets[1].pose.translation().x() += 1.0;
+    m_cell->plan(withFrameRenamed(plans, "F", "G"));
+    QCOMPARE(change(), BasisChange::Nothing);
+    for (const bool isFrame : {false, true}) {
+      CellPlans moved = plans;
+      (isFrame ? moved.frames[0].pose : moved.targets[0].pose).translation().x() += 1.0;
+      m_cell->plan(moved);
+      QCOMPARE(change(), BasisChange::Targets);
+      m_cell->document().history()->undo();
+      QCOMPARE(change(), BasisChange::Nothing);
+    }
   }
 
   // Where a body stands is seen, how it looks is not; the joints that the path sets may stand anywhere.

@@ -55,6 +55,8 @@ class PathDigestsTest : public QObject {
     CellPlans plans = *document.plans();
     RobotPath path{"way", {{.joints = document.joints()}, {.joints = document.joints()}}};
     path.places.back().joints[0] = 1.0 / 7.0;
+    path.places.back().target = PlaceTarget{"T", poseOf({0.0, 1.0 / 3.0, 0.0}, {0.1, 0.2, 0.3})};
+    plans.targets = {{"T", poseOf({300.1, 0.0, 400.0}, {0.1, 0.2, 0.3})}};
     plans.paths.push_back(path);
     plans.tool.translation() = Vec3(1.0 / 3.0, 0.0, 100.0);
     plans.clearance = 0.7;
@@ -97,6 +99,7 @@ class PathDigestsTest : public QObject {
     other.found.isCertified = false;
     other.found.collisions = 7;
     other.found.stopsAt = 3;
+    other.found.outdating = {"box \"1\"", true, {"T", "U"}};
     other.found.listed = {{1, "link \"1\"", "box\n"}};
     PathProof broken = other;
     broken.found.isCertified = true;
@@ -121,7 +124,7 @@ class PathDigestsTest : public QObject {
   }
 
  private:
-  static constexpr int kChanges = 16;
+  static constexpr int kChanges = 17;
 
   Cell now() { return std::static_pointer_cast<const RobotCellSnapshot>(m_cell->document().snapshot()); }
   static const RobotPath& way(const RobotCellSnapshot& cell) { return cell.plans->paths.front(); }
@@ -196,6 +199,9 @@ class PathDigestsTest : public QObject {
         cell = std::move(removed).value();
         return true;
       }
+      case 16:
+        plans.targets.front().pose.translation().x() = beside(300.1, up);
+        break;
     }
     if (isBodies) cell.bodies = cell.bodies.with(std::make_shared<const Body>(box));
     cell.plans = std::make_shared<const CellPlans>(std::move(plans));

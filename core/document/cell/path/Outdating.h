@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/cell/CellFrames.h"
+
+#include <optional>
+#include <set>
+#include <string>
+
+namespace handwheel {
+
+struct CellRobot;
+
+// What a path was planned for and does not lead to any more.
+struct Outdating {
+  std::string part = {};               // that it leads along, where that stands elsewhere now
+  bool isToolOther = false;            // its curve was planned with another centre point of the tool
+  std::set<std::string> targets = {};  // that places of it were planned to, where the tool does not come to them now
+
+  bool isAny() const { return isToolOther || !part.empty() || !targets.empty(); }
+  bool operator==(const Outdating&) const = default;
+};
+
+// What has changed so for a path, with the other robots where they stand. What is not there any more does not count.
+// O(places · links + bodies).
+Outdating outdatingOf(const CellRobot& robot, const CellPlacement& cell, const RobotPath& path);
+
+// Where a target is for the tool of this robot (CellPlans::arm) at these joint values of it; none where it is missing.
+std::optional<Pose> targetInTool(const CellRobot& robot, const CellPlacement& cell, std::string_view arm,
+                                 const JointValues& at, std::string_view target);
+
+// Whether two poses are the same for programs, which are read back as exactly: 1e-3 mm, 1e-3°.
+bool isSamePlace(const Pose& one, const Pose& other);
+
+}  // namespace handwheel
