@@ -18,7 +18,7 @@ ViewFocus::ViewFocus(QMainWindow& window, QWidget& view, QObject* parent)
 void ViewFocus::follow(QWidget* old, QWidget* now) {
   if (!m_window.isActiveWindow() || (now && now->window() != &m_window)) return;
   const bool isTakenAway = old && old->window() == &m_window && !(old->isEnabled() && old->isVisible());
-  if (isTakenAway || (!now && !m_window.focusWidget())) takeBackFrom(nullptr);
+  if (isTakenAway || (!now && !m_window.focusWidget())) takeBackFrom(now);
 }
 
 // A button that is pressed gets the focus, so that a field that is being edited hears that it has lost it; and must
@@ -31,10 +31,11 @@ bool ViewFocus::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-// Later: Qt is not done with the event. Unless something else has the focus by then.
+// Later: Qt is not done with the event. Unless something else has the focus by then, as a field that a command opened.
 void ViewFocus::takeBackFrom(const QWidget* holder) {
   const auto take = [this, holder = QPointer<const QWidget>(holder)] {
-    if (m_view.isVisible() && (!holder || holder->hasFocus())) m_view.setFocus(Qt::OtherFocusReason);
+    const bool isUnchanged = holder ? holder->hasFocus() : !m_window.focusWidget();
+    if (m_view.isVisible() && isUnchanged) m_view.setFocus(Qt::OtherFocusReason);
   };
   QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
 }

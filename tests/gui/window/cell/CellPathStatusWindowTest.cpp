@@ -197,6 +197,22 @@ class CellPathStatusWindowTest : public QObject {
     QVERIFY(!driver.find<QAction>("renamePlan")->isEnabled());
   }
 
+  // Another name at once, by the button of the message that something was stored: the field stays open until it is left.
+  void renamedByTheMessage() {
+    TwoPaths driver;
+    driver.tree()->setCurrentItem(driver.configurations()->child(1));
+    driver.storeAt("joint.joint_1", "20");
+    QCOMPARE(driver.configurations()->childCount(), 3);
+    driver.click("messageAction");
+    QTest::qWait(50);  // what takes the focus does so later
+    auto* editor = driver.tree()->findChild<QLineEdit*>();
+    QVERIFY(editor && editor->isVisible() && editor->hasFocus());
+    editor->selectAll();
+    QTest::keyClicks(editor, "approach");
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(driver.configurations()->child(2)->text(0), QString("approach"));
+  }
+
   // What becomes known of a path meanwhile does not end the typing of its name.
   void isRenamedWhileTheListIsFilled() {
     PlanTree tree;
