@@ -24,7 +24,7 @@ void CellPaths::storeFrame() {
   NamedFrame frame{.name = changed.frameNames().take(wish)};
   const BodyPointer body = bodyForPlaces();
   if (body) frame.body = body->id;
-  frame = frameAt(std::move(frame), toolPose(cell().robot(), changed, cell().joints()), cell().placement());
+  frame = frameAt(std::move(frame), toolPose(cell().robot(), changed, seenJoints()), seenPlacement());
   const PlanTree::Entry entry{PlanTree::Entry::Kind::Frame, frame.name};
   const QString name = QString::fromStdString(frame.name);
   changed.frames.push_back(std::move(frame));
@@ -44,7 +44,7 @@ void CellPaths::setFrameHere(const std::string& name) {
   const auto frame = std::find_if(changed.frames.begin(), changed.frames.end(),
                                   [&](const NamedFrame& each) { return each.name == name; });
   if (frame == changed.frames.end()) return;
-  *frame = frameAt(*frame, toolPose(cell().robot(), changed, cell().joints()), cell().placement());
+  *frame = frameAt(*frame, toolPose(cell().robot(), changed, seenJoints()), seenPlacement());
   commit(tr("Set %1").arg(QString::fromStdString(name)), std::move(changed));
 }
 

@@ -221,6 +221,16 @@ RobotCellDocument& CellPaths::cell() const {
   return cellIn(*m_document);
 }
 
+const JointValues& CellPaths::seenJoints() const {
+  const JointValues& standing = cell().joints();
+  return m_shownJoints && m_shownJoints->size() == standing.size() ? *m_shownJoints : standing;
+}
+
+CellPlacement CellPaths::seenPlacement() const {
+  const CellPlacement standing = cell().placement();
+  return {standing.plans, standing.bodies, standing.robot, seenJoints()};
+}
+
 const CellPlans& CellPaths::plans() const {
   static const CellPlans kNothing;
   return m_document ? *cell().plans() : kNothing;

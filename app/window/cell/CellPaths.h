@@ -65,6 +65,10 @@ class CellPaths : public QObject {
   QLabel* detail() const { return m_detail; }  // what is known of the selected row in full; owned by the window
   void setVisible(bool isVisible);             // the line of the path in the view
 
+  // What the view shows in place of where the robot stands, while a path is played; none: nothing. Configurations,
+  // places, targets and frames are stored as they are seen.
+  void setShownJoints(std::optional<JointValues> joints) { m_shownJoints = std::move(joints); }
+
   const NamedTarget* target() const;  // of the selected row; null: that is none
   const NamedFrame* frame() const;    // likewise
   // The present path, and what is known of it; null while nothing is.
@@ -80,6 +84,8 @@ class CellPaths : public QObject {
 
  private:
   RobotCellDocument& cell() const;
+  const JointValues& seenJoints() const;  // as the view shows the robot
+  CellPlacement seenPlacement() const;
   void connectActions();
   static RobotCellDocument& cellIn(DocumentTab& tab);
   // Whether the cell is still as it was when the scene was made of it.
@@ -182,6 +188,7 @@ class CellPaths : public QObject {
   std::shared_ptr<PathLayer> m_layer;
   std::map<const DocumentTab*, PlanTree::Entry> m_rows;  // that were selected when it was in view last
   PathChecks m_checks;
+  std::optional<JointValues> m_shownJoints;
   std::optional<OperationValues> m_planned;              // what was chosen in the dialog last
   std::map<const DocumentTab*, WantedProcess> m_wanted;  // one at most of a document
   std::uint64_t m_remakes = 0;                           // that were begun

@@ -87,7 +87,7 @@ void CellPaths::store() {
   CellPlans changed = plans();
   const std::string wish = tr("Configuration %1").arg(changed.configurations.size() + 1).toStdString();
   const std::string name = changed.freePlaceName(wish);
-  changed.configurations.push_back({name, cell().joints(), changed.arm});
+  changed.configurations.push_back({name, seenJoints(), changed.arm});
   if (!commit(tr("Store %1").arg(QString::fromStdString(name)), std::move(changed))) return;
   m_tree->select({Kind::Configuration, name});
   reportStored(*m_document, tr("%1 was stored").arg(QString::fromStdString(name)), tr("It is selected in the list."),
@@ -118,14 +118,14 @@ void CellPaths::storeTarget() {
   const std::string wish = tr("Target %1").arg(changed.targets.size() + 1).toStdString();
   NamedTarget target{.name = changed.freePlaceName(wish)};
   const RobotModel& robot = cell().robot().model;
-  target.pose = toolPose(cell().robot(), changed, cell().joints());
+  target.pose = toolPose(cell().robot(), changed, seenJoints());
   const BodyPointer body = bodyForPlaces();
   const NamedFrame* const work = changed.frame(changed.workFrame);
   const bool isStill = work && !movesWith(*work, cell().bodies(), robot,
                                           dofsOfArm(cell().robot(), activeArmNumber(cell().robot(), changed)));
-  const Result<NamedTarget> inFrame = targetInFrame(target, changed.workFrame, cell().placement());
+  const Result<NamedTarget> inFrame = targetInFrame(target, changed.workFrame, seenPlacement());
   if (body)
-    target = onBody(std::move(target), *body, robot, cell().joints());
+    target = onBody(std::move(target), *body, robot, seenJoints());
   else if (isStill && inFrame)
     target = *inFrame;
   const PlanTree::Entry entry{Kind::Target, target.name};
@@ -149,7 +149,7 @@ void CellPaths::setTargetHere(const std::string& name) {
   const auto target = std::find_if(changed.targets.begin(), changed.targets.end(),
                                    [&](const NamedTarget& each) { return each.name == name; });
   if (target == changed.targets.end()) return;
-  *target = targetAt(*target, toolPose(cell().robot(), changed, cell().joints()), cell().placement());
+  *target = targetAt(*target, toolPose(cell().robot(), changed, seenJoints()), seenPlacement());
   commit(tr("Set %1").arg(QString::fromStdString(name)), std::move(changed));
 }
 
@@ -195,7 +195,7 @@ void CellPaths::insertHere() {
 void CellPaths::insertAt(std::size_t behind) {
   CellPlans changed = plans();
   RobotPath& of = *pathByHand(changed, path()->name);
-  Waypoint place{.joints = cell().joints()};
+  Waypoint place{.joints = seenJoints()};
   if (behind > 0)
     place.speed = of.places[behind - 1].motion == place.motion ? of.places[behind - 1].speed : place.speed;
   of.places.insert(of.places.begin() + static_cast<std::ptrdiff_t>(behind), std::move(place));
@@ -237,7 +237,7 @@ void CellPaths::setPlaceHere() {
   RobotPath* const of = pathByHand(changed, entry.name);
   if (entry.kind != Kind::Place || !of || entry.place >= of->places.size()) return;
   Waypoint& place = of->places[entry.place];
-  place.joints = cell().joints();
+  place.joints = seenJoints();
   place.isCritical = true;
   place.target.reset();
   commit(tr("Set place %1 of %2").arg(entry.place + 1).arg(QString::fromStdString(entry.name)), std::move(changed));

@@ -73,10 +73,12 @@ void PathDock::open(bool isOpen) {
   if (m_line) m_line->setPlaying(false);
   m_shown.reset();
   m_timed.reset();
+  m_paths.setShownJoints(std::nullopt);
   emit partsShown(nullptr, {});
 }
 
 void PathDock::prepare() {
+  m_paths.setShownJoints(std::nullopt);
   emit partsShown(nullptr, {});
   m_shown = m_paths.checked();
   m_timed.reset();
@@ -151,6 +153,7 @@ void PathDock::show(double seconds) {
     text += tr("; collision: %1 with %2").arg(QString::fromStdString(link), QString::fromStdString(other));
   }
   m_text->setText(text);
+  m_paths.setShownJoints(scene->whole(values));
   emit partsShown(model, {colliding});
 }
 

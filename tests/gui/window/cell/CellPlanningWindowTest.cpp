@@ -4,6 +4,7 @@
 #include "PlanningWindow.h"
 #include "panels/time/TimeLinePanel.h"
 
+#include <cmath>
 #include <QLabel>
 #include <QTabBar>
 
@@ -305,8 +306,15 @@ class CellPlanningWindowTest : public QObject {
     const QString before = driver.text("pathText");
     line->advance(0.5);
     QTRY_VERIFY(driver.text("pathText") != before);
+    // What is stored now is what the view shows: between the ends, that is not where the robot stands.
+    driver.choose("storeConfiguration");
     driver.choose("pathDockToggle");
     QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
+    const auto first = [&] { return driver.field("joint.joint_1").split(' ').front().toDouble(); };
+    QCOMPARE(first(), -60.0);
+    driver.tree()->setCurrentItem(driver.configurations()->child(2));
+    driver.choose("goToConfiguration");
+    QVERIFY(std::abs(first() + 60.0) > 1.0);
   }
 };
 
