@@ -215,6 +215,10 @@ class PlanTest : public QObject {
     };
     const QStringList post{"post", "c.handwheel", "reach", "--controller", "rapid", "-o", "reach.mod"};
     QCOMPARE(cell.run(post).code, 0);
+    const char* const kOther = "not the language of the controller";
+    QVERIFY(!cell.read("reach.mod").contains(kOther));
+    QCOMPARE(cell.run({"post", "c.handwheel", "reach", "--controller", "krl", "-o", "reach.src"}).code, 0);
+    QVERIFY2(cell.read("reach.src").contains(kOther), cell.read("reach.src"));
     QVERIFY(!inspected()["outdated"].get<bool>());
     QVERIFY(!cell.read("reach.mod").contains("Outdated"));
     cell.run({"set", "c.handwheel", "target.drop.x=390", "-o", "c.handwheel"});

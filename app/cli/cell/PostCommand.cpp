@@ -79,8 +79,8 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
                      roundedText(readBack.angle, 2) + " degrees\n";
   if (!written->frame.empty()) text += "Its places are in the frame " + written->frame + ".\n";
   if (written->exactStops > 0)
-    text +=
-        std::to_string(written->exactStops) + " blends became exact stops: not every way within their zones is free\n";
+    text += std::to_string(written->exactStops) +
+            " blends became exact stops: not every way within their zones is proven free\n";
   return print(text);
 }
 

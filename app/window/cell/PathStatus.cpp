@@ -79,6 +79,10 @@ class Words {
                               .arg(quantityText(kept, Quantity::Length, m_unit, m_locale))
                         : tr("Every motion is proven free of collisions.");
     lines += tr("Least clearance: %1.").arg(clearanceText(found.leastClearance, m_unit, m_locale));
+    if (const std::size_t stops = result.checked ? stoppedBlends(result.basis.path, *result.checked) : 0; stops > 0) {
+      lines += tr("%Ln blend(s) will be exact stops, as not every way within their zones is proven free.", nullptr,
+                  static_cast<int>(stops));
+    }
     lines += tr("Cycle time: %1 s.").arg(m_locale.toString(found.seconds, 'f', 1));
     return lines;
   }

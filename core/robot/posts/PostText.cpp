@@ -96,17 +96,20 @@ std::string readFrameName(std::string_view name) {
 
 std::vector<std::string> headRemarks(const RobotProgram& program) {
   std::vector<std::string> remarks{identifierOf(program.robot, 60)};
-  if (!program.frameName.empty())
+  if (!program.frameName.empty() && hasLines(program))
     remarks.push_back("Places are in the frame " + identifierOf(program.frameName, 60) + ".");
   if (program.hasPlainShapes) remarks.emplace_back("Collisions were checked with simplified shapes of the robot.");
   remarks.insert(remarks.end(), program.remarks.begin(), program.remarks.end());
   return remarks;
 }
 
-bool needsControllersBase(const RobotProgram& program) {
-  return !program.isBaseOfController &&
-         std::any_of(program.motions.begin(), program.motions.end(),
+bool hasLines(const RobotProgram& program) {
+  return std::any_of(program.motions.begin(), program.motions.end(),
                      [](const ProgramMotion& motion) { return motion.kind == ProgramMotion::Kind::Linear; });
+}
+
+bool needsControllersBase(const RobotProgram& program) {
+  return !program.isBaseOfController && hasLines(program);
 }
 
 Vec3 zyxAngles(const Eigen::Matrix3d& turn) {

@@ -40,6 +40,8 @@ std::string readFrameName(std::string_view name);
 Vec3 zyxAngles(const Eigen::Matrix3d& turn);
 Eigen::Matrix3d fromZyx(const Vec3& angles);
 
+// Whether a program has straight lines of the tool. Joint motions are written as joint values, which no frame moves.
+bool hasLines(const RobotProgram& program);
 // What is said of a program in comments at its head: the robot, what was assumed, and what was not proven.
 std::vector<std::string> headRemarks(const RobotProgram& program);
 

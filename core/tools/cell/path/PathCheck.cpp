@@ -121,11 +121,21 @@ TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath&
   return TimedPath(scene.scene, way.joints, {}, paces);
 }
 
+std::size_t stoppedBlends(const RobotPath& path, const CheckedPath& checked) {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i + 1 < path.places.size(); ++i)
+    count += path.places[i].blend > 0.0 && checked.blends[i] == 0.0 ? 1 : 0;
+  return count;
+}
+
 namespace {
 
-std::vector<std::string> remarksOn(const CellScene& scene, const CheckedPath& checked) {
+std::vector<std::string> remarksOn(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
   constexpr std::size_t kLongestName = 60;
   std::vector<std::string> remarks;
+  if (const std::size_t stops = stoppedBlends(path, checked); stops > 0)
+    remarks.push_back(std::to_string(stops) +
+                      " of the blends are exact stops:" + " not every way within their zones is proven free.");
   const Outdating& outdating = checked.outdating;
   if (!outdating.part.empty())
     remarks.push_back("Outdated: the part " + identifierOf(outdating.part, kLongestName) +
@@ -155,7 +165,7 @@ RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const Rob
   program.tool = plans.tool;
   program.isBaseOfController = libraryRobot(scene.plannedArm().title) != nullptr;
   program.hasPlainShapes = hasPlainShapes(scene.robot->model, scene.robot->arms, scene.armNumber);
-  program.remarks = remarksOn(scene, checked);
+  program.remarks = remarksOn(scene, path, checked);
   for (std::size_t i = 0; i < path.places.size(); ++i) {
     const Waypoint& place = path.places[i];
     ProgramMotion motion{place.motion, scene.planned(place.joints), place.speed, checked.blends[i], place.name};

@@ -64,6 +64,9 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
 TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath& path, const ResolvedPath& way,
                 std::span<const double> blends);
 
+// The places between the ends whose blends become exact stops, since not every way within their zones is proven free.
+std::size_t stoppedBlends(const RobotPath& path, const CheckedPath& checked);
+
 // The program of a path for a controller. Blends that are not certified become exact stops.
 RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                        const CheckedPath& checked);

@@ -11,6 +11,7 @@
 #include "document/cell/CellFrames.h"
 #include "robot/arm/NumericalIk.h"
 #include "robot/dh/DhTable.h"
+#include "robot/posts/PostText.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/path/ProgramFrames.h"
 
@@ -144,6 +145,11 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
     if (other.name != path.name) program.otherPaths.push_back(other.name);
   }
   program.declaresFrame = frameData == FrameData::InProgram;
+  const std::string other = otherRobot(scene, post);
+  constexpr std::size_t kLongestName = 60;
+  if (!other.empty())
+    program.remarks.push_back("Warning: this is not the language of the controller of the robot " +
+                              identifierOf(other, kLongestName) + ".");
   if (const std::vector<Error> refusals = post.refusals(program); !refusals.empty()) return refusals.front();
   const std::string text = post.write(program);
   const Result<PostCheck> check = checkWritten(post, program, text);
@@ -152,10 +158,9 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
     return Error{DocumentError::CheckFailed, {std::string("the ") + post.title() + " program"}, {}, output.string()};
   const Status written = writeFileAtomically(output, text, {});
   if (!written) return written.error();
-  WrittenProgram result{*check, 0, otherRobot(scene, post), check->isInFrame ? plans.workFrame : ""};
-  for (std::size_t i = 0; i < path.places.size(); ++i)
-    result.exactStops += path.places[i].blend > 0.0 && checked.blends[i] == 0.0 ? 1 : 0;
-  return result;
+  // Joint motions do not go by the frame, but tables have the pose of each place.
+  const bool isInFrame = check->isInFrame && (post.maker()[0] == '\0' || hasLines(program));
+  return WrittenProgram{*check, stoppedBlends(path, checked), other, isInFrame ? plans.workFrame : ""};
 }
 
 Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,

@@ -46,6 +46,16 @@ class PostFramesTest : public QObject {
       QTest::newRow(post) << QByteArray(post);
   }
 
+  // Joint values are in no frame: that places are in one is said only where there are lines.
+  void saidOfLinesOnly() {
+    for (const char* post : {"rapid", "krl", "urscript"}) {
+      RobotProgram program = framedProgram("irb120");
+      QVERIFY(postCalled(post)->write(program).find("Places are in the frame") != std::string::npos);
+      program.motions.pop_back();
+      QVERIFY(postCalled(post)->write(program).find("Places are in the frame") == std::string::npos);
+    }
+  }
+
   // The line is read with the frame that it is in.
   void languages() {
     QFETCH(const QByteArray, post);

@@ -197,7 +197,8 @@ class CellPathStatusWindowTest : public QObject {
     QVERIFY(!driver.find<QAction>("renamePlan")->isEnabled());
   }
 
-  // Another name at once, by the button of the message that something was stored: the field stays open until it is left.
+  // Another name at once, by the button of the message that something was stored: the field stays open until it is
+  // left.
   void renamedByTheMessage() {
     TwoPaths driver;
     driver.tree()->setCurrentItem(driver.configurations()->child(1));

@@ -4,9 +4,9 @@
 #include "PlanningWindow.h"
 #include "panels/time/TimeLinePanel.h"
 
-#include <cmath>
 #include <QLabel>
 #include <QTabBar>
+#include <cmath>
 
 using namespace handwheel;
 using namespace handwheel::test;

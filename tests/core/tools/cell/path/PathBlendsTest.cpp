@@ -125,6 +125,19 @@ class PathBlendsTest : public QObject {
     QVERIFY(near >= 3);
   }
 
+  // Blends that were wanted and not certified are counted, but at the ends, where the robot stops in any case.
+  void stoppedBlendsAreCounted() {
+    RobotPath path{"p", std::vector<Waypoint>(5, Waypoint{.blend = 1.0})};
+    path.places[3].blend = 0.0;
+    CheckedPath checked;
+    checked.blends = {0.0, 0.0, 0.7, 0.0, 0.0};
+    QCOMPARE(stoppedBlends(path, checked), std::size_t{1});
+    checked.blends[1] = 1.0;
+    QCOMPARE(stoppedBlends(path, checked), std::size_t{0});
+    path.places.clear();
+    QCOMPARE(stoppedBlends(path, checked), std::size_t{0});
+  }
+
   // Whatever the corner: where the tool goes from a place of the one motion to one of the other within the zone,
   // nothing is met.
   void anyCorner() {
