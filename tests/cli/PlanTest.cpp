@@ -34,6 +34,20 @@ class PlanTest : public QObject {
     QVERIFY(jsonOf(verified.out)["certified"].get<bool>());
   }
 
+  // The clearance that a path was planned with stays with it: in its file, in the cell, for verification and programs.
+  void clearanceStaysWithThePath() {
+    const PlannedCell cell;
+    const Ran planned = cell.run({"plan", "cell.handwheel", "--from", "left", "--to", "right", "--clearance", "10",
+                                  "--name", "way", "-o", "cell.handwheel"});
+    QVERIFY2(planned.code == 0, planned.err);
+    QCOMPARE(cell.run({"verify", "cell.handwheel", "way"}).code, 0);
+    const Ran set = cell.run({"set", "cell.handwheel", "path.way.clearance=2000", "-o", "cell.handwheel"});
+    QVERIFY2(set.code == 0, set.err);
+    QCOMPARE(cell.run({"verify", "cell.handwheel", "way"}).code, 2);  // the box is nearer than 2 m
+    QCOMPARE(cell.run({"verify", "cell.handwheel", "way", "--clearance", "10"}).code, 0);
+    QVERIFY(cell.run({"post", "cell.handwheel", "way", "--controller", "rapid", "-o", "way.mod"}).code != 0);
+  }
+
   // The straight way is not free; all of it is looked at.
   void straightThroughABox() {
     const PlannedCell cell;

@@ -51,7 +51,8 @@ int runOptimise(const Arguments& arguments, const DocumentKinds& kinds) {
     if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1]);
     if (!path) return;
     const CellPlans& plans = *file->cell->plans;
-    optimised = optimisedPath(*scene, plans, *path, optimisationSettingsOf(values, plans), job.progress().part(0, 0.9));
+    optimised =
+        optimisedPath(*scene, plans, *path, optimisationSettingsOf(values, plans, *path), job.progress().part(0, 0.9));
     if (!optimised) return;
     const std::string name = optimised->planned.path.name;
     result = checkedAs(optimised->planned, values, *scene, *file->cell, job.progress().part(0.9, 1.0));

@@ -39,7 +39,7 @@ Result<PlannedAndChecked> checkedAs(PlannedPath path, const OperationValues& val
                                     const RobotCellSnapshot& cell, Progress progress) {
   path.path.name = values.isSet("name") ? values.text("name") : cell.plans->freePathName("path");
   Result<CheckedPath> checked =
-      checkPath(scene, *cell.plans, path.path, checkSettingsOf(values, *cell.plans), progress);
+      checkPath(scene, *cell.plans, path.path, checkSettingsOf(values, *cell.plans, path.path), progress);
   if (!checked) return checked.error();
   return PlannedAndChecked{std::move(path), std::move(checked).value()};
 }

@@ -19,7 +19,7 @@ struct PlannedAndChecked {
   CheckedPath checked;
 };
 
-// Names the path as the values say, then verifies it with their clearance, or that of the cell. Errors: those of
+// Names the path as the values say, then verifies it with their clearance, or that of the path. Errors: those of
 // checkPath().
 Result<PlannedAndChecked> checkedAs(PlannedPath path, const OperationValues& values, const CellScene& scene,
                                     const RobotCellSnapshot& cell, Progress progress);

@@ -31,7 +31,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
     return failUsage("The option --without-wobjdata needs --controller rapid.", "post");
   const Result<CellFile> file = openCellForArm(arguments, kinds, arguments.operands[1]);
   if (!file) return fail(file.error());
-  PathCheckSettings check{.clearance = file->cell->plans->clearance};
+  PathCheckSettings check;
   if (const std::string problem = readProof(arguments, check); !problem.empty()) return failUsage(problem, "post");
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
@@ -40,6 +40,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Verifying", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
     if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1]);
+    if (path) check.clearance = file->cell->plans->clearanceOf(*path);
     if (path) checked = checkPath(*scene, *file->cell->plans, *path, check, job.progress());
   });
   if (!scene) return fail(scene.error());

@@ -15,7 +15,7 @@ namespace {
 int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
   const Result<CellFile> file = openCellForArm(arguments, kinds, arguments.operands[1]);
   if (!file) return fail(file.error());
-  PathCheckSettings check{.clearance = file->cell->plans->clearance};
+  PathCheckSettings check;
   double& clearance = check.clearance;
   if (arguments.has("clearance") && (!readNumber(arguments.valueOf("clearance"), clearance) || !(clearance >= 0.0)))
     return failUsage("The option --clearance takes a length in mm.", "verify");
@@ -27,6 +27,7 @@ int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Verifying", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
     if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1]);
+    if (path && !arguments.has("clearance")) clearance = file->cell->plans->clearanceOf(*path);
     if (path) checked = checkPath(*scene, *file->cell->plans, *path, check, job.progress());
   });
   if (!scene) return fail(scene.error());
@@ -47,7 +48,8 @@ Command verifyCommand() {
                       "PATH is the name of a path in the cell, or a file. Exit code 2: not all of it is free.",
                       {}};
   spec.options.push_back(armOption());
-  spec.options.push_back({"clearance", 0, "MM", "Clearance from all obstacles; default: that of the cell"});
+  spec.options.push_back(
+      {"clearance", 0, "MM", "Clearance from all obstacles; default: that of the path, or else of the cell"});
   spec.options.push_back(resolutionOption());
   spec.options.push_back({"step", 0, "RAD", "Step of the checks of motions that are not proven free (default 0.01)"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});

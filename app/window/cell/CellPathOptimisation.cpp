@@ -26,7 +26,8 @@ void CellPaths::optimise() {
   job.owner = &tab;  // its closing cancels the job
   job.failed = [this, &tab](const Error& error) { report(&tab, error); };
   job.work = [this, &tab, scene, content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()),
-              before = *present, settings = optimisationSettingsOf(values, plans())](Progress progress) -> Job::Finish {
+              before = *present,
+              settings = optimisationSettingsOf(values, plans(), *present)](Progress progress) -> Job::Finish {
     auto optimised = optimisedPath(*scene, *content->plans, before, settings, progress);
     return [this, &tab, scene, content, before, optimised = std::move(optimised)]() mutable {
       const RobotPath* const now = cellIn(tab).plans()->path(before.name);

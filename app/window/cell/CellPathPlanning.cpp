@@ -104,7 +104,9 @@ void CellPaths::planAgain() {
   }
   OperationValues values(planOperation());
   setFidelity(values, m_parts.fidelity.values());
-  startPlanning(present->places, routeSettingsOf(values, plans()), present->name, text, again);
+  RouteSettings settings = routeSettingsOf(values, plans());
+  settings.plan.check.clearance = plans().clearanceOf(*present);
+  startPlanning(present->places, settings, present->name, text, again);
 }
 
 void CellPaths::startPlanning(std::vector<Waypoint> places, const RouteSettings& settings, const std::string& name,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Fields of paths, and those along curves on parts: planned, and planned anew when their process is changed.
+#include "document/cell/PlaceProperties.h"
 #include "document/cell/RobotCellDocument.h"
 #include "tools/cell/ProcessSettings.h"
 #include "window/JobRunner.h"
@@ -43,7 +44,9 @@ std::vector<Property> CellPaths::resultProperties() const {
       .label = QT_TRANSLATE_NOOP("Property", "Verification"),
       .value = pathStatusOf(m_checks.stateOf(*of), *of, cell().displayUnit(), QLocale()).summary.toStdString()};
   result.editable = false;
-  return {result};
+  std::vector<Property> all{std::move(result)};
+  if (!of->process) all.push_back(clearanceProperty(*of, plans()));  // else it is a field of the process
+  return all;
 }
 
 const CellPaths::WantedProcess* CellPaths::wanted(const std::string& path) const {

@@ -52,7 +52,8 @@ class CellPaths : public QObject {
   QMenu& menu() { return *m_menu; }
   // Plans a path along a curve on a part (processOperation()). surface: of the part; null: it is found.
   void planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface);
-  // What is known of the path of the selected row, as a field to read; empty: it is no path.
+  // What is known of the path of the selected row, as fields to read, and the clearance that it keeps; empty: it is no
+  // path.
   std::vector<Property> resultProperties() const;
   // How the path of the selected row is worked off along its curve; empty: it is no such path.
   std::vector<Property> processProperties() const;

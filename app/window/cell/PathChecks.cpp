@@ -75,7 +75,7 @@ void PathChecks::recall() {
       const auto proof = now->proofs->find(path.name);
       if (proof == now->proofs->end()) continue;
       const BasisChange change = changeBetween(proof->second.basis, digests->of(path));
-      if (isContradictory(proof->second.found, change, now->plans->clearance)) continue;
+      if (isContradictory(proof->second.found, change, now->plans->clearanceOf(path))) continue;
       const QDateTime at = QDateTime::fromString(QString::fromStdString(proof->second.at), Qt::ISODate).toLocalTime();
       results[path.name] = {basisOf(*now, path), proof->second.found, {}, nullptr, at, change};
     }
@@ -139,7 +139,7 @@ void PathChecks::verify(const RobotPath& path, Wish wish) {
   if (wish != Wish::Again && isKnown) return;
   const FidelityValues& fidelity = m_parts.fidelity.values();
   const PathCheckSettings settings{
-      .clearance = now->plans->clearance,
+      .clearance = now->plans->clearanceOf(path),
       .resolution = std::min(PathCheckSettings().resolution, fidelity.of(planResolutionSetting())),
       .step = fidelity.of(verifyStepSetting())};
   // One of those that wait gives way to the one that is asked for; also the last of all, which is not done.

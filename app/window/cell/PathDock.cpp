@@ -120,6 +120,9 @@ TimeLineRecording PathDock::recordingOf(const CheckedPath& checked) const {
     manipulability.points.emplace_back(time, sample.manipulability);
   }
   recording.curves = {clearance, manipulability, margin};
+  if (const double kept = m_paths.plans().clearanceOf(*m_paths.path()); kept > 0.0)
+    recording.curves.push_back(
+        {clearance.name, clearance.unit, {{0.0, kept}, {recording.duration, kept}}, tr("Clearance to keep")});
   const auto scene = m_paths.scene();
   for (const PathCollision& each : checked.verification.collisions) {
     const auto [link, other] = scene->namesOf(each.deepest);

@@ -17,6 +17,7 @@ constexpr double kPercent = 100.0;
 constexpr double kLeastPercent = 0.1;
 constexpr double kLeastSpeed = 0.01, kLargestSpeed = 1e4;  // mm/s
 constexpr double kLargestBlend = 1e3;                      // mm
+const std::string kPathPrefix = "path.", kClearance = ".clearance";
 
 bool isLine(const Waypoint& place) {
   return place.motion == ProgramMotion::Kind::Linear;
@@ -52,7 +53,6 @@ std::vector<Property> placeProperties(const RobotPath& path, std::size_t place) 
 }
 
 std::optional<PlaceField> placeOfProperty(const CellPlans& plans, std::string_view id) {
-  constexpr std::string_view kPathPrefix = "path.";
   if (!id.starts_with(kPathPrefix)) return std::nullopt;
   id.remove_prefix(kPathPrefix.size());
   const std::size_t last = id.rfind('.');
@@ -66,6 +66,40 @@ std::optional<PlaceField> placeOfProperty(const CellPlans& plans, std::string_vi
                        number <= path->places.size();
   if (!isPlace) return std::nullopt;
   return PlaceField{path->name, number - 1, std::string(id.substr(last + 1))};
+}
+
+Property clearanceProperty(const RobotPath& path, const CellPlans& plans) {
+  return {.id = kPathPrefix + path.name + kClearance,
+          .group = QT_TRANSLATE_NOOP("Property", "Path"),
+          .label = QT_TRANSLATE_NOOP("Property", "Clearance to keep"),
+          .value = plans.clearanceOf(path),
+          .quantity = Quantity::Length,
+          .least = 0.0,
+          .largest = RobotPath::kLargestClearance};
+}
+
+const RobotPath* pathOfClearance(const CellPlans& plans, std::string_view id) {
+  if (!id.starts_with(kPathPrefix) || !id.ends_with(kClearance) || id.size() < kPathPrefix.size() + kClearance.size())
+    return nullptr;
+  return plans.path(id.substr(kPathPrefix.size(), id.size() - kPathPrefix.size() - kClearance.size()));
+}
+
+Result<CellPlans> changedClearance(const CellPlans& plans, const RobotPath& path, const PropertyValue& value) {
+  const Property field = clearanceProperty(path, plans);
+  const auto* const number = std::get_if<double>(&value);
+  if (!number || !std::isfinite(*number))
+    return Error{ErrorCode::ElementMalformed, {field.id, "a number was expected"}, {}, {}};
+  const auto kept = withinShownLimits(*number, field.least, field.largest);
+  if (!kept)
+    return Error{ErrorCode::ValueOutOfRange,
+                 {field.id, shownText(*number), shownText(field.least), shownText(field.largest)},
+                 {},
+                 {}};
+  CellPlans changed = plans;
+  RobotPath& of = *std::ranges::find(changed.paths, path.name, &RobotPath::name);
+  of.clearance = plans.ownClearance(*kept);
+  if (of.process) of.process->values["clearance"] = *kept;
+  return changed;
 }
 
 void setMotion(RobotPath& path, std::size_t place, ProgramMotion::Kind kind) {

@@ -26,6 +26,14 @@ std::optional<PlaceField> placeOfProperty(const CellPlans& plans, std::string_vi
 // Plans with one of these properties changed. Error: ValueOutOfRange, ElementMalformed.
 Result<CellPlans> changedPlace(const CellPlans& plans, const PlaceField& field, const PropertyValue& value);
 
+// The clearance that a path keeps, with the id "path.NAME.clearance".
+Property clearanceProperty(const RobotPath& path, const CellPlans& plans);
+// The path whose clearance this id stands for; null: it stands for none.
+const RobotPath* pathOfClearance(const CellPlans& plans, std::string_view id);
+// Plans in which the path keeps this clearance. One along a curve is planned with it, too. Error: ValueOutOfRange,
+// ElementMalformed.
+Result<CellPlans> changedClearance(const CellPlans& plans, const RobotPath& path, const PropertyValue& value);
+
 // The motion to a place becomes another, with the speed that the path has elsewhere for that kind.
 void setMotion(RobotPath& path, std::size_t place, ProgramMotion::Kind kind);
 

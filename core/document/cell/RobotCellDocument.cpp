@@ -103,6 +103,7 @@ std::vector<Property> RobotCellDocument::propertiesOfBody(const Body& body) cons
 }
 
 std::optional<Property> RobotCellDocument::property(const std::string& id) const {
+  if (const RobotPath* const path = pathOfClearance(*m_plans, id)) return clearanceProperty(*path, *m_plans);
   if (const auto place = placeOfProperty(*m_plans, id)) {
     for (const Property& each : placeProperties(*m_plans->path(place->path), place->place)) {
       if (each.id == id) return each;
@@ -141,6 +142,11 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
     CellPlans changed = *m_plans;
     changed.tool = *centre;
     return std::unique_ptr<Edit>(plansEdit(std::move(changed)));
+  }
+  if (const RobotPath* const path = pathOfClearance(*m_plans, id)) {
+    Result<CellPlans> changed = changedClearance(*m_plans, *path, value);
+    if (!changed) return changed.error();
+    return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }
   if (const auto place = placeOfProperty(*m_plans, id)) {
     Result<CellPlans> changed = changedPlace(*m_plans, *place, value);

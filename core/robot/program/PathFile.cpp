@@ -206,6 +206,7 @@ Json toJson(const RobotModel& robot, const RobotPath& path) {
   Json json = {{"name", path.name}, {"places", places}};
   if (!path.arm.empty()) json["arm"] = path.arm;
   if (path.process) json["process"] = processJson(*path.process);
+  if (path.clearance) json["clearance_mm"] = *path.clearance;
   for (const auto& [name, base] : path.bases) json["bases"][name] = numbersOfPose(base);
   return json;
 }
@@ -217,6 +218,8 @@ Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const Join
   path.name = stringAt(json, "name", "path");
   path.arm = stringAt(json, "arm");
   if (const auto process = json.find("process"); process != json.end()) path.process = processFrom(*process);
+  if (const auto kept = json.find("clearance_mm"); kept != json.end() && kept->is_number())
+    path.clearance = numberAt(json, "clearance_mm", 0.0, 0.0, RobotPath::kLargestClearance);
   if (const auto bases = json.find("bases"); bases != json.end() && bases->is_object()) {
     for (const auto& [name, numbers] : bases->items()) {
       if (const auto base = poseAt(*bases, name.c_str())) path.bases[name] = *base;

@@ -62,7 +62,7 @@ bool PathProcess::operator==(const PathProcess& other) const {
 
 bool RobotPath::operator==(const RobotPath& other) const {
   return name == other.name && places == other.places && arm == other.arm && process == other.process &&
-         areSame(bases, other.bases);
+         areSame(bases, other.bases) && clearance == other.clearance;
 }
 
 bool NamedFrame::operator==(const NamedFrame& other) const {

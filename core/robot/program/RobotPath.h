@@ -61,6 +61,7 @@ struct PathProcess {
 // A path of a robot: its first place is where it starts.
 struct RobotPath {
   static constexpr std::size_t kMostPlaces = 100'000;
+  static constexpr double kLargestClearance = 1e4;  // mm
 
   std::string name;
   std::vector<Waypoint> places;
@@ -68,6 +69,7 @@ struct RobotPath {
   std::optional<PathProcess> process = {};  // none: it was planned between places, or by hand
   // By the names of other robots whose bases were moved since: where these stood, in the frame of the root.
   std::map<std::string, Pose, std::less<>> bases = {};
+  std::optional<double> clearance = {};  // mm that it keeps; none: that of the cell
 
   bool operator==(const RobotPath& other) const;
 };
@@ -132,7 +134,7 @@ struct CellPlans {
   Pose tool = Pose::Identity();  // the centre point of its tool in the link that carries the tool
   // Those of the other robots, by their names; the link itself for those that are not in it.
   std::map<std::string, Pose, std::less<>> otherTools = {};
-  double clearance = 0.0;  // mm that paths keep from everything
+  double clearance = 0.0;  // mm that paths keep from everything, if they have none of their own
 
   const NamedConfiguration* configuration(std::string_view name) const;  // null: there is none
   const NamedTarget* target(std::string_view name) const;                // null: there is none
@@ -144,7 +146,12 @@ struct CellPlans {
   FreeNames frameNames() const;
   std::string freePathName(const std::string& wish) const { return pathNames().take(wish); }
   std::string freePlaceName(const std::string& wish) const { return placeNames().take(wish); }
-  std::size_t bytes() const;  // about
+  std::size_t bytes() const;                                                                      // about
+  double clearanceOf(const RobotPath& path) const { return path.clearance.value_or(clearance); }  // mm
+  // What a path has to have of its own to keep this, mm.
+  std::optional<double> ownClearance(double kept) const {
+    return kept == clearance ? std::nullopt : std::optional(kept);
+  }
   // Plans for another robot from now on. present: the name of the one that is planned for, which keeps its tool.
   void choose(const std::string& other, const std::string& present);
 

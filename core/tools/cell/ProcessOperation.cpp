@@ -329,6 +329,7 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
     if (!leg) return leg.error();
   }
   planned.path.arm = cell.plans->arm;
+  planned.path.clearance = cell.plans->ownClearance(route.plan.check.clearance);
   planned.path.process = processOf(values, asChosen.pose, body.pose, cell.plans->tool);
   planned.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return planned;

@@ -14,6 +14,7 @@ struct TimeLineCurve {
   QString name;                 // "Cutting force"; curves of the same name are drawn together
   QString unit;                 // "N"
   std::vector<QPointF> points;  // (s, value), times ascending
+  QString label = {};           // beside the line; empty: the name of the recording
 };
 
 // An event that one can jump to.

@@ -215,7 +215,7 @@ void TimeLinePanel::showCurves() {
       if (curve.name != m_curve->currentText()) continue;
       plot.y.unit = curve.unit;
       PlotSeries series;
-      series.name = m_recordings[i].name;
+      series.name = curve.label.isEmpty() ? m_recordings[i].name : curve.label;
       series.dotted = false;
       series.points = thinnedCurve(curve.points, kMostPoints);
       for (QPointF& point : series.points) point.setX(m_axis.positionAt(i, point.x()));

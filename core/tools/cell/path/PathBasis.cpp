@@ -43,7 +43,7 @@ PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path) {
           plannedDofs(*cell.robot, path.arm),
           cell.plans->allowed,
           toolOf(*cell.robot, *cell.plans, path.arm),
-          cell.plans->clearance,
+          cell.plans->clearanceOf(path),
           targetsOf(*cell.plans, path)};
 }
 
@@ -66,7 +66,7 @@ BasisChange changeSince(const PathBasis& basis, const RobotCellSnapshot& cell, c
   if (!collideAlike(basis.bodies, cell.bodies)) return BasisChange::Bodies;
   if (basis.allowed != cell.plans->allowed) return BasisChange::Pairs;
   if (basis.tool.matrix() != toolOf(*cell.robot, *cell.plans, path.arm).matrix()) return BasisChange::Tool;
-  if (basis.clearance != cell.plans->clearance) return BasisChange::Clearance;
+  if (basis.clearance != cell.plans->clearanceOf(path)) return BasisChange::Clearance;
   if (basis.targets != targetsOf(*cell.plans, path)) return BasisChange::Targets;
   return BasisChange::Nothing;
 }

@@ -182,7 +182,7 @@ BasisDigests PathDigests::of(const RobotPath& path) const {
           m_bodies,
           m_allowed,
           ofValue(toolOf(*m_cell->robot, plans, path.arm)),
-          ofValue(plans.clearance),
+          ofValue(plans.clearanceOf(path)),
           ofTargets(plans, path)};
 }
 

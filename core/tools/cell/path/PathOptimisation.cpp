@@ -203,8 +203,11 @@ const Operation& optimisationOperation() {
   return kOperation;
 }
 
-OptimisationSettings optimisationSettingsOf(const OperationValues& values, const CellPlans& plans) {
-  return {.route = routeSettingsOf(values, plans),
+OptimisationSettings optimisationSettingsOf(const OperationValues& values, const CellPlans& plans,
+                                            const RobotPath& path) {
+  RouteSettings route = routeSettingsOf(values, plans);
+  route.plan.check.clearance = values.given("clearance").value_or(plans.clearanceOf(path));
+  return {.route = std::move(route),
           .mayReorder = !values.flag("keep-order"),
           .mayReconfigure = !values.flag("keep-configurations"),
           .seconds = values.number("search")};

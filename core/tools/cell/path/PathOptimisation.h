@@ -17,7 +17,8 @@ struct OptimisationSettings {
   bool mayReconfigure = true;  // else the joints at each place stay as they are
   double seconds = 30.0;       // after which nothing better is looked for
 };
-OptimisationSettings optimisationSettingsOf(const OperationValues& values, const CellPlans& plans);
+OptimisationSettings optimisationSettingsOf(const OperationValues& values, const CellPlans& plans,
+                                            const RobotPath& path);
 
 // What became of a path.
 struct OptimisedPath {

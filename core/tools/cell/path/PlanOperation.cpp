@@ -244,8 +244,8 @@ void setFidelity(OperationValues& values, const FidelityValues& fidelity) {
   values.setValid("shortcuts", fidelity.of(planShortcutsSetting()));
 }
 
-PathCheckSettings checkSettingsOf(const OperationValues& values, const CellPlans& plans) {
-  PathCheckSettings settings{.clearance = values.given("clearance").value_or(plans.clearance)};
+PathCheckSettings checkSettingsOf(const OperationValues& values, const CellPlans& plans, const RobotPath& path) {
+  PathCheckSettings settings{.clearance = values.given("clearance").value_or(plans.clearanceOf(path))};
   if (values.operation().find("resolution"))
     settings.resolution = std::min(settings.resolution, values.number("resolution"));
   return settings;
@@ -347,6 +347,7 @@ Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plan
   if (kept.size() < 2) return Error{CellError::PathTooShort, {planned.path.name}, {}, {}};
   LegPlanning legs(scene, plans, settings);
   planned.path.arm = plans.arm;
+  planned.path.clearance = plans.ownClearance(settings.plan.check.clearance);
   planned.path.places.push_back(standing(*kept.front()));
   const double share = 1.0 / static_cast<double>(kept.size() - 1);
   for (std::size_t i = 1; i < kept.size(); ++i) {

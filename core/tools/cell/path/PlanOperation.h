@@ -30,7 +30,7 @@ Result<std::vector<Waypoint>> placesOf(const OperationValues& values, const Cell
 // values: of an operation with the parameters above.
 RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& plans);
 // The same for the verification of what was planned; no coarser than others verify.
-PathCheckSettings checkSettingsOf(const OperationValues& values, const CellPlans& plans);
+PathCheckSettings checkSettingsOf(const OperationValues& values, const CellPlans& plans, const RobotPath& path);
 
 // A path that was planned. It is free between its places (MotionCheck).
 struct PlannedPath {

@@ -9,6 +9,7 @@
 
 #include <rapidcheck.h>
 #include <QTest>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 using namespace handwheel;
@@ -27,6 +28,7 @@ CellPlans anyPlans() {
   for (int i = *rc::gen::inRange(0, 3); i > 0; --i) {
     RobotPath path{plans.freePathName("way"), {}};
     for (int k = *rc::gen::inRange(0, 4); k > 0; --k) path.places.push_back({.joints = anyJoints()});
+    if (*rc::gen::arbitrary<bool>()) path.clearance = *rc::gen::inRange(0, 100) / 7.0;
     plans.paths.push_back(std::move(path));
   }
   FreeNames frames;
@@ -104,6 +106,41 @@ class CellPlansTest : public QObject {
       const Result<CellPlans> changed = changedPlace(plans, *field, other);
       QVERIFY(changed && !changed->paths[0].process && !(changed->paths[0].places == plans.paths[0].places));
     }
+  }
+
+  // A path keeps the clearance of the cell, or one of its own, with which a path along a curve is planned, too.
+  void clearanceOfAPath() {
+    CellPlans plans;
+    plans.clearance = 2.0;
+    plans.paths = {{"way", {}}, {"way.2", {}, "", PathProcess{{{"lead", 5.0}}}}};
+    QVERIFY(!pathOfClearance(plans, "path.clearance") && !pathOfClearance(plans, "path.other.clearance"));
+    QVERIFY(!pathOfClearance(plans, "path.way.2.blend"));
+    const RobotPath* const second = pathOfClearance(plans, "path.way.2.clearance");
+    QVERIFY(second == &plans.paths[1] && pathOfClearance(plans, "path.way.clearance") == &plans.paths[0]);
+    QVERIFY(clearanceProperty(*second, plans).value == PropertyValue(2.0));
+    const Result<CellPlans> changed = changedClearance(plans, *second, 7.5);
+    QVERIFY(changed && changed->paths[0] == plans.paths[0]);
+    QCOMPARE(changed->clearanceOf(changed->paths[0]), 2.0);
+    QCOMPARE(changed->clearanceOf(changed->paths[1]), 7.5);
+    QVERIFY(changed->paths[1].process->values.at("clearance") == PathProcess::Value(7.5));
+    QVERIFY(!changedClearance(*changed, changed->paths[1], 2.0)->paths[1].clearance);  // that of the cell
+    for (const double wrong : {-1.0, 1e5, std::nan(""), HUGE_VAL}) QVERIFY(!changedClearance(plans, *second, wrong));
+    QVERIFY(!changedClearance(plans, *second, std::string("7")));
+  }
+
+  // As a property of the document, an undo step.
+  void clearanceIsUndone() {
+    RobotCellDocument document(importOrThrow(m_package.urdf()));
+    CellPlans plans;
+    plans.paths = {{"way", {}}};
+    document.commit("plan", document.plansEdit(plans));
+    auto edit = document.propertyEdit("path.way.clearance", 3.0);
+    QVERIFY(edit.hasValue());
+    document.commit("clearance", std::move(edit).value());
+    QVERIFY(document.property("path.way.clearance")->value == PropertyValue(3.0));
+    QVERIFY(document.plans()->paths[0].clearance == 3.0);
+    document.history()->undo();
+    QVERIFY(*document.plans() == plans);
   }
 
   // As a cell was written before there were frames.

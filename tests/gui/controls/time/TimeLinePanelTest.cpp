@@ -70,6 +70,7 @@ class TimeLinePanelTest : public QObject {
  private slots:
   void cleanup() { applyTheme(*qApp, ThemeKind::Light); }
   void scrubs();
+  void boundsAreNamed();
   void whatIsSetIsNotSaid();
   void plays();
   void playsOnItsOwn();
@@ -101,6 +102,18 @@ void TimeLinePanelTest::scrubs() {
   QCOMPARE(bench.panel.time(), 10.0);
   QTest::mouseClick(bench.track, Qt::LeftButton, {}, {0, 5});
   QCOMPARE(bench.panel.time(), 0.0);
+}
+
+// A bound beside a curve has its own name.
+void TimeLinePanelTest::boundsAreNamed() {
+  TimeLineRecording pass = passOf("pass", 10.0, 2.0);
+  pass.curves.push_back({"Cutting force", "N", {{0.0, 500.0}, {10.0, 500.0}}, "Most that is allowed"});
+  TimeBench bench({pass});
+  const std::vector<PlotSeries>& series = bench.plot->plot().series;
+  QCOMPARE(series.size(), std::size_t{2});
+  QCOMPARE(series[0].name, QString("pass"));
+  QCOMPARE(series[1].name, QString("Most that is allowed"));
+  QVERIFY((series[1].points == std::vector<QPointF>{{0.0, 500.0}, {10.0, 500.0}}));
 }
 
 void TimeLinePanelTest::whatIsSetIsNotSaid() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "PlanningWindow.h"
+#include "panels/time/TimePlot.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -101,6 +102,26 @@ class CellPathStatusWindowTest : public QObject {
     while (bar->isVisible()) driver.click("messageClose");
     QApplication::processEvents();
     QCOMPARE(QRect(driver.view()->mapToGlobal(QPoint()), driver.view()->size()), with);
+  }
+
+  // The clearance that a path keeps is a field of it, and a line in the plot; changed, the path is verified with it.
+  void clearanceIsAField() {
+    TwoPaths driver;
+    driver.clickItem(driver.paths()->child(1));
+    QVERIFY(driver.settle());
+    driver.choose("pathDockToggle");
+    auto* const plot = driver.find<QWidget>("pathTimeLine")->findChild<TimePlot*>("timePlot");
+    QTRY_COMPARE_WITH_TIMEOUT(plot->plot().series.size(), std::size_t{1}, kPatienceMs);
+    const std::string field = "path." + driver.paths()->child(1)->text(0).toStdString() + ".clearance";
+    driver.edit(field.c_str(), "5");
+    QTRY_COMPARE_WITH_TIMEOUT(plot->plot().series.size(), std::size_t{2}, kPatienceMs);
+    QVERIFY(driver.becomes(1, "free"));
+    QCOMPARE(plot->plot().series[1].points.front().y(), 5.0);
+    QCOMPARE(plot->plot().series[1].points.back().y(), 5.0);
+    QVERIFY(driver.remark(0).contains("free"));
+    driver.click("quickActions/undo");
+    QTRY_COMPARE_WITH_TIMEOUT(plot->plot().series.size(), std::size_t{1}, kPatienceMs);
+    QVERIFY(driver.becomes(1, "free"));
   }
 
   // By another name it is the same path.

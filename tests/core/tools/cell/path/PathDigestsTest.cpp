@@ -194,6 +194,9 @@ class PathDigestsTest : public QObject {
       case 14:
         place.blend = 1.0;
         break;
+      case 16:  // of its own, also as that of the cell
+        plans.paths.front().clearance = up ? beside(plans.clearance, up) : plans.clearance;
+        break;
       case 15: {
         auto removed = withRobotRemoved(cell, 1);
         cell = std::move(removed).value();
@@ -205,7 +208,7 @@ class PathDigestsTest : public QObject {
     }
     if (isBodies) cell.bodies = cell.bodies.with(std::make_shared<const Body>(box));
     cell.plans = std::make_shared<const CellPlans>(std::move(plans));
-    return what != 9 && what != 11 && what != 13;
+    return what != 9 && what != 11 && what != 13 && (what != 16 || up);
   }
 
   std::unique_ptr<ArmCell> m_cell;

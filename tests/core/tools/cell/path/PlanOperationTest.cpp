@@ -99,6 +99,24 @@ class PlanOperationTest : public QObject {
     QCOMPARE(planned(straight.path.places).keptLegs, std::size_t{2});
   }
 
+  // A path keeps the clearance that it was planned with, where that is not the cell's.
+  void clearanceIsKept() {
+    QVERIFY(!m_path.clearance);
+    const PlannedPath further = planned(m_path.places, 12.0);
+    QVERIFY(further.path.clearance == 12.0);
+    const CellPlans plans = *m_cell->content().plans;
+    const auto checked =
+        checkPath(*m_cell->scene(), plans, further.path, {.clearance = plans.clearanceOf(further.path)});
+    QVERIFY(checked && checked->isCertified() && checked->metrics.leastClearance >= 12.0);
+    const RobotModel& robot = m_cell->document().robot().model;
+    const auto read = pathFrom(toJson(robot, further.path), robot, m_cell->document().joints());
+    QVERIFY(read && read->clearance == 12.0);
+    CellPlans asFar = plans;
+    asFar.clearance = 12.0;
+    m_cell->plan(asFar);
+    QVERIFY(!planned(m_path.places, 12.0).path.clearance);
+  }
+
   // Which legs were planned is in the file, too.
   void writtenAndRead() {
     const RobotModel& robot = m_cell->document().robot().model;
@@ -111,10 +129,11 @@ class PlanOperationTest : public QObject {
   }
 
  private:
-  PlannedPath planned(const std::vector<Waypoint>& places) {
+  PlannedPath planned(const std::vector<Waypoint>& places, double clearance = 0.0) {
     const auto scene = m_cell->scene();
     RouteSettings settings;
     settings.plan.seconds = 60.0;
+    settings.plan.check.clearance = clearance;
     Result<PlannedPath> made = plannedThrough(*scene, *m_cell->content().plans, places, settings);
     if (!made) qFatal("not planned: %s", made.error().code->id);
     return std::move(made).value();
