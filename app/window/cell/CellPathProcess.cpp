@@ -13,8 +13,34 @@
 namespace handwheel {
 
 namespace {
+
 const std::string kField = "process.";  // of the ids of the fields
+
+Property measureToRead(const char* id, const char* label, const QString& text) {
+  Property property{
+      .id = id, .group = QT_TRANSLATE_NOOP("Property", "Path"), .label = label, .value = text.toStdString()};
+  property.editable = false;
+  return property;
 }
+
+// What planners compare paths by.
+std::vector<Property> measuresOf(const PathFindings& found, LengthUnit unit) {
+  constexpr double kSumRounding = 1e-6;  // mm: the mean of many that are as far as is measured is so, too
+  const QLocale locale;
+  std::vector<Property> all{measureToRead("path.time", QT_TRANSLATE_NOOP("Property", "Cycle time"),
+                                          locale.toString(found.seconds, 'f', 2) + QStringLiteral(" s"))};
+  if (!found.measures) return all;
+  const auto& [length, security, manipulability] = *found.measures;
+  all.push_back(measureToRead("path.length", QT_TRANSLATE_NOOP("Property", "Length"),
+                              locale.toString(length, 'f', 3) + QStringLiteral(" rad")));
+  all.push_back(measureToRead("path.security", QT_TRANSLATE_NOOP("Property", "Security index"),
+                              clearanceText(security + kSumRounding, unit, locale)));
+  all.push_back(measureToRead("path.manipulability", QT_TRANSLATE_NOOP("Property", "Manipulability"),
+                              locale.toString(manipulability, 'g', 3)));
+  return all;
+}
+
+}  // namespace
 
 void CellPaths::planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface) {
   startPlanning(processPlanning(values, std::move(surface), std::nullopt),
@@ -46,6 +72,10 @@ std::vector<Property> CellPaths::resultProperties() const {
   result.editable = false;
   std::vector<Property> all{std::move(result)};
   if (!of->process) all.push_back(clearanceProperty(*of, plans()));  // else it is a field of the process
+  const PathChecks::State state = m_checks.stateOf(*of);
+  const bool isMeasured = state.last && state.last->found && state.change == BasisChange::Nothing;
+  for (Property& each : isMeasured ? measuresOf(*state.last->found, cell().displayUnit()) : std::vector<Property>())
+    all.push_back(std::move(each));
   return all;
 }
 

@@ -38,6 +38,11 @@ json toJson(const std::string& path, const PathProof& proof) {
                  {"targets_moved", found.outdating.targets},
                  {"listed", json::array()},
                  {"basis", json::object()}};
+  if (found.measures) {
+    stored["length_rad"] = found.measures->length;
+    stored["security_mm"] = found.measures->security;
+    stored["manipulability"] = found.measures->manipulability;
+  }
   if (found.stopsAt) stored["stops_at"] = *found.stopsAt;
   for (const PathFindings::Meeting& each : found.listed)
     stored["listed"].push_back({{"place", each.place}, {"link", each.link}, {"other", each.other}});
@@ -80,6 +85,9 @@ std::optional<PathProof> proofFrom(const json& stored) {
   found.clearance = *clearance;
   found.leastClearance = *least;
   found.seconds = *seconds;
+  const auto length = lengthAt(stored, "length_rad"), security = lengthAt(stored, "security_mm"),
+             manipulability = lengthAt(stored, "manipulability");
+  if (length && security && manipulability) found.measures = PathMeasures{*length, *security, *manipulability};
   found.hasShapeless = isAt(stored, "shapeless");
   found.robotsMoved = namesAt(stored, "robots_moved");
   found.outdating = {stringAt(stored, "part_moved"), isAt(stored, "tool_changed"), namesAt(stored, "targets_moved")};

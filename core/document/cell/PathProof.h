@@ -21,6 +21,14 @@ enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Cle
 // A digest of each of these (SHA-256, hexadecimal digits), in order, without Nothing.
 using BasisDigests = std::array<std::string, 8>;
 
+// Of a path as a whole, as PathMetrics has it.
+struct PathMeasures {
+  double length = 0.0;    // rad, slides in metres
+  double security = 0.0;  // mm
+  double manipulability = 0.0;
+  bool operator==(const PathMeasures&) const = default;
+};
+
 // What the verification of a path found, in brief. Lengths in mm, times in s.
 struct PathFindings {
   struct Meeting {
@@ -37,7 +45,8 @@ struct PathFindings {
   double clearance = 0.0;            // that was asked for
   double leastClearance = 0.0;
   double seconds = 0.0;
-  bool hasShapeless = false;  // links without meshes were left out
+  std::optional<PathMeasures> measures = {};  // none: stored by a version of the program that did not keep them
+  bool hasShapeless = false;                  // links without meshes were left out
   std::set<std::string> robotsMoved = {};
   Outdating outdating = {};
 

@@ -82,15 +82,17 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
 
 PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, double clearance) {
   const auto& all = checked.verification.collisions;
-  PathFindings found{.isCertified = checked.isCertified(),
-                     .stopsAt = checked.way.stopsAt,
-                     .collisions = all.size(),
-                     .clearance = clearance,
-                     .leastClearance = checked.metrics.leastClearance,
-                     .seconds = checked.seconds,
-                     .hasShapeless = !scene.shapeless.empty(),
-                     .robotsMoved = checked.robotsMoved,
-                     .outdating = checked.outdating};
+  PathFindings found{
+      .isCertified = checked.isCertified(),
+      .stopsAt = checked.way.stopsAt,
+      .collisions = all.size(),
+      .clearance = clearance,
+      .leastClearance = checked.metrics.leastClearance,
+      .seconds = checked.seconds,
+      .measures = PathMeasures{checked.metrics.length, checked.metrics.security, checked.metrics.manipulability},
+      .hasShapeless = !scene.shapeless.empty(),
+      .robotsMoved = checked.robotsMoved,
+      .outdating = checked.outdating};
   for (std::size_t i = 0; i < std::min(all.size(), PathFindings::kMostListed); ++i) {
     auto [link, other] = scene.namesOf(all[i].deepest);
     found.listed.push_back({checked.placeOf(all[i].motion), std::move(link), std::move(other)});

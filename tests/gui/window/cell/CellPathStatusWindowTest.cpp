@@ -124,6 +124,33 @@ class CellPathStatusWindowTest : public QObject {
     QVERIFY(driver.becomes(1, "free"));
   }
 
+  // What planners compare paths by is beside the selected one, as the command line has it; also after opening.
+  void measuresAreShown() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("cell.handwheel");
+    constexpr const char* kIds[] = {"path.time", "path.length", "path.security", "path.manipulability"};
+    QStringList before;
+    {
+      TwoPaths driver;
+      driver.clickItem(driver.paths()->child(1));
+      QVERIFY(driver.settle());
+      for (const char* id : kIds) before += driver.shown(id);
+      // Nothing is in the way: joint 1 alone turns by 120 degrees, and nothing is near.
+      QCOMPARE(before[1], QString("2.094 rad"));
+      QVERIFY(before[0].endsWith(" s") && before[2].startsWith("> "));
+      bool isNumber = false;
+      QVERIFY(before[3].toDouble(&isNumber) >= 0.0 && isNumber);
+      driver.choose("saveFileAs");
+      QVERIFY(driver.enterFileName("saveDialog", file));
+      QVERIFY(driver.settle());
+    }
+    PlanningWindow driver;
+    QVERIFY(driver.open(file));
+    driver.clickItem(driver.paths()->child(1));
+    for (std::size_t i = 0; i < std::size(kIds); ++i)
+      QTRY_COMPARE_WITH_TIMEOUT(driver.shown(kIds[i]), before[static_cast<qsizetype>(i)], kPatienceMs);
+  }
+
   // By another name it is the same path.
   void renamed() {
     TwoPaths driver;

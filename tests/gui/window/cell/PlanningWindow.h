@@ -4,6 +4,7 @@
 
 #include "CellWindow.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
 
@@ -19,6 +20,13 @@ class PlanningWindow : public CellWindow {
   void clickItem(QTreeWidgetItem* item) {
     tree()->scrollToItem(item);
     QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualItemRect(item).center());
+  }
+  // The text of a field of the panel that is only read; none where it is not listed.
+  QString shown(const char* property) {
+    const QString name = QStringLiteral("property/") + QString::fromLatin1(property);
+    const auto* row = find<QDockWidget>("kindDock")->findChild<QWidget*>(name);
+    const auto* value = row ? row->findChild<QLabel*>(QStringLiteral("propertyValue")) : nullptr;
+    return value ? value->text() : QString();
   }
   void storeAt(const char* joint, const QString& value) {
     edit(joint, value);
