@@ -48,6 +48,34 @@ class PlanTest : public QObject {
     QVERIFY(cell.run({"post", "cell.handwheel", "way", "--controller", "rapid", "-o", "way.mod"}).code != 0);
   }
 
+  // Numbers are given to the ways that can be chosen, in their order; no other number can be.
+  void numbersOfSolutions() {
+    const PlannedCell cell;
+    const auto at = [&](const QStringList& words) {
+      return cell.run(QStringList{"configuration", "cell.handwheel", "--at", "350,200,500", "--turn", "0,90,0"} +
+                      words);
+    };
+    const nlohmann::json listed = jsonOf(at({"--solutions", "--json"}).out)["solutions"];
+    const QList<QByteArray> lines = at({"--solutions"}).out.split('\n');
+    int numbers = 0, beyond = 0;
+    for (const nlohmann::json& way : listed) {
+      const QByteArray head = lines[2 * (numbers + beyond)];
+      const bool isWithin = way["within_limits"].get<bool>();
+      isWithin ? ++numbers : ++beyond;
+      QCOMPARE(way["number"].is_null(), !isWithin);
+      QVERIFY(head.startsWith(isWithin ? QByteArray::number(numbers) + ": " : QByteArray("-: ")));
+      if (!isWithin) continue;
+      QCOMPARE(way["number"].get<int>(), numbers);
+      const Ran chosen = at({"--solution", QString::number(numbers), "--add", "way", "-o", "chosen.handwheel"});
+      QVERIFY2(chosen.code == 0, chosen.err);
+    }
+    QVERIFY(numbers > 1 && beyond > 0);  // else it tells nothing
+    QVERIFY(at({"--solution", QString::number(numbers + 1), "--add", "way", "-o", "chosen.handwheel"}).code != 0);
+    const Ran far = cell.run({"configuration", "cell.handwheel", "--at", "5000,0,0", "--solution", "1", "--add", "way",
+                              "-o", "chosen.handwheel"});
+    QVERIFY(far.code != 0 && far.err.contains("bring its tool"));
+  }
+
   // The straight way is not free; all of it is looked at.
   void straightThroughABox() {
     const PlannedCell cell;

@@ -94,9 +94,12 @@ Result<nlohmann::json> waysJson(const OperationValues& values, const RobotCellSn
   const Result<CellScene> scene = sceneOf(cell, meshes);
   if (!scene) return scene.error();
   nlohmann::json list = nlohmann::json::array();
+  std::size_t chosen = 0;  // of those that --solution takes, which come first
   for (const CellIkSolution& way : ikSolutionsTo(*scene, *cell.plans, *pose, scene->planned(cell.joints))) {
     const QString configuration = way.arm.configuration ? configurationText(*way.arm.configuration) : QString();
-    list.push_back({{"joints", toJson(cell.robot->model, scene->whole(way.arm.values))},
+    const nlohmann::json number = way.isWithinLimits() ? nlohmann::json(++chosen) : nlohmann::json();
+    list.push_back({{"number", number},
+                    {"joints", toJson(cell.robot->model, scene->whole(way.arm.values))},
                     {"configuration", configuration.toStdString()},
                     {"stance", configuration.toStdString()},  // the former key
                     {"within_limits", way.isWithinLimits()},
@@ -114,11 +117,11 @@ int listWays(const OperationValues& values, const RobotCellSnapshot& cell, bool 
   const auto isFree = [](const nlohmann::json& way) { return way["free"].get<bool>(); };
   const bool isAnyFree = std::any_of(ways->begin(), ways->end(), isFree);
   std::string text = ways->empty() ? "The arm cannot bring its tool there.\n" : "";
-  for (std::size_t i = 0; i < ways->size(); ++i) {
-    const nlohmann::json& way = (*ways)[i];
+  for (const nlohmann::json& way : *ways) {
     const std::string configuration = way["configuration"], problem = way["problem"], turned = way["turned_off"];
-    text += std::to_string(i + 1) + ": " + (configuration.empty() ? std::string() : configuration + ", ") +
-            (problem.empty() ? "free" : problem) + (turned.empty() ? "" : ", " + turned) + "\n  ";
+    text += (way["number"].is_null() ? "-" : way["number"].dump()) + ": " +
+            (configuration.empty() ? std::string() : configuration + ", ") + (problem.empty() ? "free" : problem) +
+            (turned.empty() ? "" : ", " + turned) + "\n  ";
     for (const auto& [joint, value] : way["joints"].items())
       text += " " + joint + "=" + roundedText(std::round(1e6 * value.get<double>()) / 1e6, 9);
     text += "\n";

@@ -111,7 +111,8 @@ const Operation& configurationOperation() {
            .isWhole = true,
            .hasDefault = false},
           {.property = {.id = "solutions", .group = {}, .label = {}, .value = false},
-           .meaning = "Lists all configurations in which the arm brings its tool there, and changes nothing"},
+           .meaning = "Lists all configurations in which the arm brings its tool there, with numbers those within the "
+                      "limits, and changes nothing"},
           {.property = {.id = "clearance",
                         .group = {},
                         .label = QT_TRANSLATE_NOOP("Property", "Clearance"),

@@ -67,13 +67,15 @@ Result<JointValues> jointsThere(const OperationValues& values, const RobotCellSn
   if (!scene) return scene.error();
   const ArmValues near = scene->planned(cell.joints);
   const auto solution = values.given("solution");
-  if (!solution) {
+  const auto nearest = [&]() -> Result<JointValues> {
     const Result<ArmValues> found = nearestFree(*scene, *cell.plans, *pose, near);
     return found ? Result<JointValues>(scene->whole(*found)) : found.error();
-  }
+  };
+  if (!solution) return nearest();
   const std::vector<CellIkSolution> ways = ikSolutionsTo(*scene, *cell.plans, *pose, near);
   const auto possible = static_cast<std::size_t>(
       std::count_if(ways.begin(), ways.end(), [](const CellIkSolution& way) { return way.isWithinLimits(); }));
+  if (possible == 0) return nearest();  // which says why there is none
   const auto index = static_cast<std::size_t>(*solution) - 1;
   if (index < possible) return scene->whole(ways[index].arm.values);
   return Error{
