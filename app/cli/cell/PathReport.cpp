@@ -104,10 +104,11 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
   for (const std::string& robot : checked.robotsMoved)
     text += "the robot " + robot + " has moved since the path was made; the figures hold for its present position\n";
   for (const std::string& reason : reasonsOf(checked.outdating)) text += reason + ": plan it again\n";
-  for (const PathCollision& each : checked.verification.collisions) {
+  for (const PathStretch& each : stretchesOf(checked, scene)) {
     const auto [link, other] = scene.namesOf(each.deepest);
-    text += "motion to place " + std::to_string(checked.placeOf(each.motion) + 1) + ", " + share(each.from) + " to " +
-            share(each.to) + ": " + link + " with " + other + "\n";
+    text += "motion to place " + std::to_string(each.place + 1) + ", " + share(each.from) + " to " + share(each.to) +
+            ": " + link + " with " + other +
+            (each.meets() ? "" : ", too near: " + roundedText(each.deepest.distance, 3) + " mm") + "\n";
   }
   return text;
 }

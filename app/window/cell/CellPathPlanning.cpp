@@ -44,16 +44,19 @@ void CellPaths::reportVerified(const PathResult& result) {
   const PathStatus status = pathStatusOf(state, result.basis.path, cell().displayUnit(), QLocale());
   const QString title = tr("%1 was verified: %2").arg(name, status.summary);
   const bool isFree = result.found && result.found->isCertified;
-  QStringList details = isFree || !result.found ? QStringList() : collisionsOf(*result.found);
+  QStringList details =
+      isFree || !result.found ? QStringList() : collisionsOf(*result.found, cell().displayUnit(), QLocale());
   if (!result.problem.isEmpty()) details += result.problem;
+  QString detail = details.join(QStringLiteral("; "));
   if (result.checked) {
-    details.prepend(tr("%Ln motion(s)", nullptr, static_cast<int>(result.basis.path.places.size()) - 1) +
-                    QStringLiteral(", ") +
-                    tr("%Ln point(s) checked.", nullptr, static_cast<int>(result.checked->verification.steps)));
+    const QString done = tr("%Ln motion(s)", nullptr, static_cast<int>(result.basis.path.places.size()) - 1) +
+                         QStringLiteral(", ") +
+                         tr("%Ln point(s) checked.", nullptr, static_cast<int>(result.checked->verification.steps));
+    detail = detail.isEmpty() ? done : done + QLatin1Char(' ') + detail;
   }
-  m_parts.log.add(title + QStringLiteral(". ") + details.join(QLatin1Char(' ')), {},
+  m_parts.log.add(title + QStringLiteral(". ") + detail, {},
                   isFree ? LogEntry::Weight::Info : LogEntry::Weight::Warning);
-  Message said{isFree ? Message::Weight::Info : Message::Weight::Warning, title, details.join(QStringLiteral("; "))};
+  Message said{isFree ? Message::Weight::Info : Message::Weight::Warning, title, detail};
   said.about = &m_document->document;
   emit message(said);
 }

@@ -5,6 +5,7 @@
 #include "controls/QuantityText.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -71,7 +72,7 @@ class Words {
       return lines + QStringList{tr("The straight line to place %1 leaves the reach of the arm or the limits of its "
                                     "joints.")
                                      .arg(*found.stopsAt + 1)};
-    if (!found.isCertified) return lines + collisionsOf(found);
+    if (!found.isCertified) return lines + collisionsOf(found, m_unit, m_locale);
     lines += outdatingReasons(found.outdating);
     if (found.outdating.isAny()) lines += tr("Plan it again.");
     const double kept = found.clearance;
@@ -95,7 +96,12 @@ class Words {
                    : m_locale.toString(result.at.date(), QLocale::ShortFormat);
   }
   static QString collisions(const PathFindings& found) {
-    return tr("%Ln collision(s)", nullptr, static_cast<int>(found.collisions));
+    const auto tooNear = static_cast<int>(std::min(found.tooNear, found.collisions));
+    const int meeting = static_cast<int>(found.collisions) - tooNear;
+    const QString nearly = tr("too near %Ln time(s)", nullptr, tooNear);
+    if (meeting == 0 && tooNear > 0) return nearly;
+    const QString met = tr("%Ln collision(s)", nullptr, meeting);
+    return tooNear > 0 ? tr("%1, %2").arg(met, nearly) : met;
   }
   static QString planAgain(const Outdating& outdating) {
     if (outdating.part.empty() && outdating.isToolOther) return tr("plan again: the tool centre point was changed");
@@ -114,13 +120,17 @@ class Words {
 
 }  // namespace
 
-QStringList collisionsOf(const PathFindings& found) {
+QStringList collisionsOf(const PathFindings& found, LengthUnit unit, const QLocale& locale) {
   QStringList texts;
   for (const PathFindings::Meeting& each : found.listed) {
-    texts += Words::tr("On the way to place %1: %2 with %3")
-                 .arg(each.place + 1)
-                 .arg(QString::fromStdString(each.link), QString::fromStdString(each.other));
+    const QString link = QString::fromStdString(each.link), other = QString::fromStdString(each.other);
+    texts += each.distance > 0.0 ? Words::tr("On the way to place %1: %2 only %4 from %3")
+                                       .arg(each.place + 1)
+                                       .arg(link, other, clearanceText(each.distance, unit, locale))
+                                 : Words::tr("On the way to place %1: %2 with %3").arg(each.place + 1).arg(link, other);
   }
+  if (found.collisions > found.listed.size())
+    texts += Words::tr("and %Ln more", nullptr, static_cast<int>(found.collisions - found.listed.size()));
   return texts;
 }
 

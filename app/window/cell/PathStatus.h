@@ -25,7 +25,7 @@ QString clearanceText(double least, LengthUnit unit, const QLocale& locale);
 // Why a path does not lead to what it was planned for any more, a sentence each.
 QStringList outdatingReasons(const Outdating& outdating);
 
-// The first collisions that were found, a text each.
-QStringList collisionsOf(const PathFindings& found);
+// The first collisions that were found, a text each, and how many more there are.
+QStringList collisionsOf(const PathFindings& found, LengthUnit unit, const QLocale& locale);
 
 }  // namespace handwheel

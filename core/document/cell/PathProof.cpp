@@ -28,6 +28,7 @@ json toJson(const std::string& path, const PathProof& proof) {
                  {"at", proof.at},
                  {"certified", found.isCertified},
                  {"collisions", found.collisions},
+                 {"too_near", found.tooNear},
                  {"clearance_mm", found.clearance},
                  {"least_clearance_mm", found.leastClearance},
                  {"seconds", found.seconds},
@@ -45,7 +46,8 @@ json toJson(const std::string& path, const PathProof& proof) {
   }
   if (found.stopsAt) stored["stops_at"] = *found.stopsAt;
   for (const PathFindings::Meeting& each : found.listed)
-    stored["listed"].push_back({{"place", each.place}, {"link", each.link}, {"other", each.other}});
+    stored["listed"].push_back(
+        {{"place", each.place}, {"link", each.link}, {"other", each.other}, {"distance_mm", each.distance}});
   for (std::size_t i = 0; i < kParts.size(); ++i) stored["basis"][kParts[i]] = proof.basis[i];
   return stored;
 }
@@ -81,6 +83,7 @@ std::optional<PathProof> proofFrom(const json& stored) {
   PathFindings& found = proof.found;
   found.isCertified = isAt(stored, "certified");
   found.collisions = countAt(stored, "collisions");
+  found.tooNear = std::min(countAt(stored, "too_near"), found.collisions);
   if (stored.contains("stops_at")) found.stopsAt = countAt(stored, "stops_at");
   found.clearance = *clearance;
   found.leastClearance = *least;
@@ -94,7 +97,8 @@ std::optional<PathProof> proofFrom(const json& stored) {
   const auto listed = stored.find("listed");
   for (const json& each : listed != stored.end() && listed->is_array() ? *listed : json::array()) {
     if (each.is_object() && found.listed.size() < PathFindings::kMostListed)
-      found.listed.push_back({countAt(each, "place"), stringAt(each, "link"), stringAt(each, "other")});
+      found.listed.push_back({countAt(each, "place"), stringAt(each, "link"), stringAt(each, "other"),
+                              std::max(lengthAt(each, "distance_mm").value_or(0.0), 0.0)});
   }
   // Who contradicts itself proves nothing.
   if (found.isCertified && (found.collisions > 0 || found.stopsAt)) return std::nullopt;

@@ -34,15 +34,17 @@ struct PathFindings {
   struct Meeting {
     std::size_t place = 0;  // that the motion leads to, from 0
     std::string link, other;
+    double distance = 0.0;  // above 0: they do not meet, but are only this far apart
     bool operator==(const Meeting&) const = default;
   };
   static constexpr std::size_t kMostListed = 5;
 
   bool isCertified = false;
   std::optional<std::size_t> stopsAt = {};  // the place that a line cannot be followed to
-  std::size_t collisions = 0;
-  std::vector<Meeting> listed = {};  // the first of them, at most kMostListed
-  double clearance = 0.0;            // that was asked for
+  std::size_t collisions = 0;               // stretches of the path; also those
+  std::size_t tooNear = 0;                  // in which nothing meets: it is only nearer than was asked for
+  std::vector<Meeting> listed = {};         // the first of them, at most kMostListed
+  double clearance = 0.0;                   // that was asked for
   double leastClearance = 0.0;
   double seconds = 0.0;
   std::optional<PathMeasures> measures = {};  // none: stored by a version of the program that did not keep them

@@ -5,11 +5,13 @@
 #include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "planning/CartesianLine.h"
+#include "planning/PathShortcuts.h"
 #include "robot/dh/DhTable.h"
 #include "robot/posts/PostText.h"
 #include "tools/cell/path/PathBlends.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace handwheel {
@@ -80,12 +82,74 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   return checked;
 }
 
+namespace {
+
+// Where motions begin on the way to their places, and the last one ends: shares of that way.
+std::vector<std::array<double, 2>> sharesOf(const ResolvedPath& way, const CellScene& scene) {
+  std::vector<std::array<double, 2>> shares(way.placeOf.size());
+  for (std::size_t begin = 0, end = 0; begin < shares.size(); begin = end) {
+    double length = 0.0;
+    for (end = begin; end < shares.size() && way.placeOf[end] == way.placeOf[begin]; ++end) {
+      shares[end][0] = length;
+      length += lengthOf(scene.scene, way.joints[end], way.joints[end + 1]);
+      shares[end][1] = length;
+    }
+    for (std::size_t i = begin; i < end; ++i) {  // one that does not move is where it ends
+      for (double& share : shares[i]) share = length > 0.0 ? share / length : 0.0;
+    }
+    if (!(length > 0.0)) shares[end - 1][1] = 1.0;
+  }
+  return shares;
+}
+
+}  // namespace
+
+std::vector<PathStretch> stretchesOf(const CheckedPath& checked, const CellScene& scene) {
+  constexpr double kBeside = 1e-9;  // of a motion: it ends there, or the next one begins
+  const std::vector<std::array<double, 2>> shares = sharesOf(checked.way, scene);
+  struct Open {
+    std::size_t stretch, motion;
+    bool goesOn;  // to the end of that motion
+  };
+  std::vector<PathStretch> all;
+  std::vector<Open> open;
+  for (const PathCollision& each : checked.verification.collisions) {
+    if (each.motion >= shares.size()) {  // no motion leads on from the first place
+      all.push_back({.place = 0, .deepest = each.deepest});
+      continue;
+    }
+    const double begin = shares[each.motion][0], end = shares[each.motion][1];
+    const auto isSame = [&](const Open& known) {
+      const PathStretch& last = all[known.stretch];
+      return known.goesOn && known.motion + 1 == each.motion && each.from <= kBeside &&
+             last.place == checked.placeOf(each.motion) && last.deepest.link == each.deepest.link &&
+             last.deepest.otherLink == each.deepest.otherLink && last.deepest.owner == each.deepest.owner;
+    };
+    std::erase_if(open, [&](const Open& known) { return known.motion + 1 < each.motion; });
+    const auto known = std::find_if(open.begin(), open.end(), isSame);
+    const bool goesOn = each.to >= 1.0 - kBeside;
+    const double to = begin + each.to * (end - begin);
+    if (known == open.end()) {
+      open.push_back({all.size(), each.motion, goesOn});
+      all.push_back({checked.placeOf(each.motion), begin + each.from * (end - begin), to, each.deepest});
+      continue;
+    }
+    PathStretch& stretch = all[known->stretch];
+    stretch.to = to;
+    if (each.deepest.distance < stretch.deepest.distance) stretch.deepest = each.deepest;
+    *known = {known->stretch, each.motion, goesOn};
+  }
+  return all;
+}
+
 PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, double clearance) {
-  const auto& all = checked.verification.collisions;
+  const std::vector<PathStretch> all = stretchesOf(checked, scene);
   PathFindings found{
       .isCertified = checked.isCertified(),
       .stopsAt = checked.way.stopsAt,
       .collisions = all.size(),
+      .tooNear = static_cast<std::size_t>(
+          std::count_if(all.begin(), all.end(), [](const PathStretch& each) { return !each.meets(); })),
       .clearance = clearance,
       .leastClearance = checked.metrics.leastClearance,
       .seconds = checked.seconds,
@@ -95,7 +159,8 @@ PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, doub
       .outdating = checked.outdating};
   for (std::size_t i = 0; i < std::min(all.size(), PathFindings::kMostListed); ++i) {
     auto [link, other] = scene.namesOf(all[i].deepest);
-    found.listed.push_back({checked.placeOf(all[i].motion), std::move(link), std::move(other)});
+    found.listed.push_back(
+        {all[i].place, std::move(link), std::move(other), all[i].meets() ? 0.0 : all[i].deepest.distance});
   }
   return found;
 }

@@ -45,6 +45,18 @@ struct CheckedPath {
   std::size_t placeOf(std::size_t motion) const { return way.placeOf[motion]; }
 };
 
+// A stretch of the way to a place in which the robot meets one and the same thing, or is too near to it.
+struct PathStretch {
+  std::size_t place = 0;          // that it leads to
+  double from = 0.0, to = 0.0;    // shares of the way to the place
+  RobotScene::Nearest deepest{};  // where it is nearest, and to what
+
+  bool meets() const { return deepest.distance <= 0.0; }
+};
+// The collisions of the verification, those of motions that a line was resolved into taken together. In order of their
+// begins. O(motions + collisions · pairs at a time).
+std::vector<PathStretch> stretchesOf(const CheckedPath& checked, const CellScene& scene);
+
 // In brief. clearance: that was asked for, mm.
 PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, double clearance);
 

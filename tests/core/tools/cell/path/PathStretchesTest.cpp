@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../ArmCell.h"
+#include "TestClass.h"
+#include "tools/cell/path/PathCheck.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr RobotScene::Nearest metBy(double distance) {
+  return {.distance = distance, .link = 1, .otherLink = 3};
+}
+
+// Joint 1 goes to 0.4 rad along a line that three motions of 0.1, 0.1 and 0.2 rad follow, then on to 0.8 rad.
+CheckedPath checkedLine() {
+  CheckedPath checked;
+  for (const double first : {0.0, 0.1, 0.2, 0.4, 0.8}) {
+    ArmValues values = ArmValues::Zero(6);
+    values[0] = first;
+    checked.way.joints.push_back(values);
+  }
+  checked.way.placeOf = {1, 1, 1, 2};
+  checked.verification.certified.assign(4, false);
+  return checked;
+}
+
+bool isStretchAt(const PathStretch& stretch, std::size_t place, double from, double to, double distance) {
+  return stretch.place == place && std::abs(stretch.from - from) < 1e-9 && std::abs(stretch.to - to) < 1e-9 &&
+         stretch.deepest.distance == distance;
+}
+
+}  // namespace
+
+// Collisions of short motions that follow a line are one where the same two things meet all the time.
+class PathStretchesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void takenTogether() {
+    ArmCell cell;
+    CheckedPath checked = checkedLine();
+    const RobotScene::Nearest near{.distance = 2.0, .link = 2, .otherLink = 5};
+    checked.verification.collisions = {{0, 0.5, 1.0, metBy(-1.0), 1.0},
+                                       {1, 0.0, 1.0, metBy(-3.0), 0.5},
+                                       {1, 0.5, 1.0, near, 1.0},
+                                       {2, 0.0, 0.5, metBy(-2.0), 0.0},
+                                       {3, 0.0, 1.0, metBy(-1.0), 0.5}};
+    const std::vector<PathStretch> all = stretchesOf(checked, *cell.scene());
+    QCOMPARE(all.size(), std::size_t{3});
+    QVERIFY(isStretchAt(all[0], 1, 0.125, 0.75, -3.0));
+    QVERIFY(isStretchAt(all[1], 1, 0.375, 0.5, 2.0));
+    QVERIFY(isStretchAt(all[2], 2, 0.0, 1.0, -1.0));  // on the way to another place
+    QVERIFY(all[0].meets() && !all[1].meets() && all[2].meets());
+    const PathFindings found = findingsOf(checked, *cell.scene(), 5.0);
+    QCOMPARE(found.collisions, std::size_t{3});
+    QCOMPARE(found.tooNear, std::size_t{1});
+    QCOMPARE(found.listed.size(), std::size_t{3});
+    QCOMPARE(found.listed[0].distance, 0.0);
+    QCOMPARE(found.listed[1].distance, 2.0);
+  }
+
+  // What ends before a motion does, or begins later in the next one, is apart; so is what pauses for a motion.
+  void apart() {
+    ArmCell cell;
+    CheckedPath checked = checkedLine();
+    checked.verification.collisions = {{0, 0.0, 0.5, metBy(-1.0), 0.0}, {1, 0.0, 1.0, metBy(-1.0), 0.0}};
+    QCOMPARE(stretchesOf(checked, *cell.scene()).size(), std::size_t{2});
+    checked.verification.collisions = {{0, 0.0, 1.0, metBy(-1.0), 0.0}, {1, 0.5, 1.0, metBy(-1.0), 1.0}};
+    QCOMPARE(stretchesOf(checked, *cell.scene()).size(), std::size_t{2});
+    checked.verification.collisions = {{0, 0.0, 1.0, metBy(-1.0), 0.0}, {2, 0.0, 1.0, metBy(-1.0), 0.0}};
+    QCOMPARE(stretchesOf(checked, *cell.scene()).size(), std::size_t{2});
+  }
+
+  // A line that cannot be begun, and one on which nothing moves.
+  void nothingMoves() {
+    ArmCell cell;
+    CheckedPath checked = checkedLine();
+    checked.way.joints.resize(1);
+    checked.way.placeOf.clear();
+    checked.verification.collisions = {{0, 0.0, 1.0, metBy(-1.0), 0.0}};
+    QCOMPARE(stretchesOf(checked, *cell.scene()).size(), std::size_t{1});
+    checked.way.joints.assign(3, ArmValues::Zero(6));
+    checked.way.placeOf = {1, 1};
+    checked.verification.collisions = {{0, 0.0, 1.0, metBy(-1.0), 0.0}, {1, 0.0, 1.0, metBy(-2.0), 0.0}};
+    const std::vector<PathStretch> all = stretchesOf(checked, *cell.scene());
+    QCOMPARE(all.size(), std::size_t{1});
+    QVERIFY(isStretchAt(all[0], 1, 0.0, 1.0, -2.0));
+    QVERIFY(stretchesOf(CheckedPath(), *cell.scene()).empty());
+  }
+};
+
+HANDWHEEL_TEST(PathStretchesTest)
+#include "PathStretchesTest.moc"
