@@ -171,6 +171,7 @@ void CellPaths::connectActions() {
   connect(&m_remove, &QAction::triggered, this, &CellPaths::removeCurrent);
   connect(m_tree, &PlanTree::currentChanged, this, [this] {
     verify();
+    m_targets.setSelected(target() ? target()->name : std::string(), frame() ? frame()->name : std::string());
     offerActions();  // not update(): the row would be another one when a double click ends
     showDetail();
     showPath();

@@ -19,7 +19,16 @@ namespace handwheel {
 namespace {
 
 constexpr double kShownAxis = 40.0;       // mm of x and y; z, along which the tool works, is twice as long
+constexpr double kSelected = 1.6;         // times as long
 constexpr std::size_t kMostShown = 1000;  // targets; frames
+
+// In the plane of x and y; half: of a side.
+PathLine squareAbout(const Pose& pose, double half) {
+  PathLine square{{}, PathLine::Look::Collision};
+  for (const auto& [x, y] : {std::pair{-half, -half}, {half, -half}, {half, half}, {-half, half}, {-half, -half}})
+    square.points.emplace_back(pose * Vec3(x, y, 0.0));
+  return square;
+}
 
 TargetReach reachOf(const CellScene& scene, const CellPlans& plans, const NamedTarget& target,
                     const JointValues& joints) {
@@ -76,6 +85,13 @@ void CellTargets::setVisible(bool isVisible) {
   m_layer->setVisible(isVisible);
 }
 
+void CellTargets::setSelected(const std::string& target, const std::string& frame) {
+  if (target == m_selectedTarget && frame == m_selectedFrame) return;
+  m_selectedTarget = target;
+  m_selectedFrame = frame;
+  if (m_document) show();
+}
+
 CellTargets::Question CellTargets::question() const {
   const CellPlans& plans = *cell().plans();
   Question question{m_collisions.scene(), plans.targets, plans.frames, plans.tool, plans.clearance, {}};
@@ -125,7 +141,7 @@ void CellTargets::look() {
   m_parts.jobs.start(std::move(job));
 }
 
-// Those that are not reached in the colour of collisions; the named frames in another one.
+// Those that are not reached have a square about them, in the colour of collisions.
 void CellTargets::show() {
   auto lines = std::make_shared<std::vector<PathLine>>();
   const CellPlans& plans = *cell().plans();
@@ -135,19 +151,20 @@ void CellTargets::show() {
     if (!pose) continue;
     const auto known = m_reach.find(target.name);
     const bool isReached = known == m_reach.end() || known->second.isFree;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double length = axis == 2 ? 2.0 * kShownAxis : kShownAxis;
-      lines->push_back({{pose->translation(), *pose * Vec3(length * Vec3::Unit(axis))},
-                        isReached ? PathLine::Look::Feed : PathLine::Look::Collision});
-    }
+    const double length = target.name == m_selectedTarget ? kSelected * kShownAxis : kShownAxis;
+    const std::vector<PathLine> axes = axisLines(*pose, {length, length, 2.0 * length});
+    lines->insert(lines->end(), axes.begin(), axes.end());
+    if (!isReached) lines->push_back(squareAbout(*pose, 0.5 * length));
   }
   for (std::size_t i = 0; i < std::min(plans.frames.size(), kMostShown); ++i) {
     const Result<Pose> pose = poseOfFrame(plans.frames[i], cell().placement());
     if (!pose) continue;
-    for (int axis = 0; axis < 3; ++axis)
-      lines->push_back(
-          {{pose->translation(), *pose * Vec3(kShownFrameAxis * Vec3::Unit(axis))}, PathLine::Look::Thread});
+    const double length = plans.frames[i].name == m_selectedFrame ? kSelected * kShownFrameAxis : kShownFrameAxis;
+    const std::vector<PathLine> axes = axisLines(*pose, Vec3::Constant(length));
+    lines->insert(lines->end(), axes.begin(), axes.end());
   }
+  // Those of one look after the other are drawn at once.
+  std::ranges::stable_sort(*lines, {}, &PathLine::look);
   m_layer->setLines(lines->empty() ? nullptr : lines);
 }
 

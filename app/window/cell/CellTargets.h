@@ -29,6 +29,8 @@ class CellTargets : public QObject {
 
   void setDocument(DocumentTab* document);
   void setVisible(bool isVisible);
+  // By their names; empty: none is. What is selected has longer axes.
+  void setSelected(const std::string& target, const std::string& frame);
   const std::map<std::string, TargetReach>& reach() const { return m_reach; }  // by target; those that are known
 
  signals:
@@ -57,6 +59,7 @@ class CellTargets : public QObject {
   std::shared_ptr<PathLayer> m_layer;
   Question m_asked;
   std::map<std::string, TargetReach> m_reach;
+  std::string m_selectedTarget, m_selectedFrame;
 };
 
 }  // namespace handwheel

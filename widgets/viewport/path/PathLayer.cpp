@@ -21,6 +21,10 @@ double widthOf(PathLine::Look look) {  // logical pixels
       return 1.2;
     case PathLine::Look::Feed:
       return 1.8;
+    case PathLine::Look::AxisX:
+    case PathLine::Look::AxisY:
+    case PathLine::Look::AxisZ:
+      return 2.4;
     case PathLine::Look::Thread:
     case PathLine::Look::Collision:
       break;
@@ -39,10 +43,24 @@ QColor pathColour(PathLine::Look look, const SceneColours& colours) {
       return isDark ? QColor(0x6c, 0xb8, 0xf0) : QColor(0x12, 0x5f, 0xa8);
     case PathLine::Look::Collision:
       return isDark ? QColor(0xff, 0x5a, 0x4d) : QColor(0xd4, 0x10, 0x10);
+    case PathLine::Look::AxisX:  // as the triad of the view
+      return QColor(0xe0, 0x4b, 0x43);
+    case PathLine::Look::AxisY:
+      return QColor(0x4c, 0xa8, 0x4f);
+    case PathLine::Look::AxisZ:
+      return QColor(0x3f, 0x7f, 0xe0);
     case PathLine::Look::Thread:
       break;
   }
   return isDark ? QColor(0xc6, 0x9c, 0xf4) : QColor(0x7a, 0x36, 0xb8);
+}
+
+std::vector<PathLine> axisLines(const Pose& pose, const Vec3& lengths) {
+  constexpr PathLine::Look kLooks[] = {PathLine::Look::AxisX, PathLine::Look::AxisY, PathLine::Look::AxisZ};
+  std::vector<PathLine> lines;
+  for (int axis = 0; axis < 3; ++axis)
+    lines.push_back({{pose.translation(), pose * Vec3(lengths[axis] * Vec3::Unit(axis))}, kLooks[axis]});
+  return lines;
 }
 
 std::vector<PathLine> dashed(const PathLine& line, double length) {

@@ -12,8 +12,8 @@ namespace handwheel {
 
 // A line of a tool path in one look.
 struct PathLine {
-  enum class Look { Rapid, Feed, Thread, Collision };
-  static constexpr std::size_t kLooks = 4;
+  enum class Look { Rapid, Feed, Thread, Collision, AxisX, AxisY, AxisZ };
+  static constexpr std::size_t kLooks = 7;
 
   std::vector<Vec3> points;  // mm
   Look look = Look::Feed;
@@ -22,6 +22,9 @@ struct PathLine {
 // A line as dashes of this length and gaps of two thirds of it; as one dash where there would be very many. Rapid moves
 // are drawn so.
 std::vector<PathLine> dashed(const PathLine& line, double length);
+
+// The axes of a frame, of these lengths (mm), each in the colour that it has everywhere.
+std::vector<PathLine> axisLines(const Pose& pose, const Vec3& lengths);
 
 // The colour of a look, on the background of the view.
 QColor pathColour(PathLine::Look look, const SceneColours& colours);

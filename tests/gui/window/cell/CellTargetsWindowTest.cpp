@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "CellWindow.h"
+#include "viewport/path/PathLayer.h"
 
 #include <QListWidget>
 #include <QTreeWidget>
+#include <numbers>
+#include <set>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -22,6 +25,21 @@ class TargetsWindow : public CellWindow {
     edit("joint.joint_5", "40");
   }
 };
+
+// Pixels of about this colour.
+int painted(const QImage& image, PathLine::Look look) {
+  const QColor line = pathColour(look, sceneColours(false));
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor pixel = image.pixelColor(x, y);
+      const int off = std::abs(pixel.red() - line.red()) + std::abs(pixel.green() - line.green()) +
+                      std::abs(pixel.blue() - line.blue());
+      count += off < 30 ? 1 : 0;
+    }
+  }
+  return count;
+}
 
 }  // namespace
 
@@ -55,6 +73,40 @@ class CellTargetsWindowTest : public QObject {
     QCOMPARE(driver.targets()->childCount(), 0);
     driver.click("quickActions/undo");
     QCOMPARE(driver.targets()->childCount(), 1);
+  }
+
+  // Of each axis its own colour, and lengths along the axes of the pose.
+  void axesAreTold() {
+    Pose pose = Pose::Identity();
+    pose.linear() = Eigen::AngleAxisd(std::numbers::pi / 2.0, Vec3::UnitZ()).toRotationMatrix();
+    pose.translation() = Vec3(1.0, 2.0, 3.0);
+    const std::vector<PathLine> axes = axisLines(pose, {10.0, 20.0, 30.0});
+    QCOMPARE(axes.size(), std::size_t{3});
+    const Vec3 ends[] = {{1.0, 12.0, 3.0}, {-19.0, 2.0, 3.0}, {1.0, 2.0, 33.0}};
+    std::set<QRgb> colours;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      QVERIFY(axes[i].points.front() == pose.translation());
+      QVERIFY((axes[i].points.back() - ends[i]).norm() < 1e-12);
+      colours.insert(pathColour(axes[i].look, sceneColours(false)).rgb());
+    }
+    QCOMPARE(colours.size(), std::size_t{3});
+  }
+
+  // A frame that is stored shows all three in the view; selected, they are longer.
+  void axesAreSeen() {
+    TargetsWindow driver;
+    driver.bend();
+    driver.showAll();
+    QVERIFY(driver.settle());
+    const auto greens = [&] { return painted(driver.view()->grabImage(), PathLine::Look::AxisY); };
+    const int before = greens();
+    driver.choose("storeFrame");
+    QVERIFY(driver.settle());
+    const int selected = greens();
+    QVERIFY(selected > before);
+    driver.tree()->setCurrentItem(driver.tree()->topLevelItem(0));
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(greens() > before && greens() <= selected);
   }
 
   // Moved away with its body it is out of reach, and says so.
