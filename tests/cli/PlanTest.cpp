@@ -6,6 +6,7 @@
 #include <QTest>
 #include <array>
 #include <cmath>
+#include <set>
 
 using namespace handwheel;
 
@@ -46,6 +47,31 @@ class PlanTest : public QObject {
     QCOMPARE(cell.run({"verify", "cell.handwheel", "way"}).code, 2);  // the box is nearer than 2 m
     QCOMPARE(cell.run({"verify", "cell.handwheel", "way", "--clearance", "10"}).code, 0);
     QVERIFY(cell.run({"post", "cell.handwheel", "way", "--controller", "rapid", "-o", "way.mod"}).code != 0);
+  }
+
+  // A link and a body that may touch, and no longer.
+  void pairsAreAllowed() {
+    const PlannedCell cell;
+    cell.put("straight.json", R"({"waypoints": [[1.2, 0.5, 0, 0, 0, 0], [-1.2, 0.5, 0, 0, 0, 0]]})");
+    const auto met = [&] {
+      std::set<std::string> links;
+      const Ran ran = cell.run({"verify", "cell.handwheel", "straight.json", "--json"});
+      for (const nlohmann::json& each : jsonOf(ran.out)["collisions"]) links.insert(each["link"].get<std::string>());
+      return links;
+    };
+    const std::set<std::string> before = met();
+    QVERIFY(!before.empty());
+    const auto change = [&](const char* option, const QString& pair) {
+      return cell.run({"configuration", "cell.handwheel", option, pair, "-o", "cell.handwheel"}).code;
+    };
+    for (const std::string& link : before) {
+      QCOMPARE(change("--allow", QString::fromStdString(link) + ",box"), 0);
+      QVERIFY(!met().contains(link));
+    }
+    QCOMPARE(cell.run({"verify", "cell.handwheel", "straight.json"}).code, 0);
+    QCOMPARE(change("--forbid", "box," + QString::fromStdString(*before.begin())), 0);
+    QVERIFY((met() == std::set<std::string>{*before.begin()}));
+    QVERIFY(change("--allow", "box") != 0 && change("--allow", "box,nothing") != 0);
   }
 
   // Numbers are given to the ways that can be chosen, in their order; no other number can be.

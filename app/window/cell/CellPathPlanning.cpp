@@ -58,6 +58,12 @@ void CellPaths::reportVerified(const PathResult& result) {
                   isFree ? LogEntry::Weight::Info : LogEntry::Weight::Warning);
   Message said{isFree ? Message::Weight::Info : Message::Weight::Warning, title, detail};
   said.about = &m_document->document;
+  if (result.found && !result.found->listed.empty()) {
+    said.actionText = tr("&Allow pairs to touch…");
+    said.action = [this, document = m_document] {
+      if (document == m_document) askForPairs();
+    };
+  }
   emit message(said);
 }
 

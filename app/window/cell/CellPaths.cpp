@@ -50,6 +50,7 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
       m_import(tr("Open a robot program as a pa&th…"), this),
       m_declareFrame(tr("&Declare the frame in RAPID programs"), this),
       m_semantics(tr("Read allowed pairs (S&RDF)…"), this),
+      m_pairs(tr("Allow &pairs to touch…"), this),
       m_rename(tr("Re&name"), this),
       m_remove(tr("Remo&ve from the plan"), this),
       m_optimise(tr("Optimise the order and &configurations"), this),
@@ -97,6 +98,8 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
   prepare(m_semantics, "readSemantics", nullptr,
           tr("Read the pairs of links that may touch, and named states, of the selected robot, or else of the one to "
              "plan for"));
+  prepare(m_pairs, "allowPairs", nullptr,
+          tr("Choose which of the pairs that meet here, or on the selected path, may touch; or no longer"));
   prepare(m_rename, "renamePlan", nullptr, tr("Give the selected configuration, path, target or frame another name"));
   prepare(m_remove, "removePlan", nullptr,
           tr("Remove the selected configuration, path, place, target, frame or robot"));
@@ -163,6 +166,7 @@ void CellPaths::connectActions() {
     connect(dialog, &QFileDialog::fileSelected, this, &CellPaths::readSemantics);
     dialog->open();
   });
+  connect(&m_pairs, &QAction::triggered, this, &CellPaths::askForPairs);
   connect(&m_rename, &QAction::triggered, this, [this] {
     if (!m_parts.isPanelVisible()) m_parts.showPanel->trigger();
     m_tree->setFocus();
@@ -371,6 +375,7 @@ void CellPaths::offerActions() {
                      : tr("Only a path that is proven free of collisions is exported."));
   offer(m_import, isCell, noCell);
   offer(m_semantics, isCell, noCell);
+  offer(m_pairs, isCell, noCell);
   offer(m_rename, entry.kind == Kind::Configuration || entry.kind == Kind::Path || isTarget || isFrame,
         tr("Select a configuration, a path, a target or a frame first."));
   offer(m_remove, isSomething, tr("Select a configuration, a path, a place, a target, a frame or a robot first."));

@@ -45,7 +45,7 @@ class CellPaths : public QObject {
     return {&m_plan, &m_again, &m_optimise, &m_insert, &m_here, &m_up, &m_down, &m_straight};
   }
   QList<QAction*> ofPrograms() { return {&m_export, &m_import, &m_declareFrame}; }
-  QList<QAction*> ofVerification() { return {&m_verify, &m_verifyAll, &m_semantics}; }
+  QList<QAction*> ofVerification() { return {&m_verify, &m_verifyAll, &m_pairs, &m_semantics}; }
   QList<QAction*> ofRows() { return {&m_rename, &m_remove}; }
   QAction* choosing() { return &m_choose; }                                                        // the robot
   QList<QAction*> buttons() { return {&m_store, &m_storeTarget, &m_plan, &m_verify, &m_export}; }  // those of the panel
@@ -146,6 +146,7 @@ class CellPaths : public QObject {
   void reportStored(const DocumentTab& tab, const QString& title, const QString& detail,
                     std::optional<PlanTree::Entry> named = {});
   void showDetail();
+  void askForPairs();
   void readSemantics(const QString& file);
   void reportSemantics(const DocumentTab& tab, const RobotSemantics& read, const QString& file, const QString& robot);
   void requestProgram();
@@ -194,7 +195,7 @@ class CellPaths : public QObject {
   std::map<const DocumentTab*, WantedProcess> m_wanted;  // one at most of a document
   std::uint64_t m_remakes = 0;                           // that were begun
   QAction m_store, m_storeTarget, m_storeFrame, m_workIn, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down,
-      m_straight, m_verify, m_verifyAll, m_export, m_import, m_declareFrame, m_semantics, m_rename, m_remove,
+      m_straight, m_verify, m_verifyAll, m_export, m_import, m_declareFrame, m_semantics, m_pairs, m_rename, m_remove,
       m_optimise, m_choose;
   QMenu* m_menu;  // owned by the window
 };

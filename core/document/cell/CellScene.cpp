@@ -86,11 +86,11 @@ AllowedPairs allowedOf(const RobotCellSnapshot& cell, const RobotModel& robot,
   std::erase_if(pairs.links, [&](const LinkPair& pair) { return owners[pair.first] != owners[pair.second]; });
   for (const auto& [first, second] : cell.plans->allowed) {
     const std::uint32_t a = linkNamed(robot, first), b = linkNamed(robot, second);
-    const auto body = bodyOfPart(second);
+    const auto body = bodyOfPart(a != kNone ? second : first);  // which of them is carried may have changed
     if (a != kNone && b != kNone)
       pairs.links.insert(std::minmax(a, b));
-    else if (a != kNone && body)
-      pairs.bodies.emplace_back(a, *body);
+    else if ((a != kNone || b != kNone) && body)
+      pairs.bodies.emplace_back(a != kNone ? a : b, *body);
   }
   return pairs;
 }

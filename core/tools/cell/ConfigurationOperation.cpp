@@ -6,9 +6,12 @@
 #include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "document/scene/BodyChanges.h"
+#include "document/scene/BodyDisplay.h"
 #include "document/scene/BodyErrors.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/ConfigurationPoses.h"
+#include "tools/cell/path/PairNames.h"
+#include "tools/scene/BodyOperation.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -73,6 +76,31 @@ Result<JointValues> jointsFromText(const std::string& text, const RobotModel& ro
   return valuesWithinLimits(robot, std::move(joints));
 }
 
+// Two links, or a link and a body, with a comma between their names.
+Result<PairNames> pairFrom(const std::string& text, const RobotCellSnapshot& cell) {
+  const auto named = [&](const std::string& name) -> Result<std::string> {
+    if (linkNamed(cell.robot->model, name) != kNone) return name;
+    const Result<BodyPointer> body = bodyCalled(cell.bodies, name);
+    return body ? Result<std::string>(partOfBody((*body)->id)) : body.error();
+  };
+  const std::size_t comma = std::min(text.find(','), text.size());
+  Result<std::string> first = named(text.substr(0, comma));
+  if (!first) return first.error();
+  Result<std::string> second = named(text.substr(std::min(comma + 1, text.size())));
+  if (!second) return second.error();
+  return PairNames{std::move(first).value(), std::move(second).value()};
+}
+
+Status changePairs(const OperationValues& values, const RobotCellSnapshot& cell, CellPlans& plans) {
+  for (const char* const id : {"allow", "forbid"}) {
+    if (!values.isSet(id)) continue;
+    const Result<PairNames> pair = pairFrom(values.text(id), cell);
+    if (!pair) return pair.error();
+    setAllowed(plans, *pair, id == std::string_view("allow"));
+  }
+  return Done{};
+}
+
 std::optional<Error> problemOfName(const std::string& name) {
   if (isBodyName(name)) return std::nullopt;
   return Error{BodyError::NameUnusable, {name, std::to_string(kLongestBodyName)}, {}, {}};
@@ -123,6 +151,8 @@ const Operation& configurationOperation() {
            .meaning = "Clearance of paths that are planned from now on",
            .word = "MM",
            .hasDefault = false},
+          nameParameter("allow", "Lets a link and a link or body touch from now on", "NAME,NAME"),
+          nameParameter("forbid", "Lets these two touch no longer", "NAME,NAME"),
           {.property = {.id = "tool", .group = {}, .label = {}, .value = "", .least = -1e5, .largest = 1e5},
            .meaning = "The tool's centre point in the flange, mm",
            .word = "X,Y,Z",
@@ -144,6 +174,10 @@ std::string problemOfConfigurationValues(const OperationValues& values) {
   if (isSet("link") && !isSet("add-frame")) return "link needs add-frame";
   if (isSet("on") && (isSet("in") || isSet("link"))) return "only one of on, in and link can be given";
   if (isSet("solution") && addsPose) return "solution chooses joint values, which targets and frames have none of";
+  for (const char* const id : {"allow", "forbid"}) {
+    if (isSet(id) && values.text(id).find(',') == std::string::npos)
+      return std::string(id) + " takes two names with a comma between them";
+  }
   if (isSet("joints") && !isSet("add") && !isSet("go")) return "joints needs add or go";
   return {};
 }
@@ -193,6 +227,7 @@ Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSn
     if (!plans.path(name)) return Error{CellError::PathMissing, {name}, {}, {}};
     std::erase_if(plans.paths, [&](const RobotPath& path) { return path.name == name; });
   }
+  if (const Status pairs = changePairs(values, cell, plans); !pairs) return pairs.error();
   if (const auto clearance = values.given("clearance")) plans.clearance = *clearance;
   if (values.isSet("tool")) {
     const std::vector<double> at = values.numbers("tool");

@@ -5,6 +5,8 @@
 #include "panels/time/TimeLinePanel.h"
 
 #include <QLabel>
+#include <QListWidget>
+#include <QPointer>
 #include <QTabBar>
 #include <cmath>
 
@@ -289,6 +291,46 @@ class CellPlanningWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(remark().contains("free"), kPatienceMs);
     driver.choose("exportProgram");
     QTRY_VERIFY(dialog());
+  }
+
+  // What meets where the robot is may touch from now on, by a list of the pairs found; one undo step.
+  void pairsAreAllowed() {
+    PlanningWindow driver;
+    driver.choose("add-box");  // where the arm is
+    QVERIFY(driver.settle());
+    driver.edit("body.1.x", "300");
+    driver.edit("body.1.y", "0");
+    driver.edit("body.1.z", "400");
+    driver.edit("body.1.size_z", "800");
+    QVERIFY(driver.settle());
+    const auto list = [&] { return driver.find<QDialog>("pairsDialog")->findChild<QListWidget*>("pairsList"); };
+    const auto close = [&](const char* button) {
+      auto* const dialog = driver.find<QDialog>("pairsDialog");
+      if (button)
+        QTest::mouseClick(dialog->findChild<QPushButton*>(button), Qt::LeftButton);
+      else
+        dialog->reject();
+      return QTest::qWaitFor([dialog = QPointer<QDialog>(dialog)] { return dialog.isNull(); }, kPatienceMs);
+    };
+    driver.choose("allowPairs");
+    const int found = list()->count();
+    QVERIFY(found > 0);
+    for (int row = 0; row < found; ++row) {
+      QVERIFY(list()->item(row)->text().contains("box") && list()->item(row)->checkState() == Qt::Unchecked);
+      list()->item(row)->setCheckState(Qt::Checked);
+    }
+    QVERIFY(close("pairsNow"));
+    QVERIFY(driver.settle());
+    driver.choose("allowPairs");
+    QCOMPARE(list()->count(), found);
+    for (int row = 0; row < found; ++row) QCOMPARE(list()->item(row)->checkState(), Qt::Checked);
+    QVERIFY(close(nullptr));
+    driver.click("quickActions/undo");
+    QVERIFY(driver.settle());
+    driver.choose("allowPairs");
+    QCOMPARE(list()->count(), found);
+    for (int row = 0; row < found; ++row) QCOMPARE(list()->item(row)->checkState(), Qt::Unchecked);
+    QVERIFY(close(nullptr));
   }
 
   void aPathIsPlayed() {

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/cell/path/PairNames.h"
+
+#include <QDialog>
+
+class QListWidget;
+
+namespace handwheel {
+
+// A dialog that asks which pairs of links and bodies may touch. It lists those that may, and those that were found.
+class PairsDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  // found: what meets, or is too near, and may not.
+  PairsDialog(const CellPlans& plans, const std::set<PairNames>& found, const BodySet& bodies, QWidget* parent);
+
+ signals:
+  // Pairs that may touch from now on, and those that may no longer; not both are empty.
+  void chosen(const std::vector<handwheel::PairNames>& allowed, const std::vector<handwheel::PairNames>& forbidden);
+
+ private:
+  void add(const PairNames& pair, const BodySet& bodies, bool isAllowed);
+  void accept() override;
+
+  std::vector<std::pair<PairNames, bool>> m_pairs;  // of each row, and whether it might touch before
+  QListWidget* m_list;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/PairNames.h"
+
+#include "../ArmCell.h"
+#include "TestClass.h"
+
+#include <QTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// Pairs that are found may touch from now on, by their names, and no longer.
+class PairNamesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // All of the robot's way is blocked by a box around it.
+  void foundAndAllowed() {
+    ArmCell cell;
+    const BodyId box = cell.addBox({2000, 2000, 2000}, {0, 0, 0});
+    const std::string part = "body." + std::to_string(box);
+    const std::set<PairNames> found = met(cell);
+    QVERIFY(!found.empty());
+    for (const PairNames& each : found) {
+      QCOMPARE(each.second, part);
+      QVERIFY((shownNames(each, cell.document().bodies()) == PairNames{each.first, "box1"}));
+    }
+    CellPlans plans;
+    for (const PairNames& each : found) setAllowed(plans, each, true);
+    QVERIFY(plans.allowed == found);
+    cell.plan(plans);
+    QVERIFY(met(cell).empty());
+    cell.document().history()->undo();
+    QVERIFY(met(cell) == found);
+    // The other way round they are the same pairs.
+    CellPlans turned;
+    for (const auto& [link, body] : found) setAllowed(turned, {body, link}, true);
+    cell.plan(turned);
+    QVERIFY(met(cell).empty());
+    for (const PairNames& each : found) {
+      QVERIFY(isAllowed(turned, each));
+      setAllowed(turned, each, true);  // it may already
+    }
+    QCOMPARE(turned.allowed.size(), found.size());
+    for (const PairNames& each : found) setAllowed(turned, each, false);
+    QVERIFY(turned.allowed.empty());
+  }
+
+  // Of what is not there: no pair, and the number of a body that was removed.
+  void nothingFound() {
+    ArmCell cell;
+    QVERIFY(!pairNamesOf(*cell.scene(), RobotScene::Nearest{.distance = 1.0}));
+    QVERIFY((shownNames({"flange", "body.9"}, cell.document().bodies()) == PairNames{"flange", "body.9"}));
+  }
+
+ private:
+  static std::set<PairNames> met(ArmCell& cell) {
+    CollisionMeshes meshes;
+    const Result<CellScene> scene = sceneOf(cell.content(), meshes);
+    std::set<PairNames> found;
+    for (const RobotScene::Nearest& each :
+         scene->scene.allTooNear(scene->planned(cell.document().joints()), 0.0, 0.0)) {
+      if (const auto pair = pairNamesOf(*scene, each)) found.insert(*pair);
+    }
+    return found;
+  }
+};
+
+HANDWHEEL_TEST(PairNamesTest)
+#include "PairNamesTest.moc"
