@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/CellBodies.h"
 
+#include "document/cell/BodyCarriers.h"
+#include "document/cell/CellArms.h"
 #include "document/cell/RobotCellDocument.h"
 #include "panels/bodies/BodyList.h"
 #include "scene/MeshGeometry.h"
@@ -25,6 +27,7 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
       m_rename(tr("Re&name the body"), this),
       m_unit(tr("Choose the &unit of its numbers…"), this),
       m_mount(tr("&Mount the body on the tool flange"), this),
+      m_tip(tr("Tool &centre point at its tip"), this),
       m_release(tr("Take the body off the &robot"), this),
       m_remove(tr("&Remove the body"), this),
       m_hide(tr("&Hide the body"), this),
@@ -41,6 +44,8 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
           tr("Specify the unit of the numbers of its file: STL, OBJ, PLY and OFF have none and are taken as mm"));
   prepare(m_mount, "mountBody", nullptr,
           tr("Attach the selected body to the robot as a tool, with its origin at the flange"));
+  prepare(m_tip, "centreAtTip", nullptr,
+          tr("Put the tool centre point in the middle of what reaches farthest along the Z axis of the flange"));
   prepare(m_release, "releaseBody", nullptr, tr("Detach the selected body from the robot and leave it where it is"));
   prepare(m_remove, "removeBody", nullptr, tr("Remove the selected bodies from the cell"));
   prepare(m_hide, "hideBody", "eye-off", tr("Hide the selected bodies from view and touch"));
@@ -79,6 +84,7 @@ void CellBodies::connectActions() {
   });
   connect(&m_unit, &QAction::triggered, this, &CellBodies::askForUnit);
   connect(&m_mount, &QAction::triggered, this, &CellBodies::mountSelected);
+  connect(&m_tip, &QAction::triggered, this, [this] { setCentreAtTip(selected()->id); });
   connect(&m_release, &QAction::triggered, this, [this] { carry({selected()->id}, kNone); });
   connect(&m_remove, &QAction::triggered, this, &CellBodies::removeSelected);
   connect(&m_update, &QAction::triggered, this, [this] { applyToSelected("update"); });
@@ -126,8 +132,8 @@ QList<QAction*> CellBodies::adding() {
 }
 
 QList<QAction*> CellBodies::all() {
-  return adding() + QList<QAction*>{&m_rename, &m_unit,    &m_mount,  &m_release, &m_remove,
-                                    &m_hide,   &m_showAll, &m_update, &m_relink,  &m_unlink};
+  return adding() + QList<QAction*>{&m_rename, &m_unit,    &m_mount,  &m_tip,    &m_release, &m_remove,
+                                    &m_hide,   &m_showAll, &m_update, &m_relink, &m_unlink};
 }
 
 void CellBodies::setDocument(DocumentTab* document) {
@@ -144,6 +150,10 @@ RobotCellDocument& CellBodies::cell() const {
 
 BodyPointer CellBodies::selected() const {
   return m_document && m_selection.body() ? cell().bodies().withId(*m_selection.body()) : nullptr;
+}
+
+bool CellBodies::isOnFlange(const Body& body) const {
+  return carrierOf(body, cell().robot().model) == activeArm(cell().robot(), *cell().plans()).flange;
 }
 
 void CellBodies::update() {
@@ -171,6 +181,8 @@ void CellBodies::update() {
         !body    ? noSingleBody
         : isMesh ? tr("Unlink the file first: it is read again with its own numbers.")
                  : tr("Only bodies from mesh files have numbers without a unit."));
+  const bool isTool = body && isOnFlange(*body);
+  offer(m_tip, isTool, body ? tr("The flange does not carry it.") : noSingleBody);
   offer(m_release, body && !body->carrier.empty(), body ? tr("The robot does not carry it.") : noSingleBody);
   offer(m_relink, body != nullptr, noSingleBody);
   const QString noLink = body ? tr("The body is not linked to a file.") : m_relink.property(kDisabledReason).toString();

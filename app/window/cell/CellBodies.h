@@ -49,6 +49,7 @@ class CellBodies : public QObject {
   void setVisible(const std::set<BodyId>& ids, bool visible);
   void removeSelected();
   void mountSelected();
+  void setCentreAtTip(BodyId id);  // of the tool
   void carry(const std::set<BodyId>& ids, std::uint32_t link);
   void rename(BodyId body, const QString& name);
   void applyToSelected(const char* verb);
@@ -59,6 +60,7 @@ class CellBodies : public QObject {
   void apply(const OperationValues& values);
   void read(const OperationValues& values);
   void commit(DocumentTab& tab, const OperationValues& values, Result<BodyChange> change);
+  bool isOnFlange(const Body& body) const;
   void report(const Document& document, const Error& error);
   void update();
 
@@ -67,7 +69,7 @@ class CellBodies : public QObject {
   BodySelection m_selection;
   BodyList* m_list;
   QMenu* m_shapes;  // owned by the window
-  QAction m_add, m_link, m_rename, m_unit, m_mount, m_release, m_remove, m_hide, m_showAll, m_update, m_relink,
+  QAction m_add, m_link, m_rename, m_unit, m_mount, m_tip, m_release, m_remove, m_hide, m_showAll, m_update, m_relink,
       m_unlink;
   QMenu* m_menu;  // owned by the window
   std::weak_ptr<const CellRobot> m_measured;

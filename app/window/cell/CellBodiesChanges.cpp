@@ -14,6 +14,7 @@
 #include "scene/MeshGeometry.h"
 #include "scene/PrimitiveGeometry.h"
 #include "text/ErrorText.h"
+#include "tools/cell/BodyTip.h"
 #include "tools/scene/BodyDragTool.h"
 #include "window/CommandLines.h"
 #include "window/JobRunner.h"
@@ -137,9 +138,29 @@ void CellBodies::mountSelected() {
   auto edit = mountEdit(cell().bodies(), selected()->id, flange, robot);
   if (!edit) return report(cell(), edit.error());
   if (!*edit) return m_parts.log.add(tr("Nothing has changed"));
-  cell().commit(tr("Mount %1 on %2")
-                    .arg(QString::fromStdString(selected()->name), QString::fromStdString(robot.links[flange].name)),
-                std::move(edit).value());
+  const BodyId id = selected()->id;
+  const QString name = QString::fromStdString(selected()->name),
+                link = QString::fromStdString(robot.links[flange].name);
+  cell().commit(tr("Mount %1 on %2").arg(name, link), std::move(edit).value());
+  Message said{Message::Weight::Info, tr("%1 was mounted on %2").arg(name, link),
+               tr("The tool centre point is where it was; it is a group of fields in the panel.")};
+  said.actionText = tr("Tool &centre point at its tip");
+  said.action = [this, id, document = m_document] {
+    if (document == m_document) setCentreAtTip(id);
+  };
+  said.about = &m_document->document;
+  emit message(said);
+}
+
+// Turned as before.
+void CellBodies::setCentreAtTip(BodyId id) {
+  const BodyPointer body = cell().bodies().withId(id);
+  const auto tip = body && isOnFlange(*body) ? tipOf(*body) : std::nullopt;
+  if (!tip) return;
+  CellPlans changed = *cell().plans();
+  changed.tool.translation() = *tip;
+  if (auto edit = cell().plansEdit(std::move(changed)))
+    cell().commit(tr("Tool centre point at the tip of %1").arg(QString::fromStdString(body->name)), std::move(edit));
 }
 
 // kNone: they are taken off the robot. Where they are in the cell does not change.

@@ -335,7 +335,8 @@ std::vector<Property> RobotCellUi::panelProperties(const Document& document) con
   std::vector<Property> all = listedProperties(document);
   const std::string base = "robot." + selectedRobot() + '.';
   std::erase_if(all, [&](const Property& each) {
-    return !each.id.starts_with("joint") && !each.id.starts_with(base) && each.group != "Tool" && each.id != "frame";
+    return !each.id.starts_with("joint") && !each.id.starts_with(base) && !each.id.starts_with("tcp.") &&
+           each.group != "Tool" && each.id != "frame";
   });
   // The base of the selected robot, then its joints.
   const auto end = std::stable_partition(all.begin(), all.end(),

@@ -67,6 +67,25 @@ class CellBodiesWindowTest : public QObject {
     QCOMPARE(undo->text(), added);
   }
 
+  // The message after mounting offers the tool centre point at the tip; one step, also by the menu.
+  void theCentrePointIsPutAtTheTip() {
+    CellWindow driver;
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    auto* const tip = driver.find<QAction>("centreAtTip");
+    QVERIFY(!tip->isEnabled());
+    driver.choose("mountBody");
+    QVERIFY(tip->isEnabled());
+    driver.click("messageAction");
+    auto* const undo = driver.find<QAction>("undo");
+    QVERIFY(undo->text().contains("Tool centre point at the tip of box"));
+    driver.click("quickActions/undo");
+    QVERIFY(undo->text().contains("Mount box"));
+    driver.choose("centreAtTip");
+    QVERIFY(undo->text().contains("Tool centre point at the tip of box"));
+    QVERIFY(driver.settle());
+  }
+
   // A tool goes with the robot, is dragged with it, and stays in the air when it is taken off.
   void aToolIsMountedAndTakenOff() {
     CellWindow driver;
