@@ -132,6 +132,18 @@ Pose shownPose(const NamedTarget& target, const CellPlacement& cell) {
   return pose && work ? Pose(work->inverse(Eigen::Isometry) * *pose) : target.pose;
 }
 
+std::string shownIn(const NamedTarget& target, const CellPlacement& cell) {
+  const std::string& work = cell.plans.workFrame;
+  const bool isInWork = !work.empty() && poseOfTarget(target, cell) && poseOfFrame(work, cell);
+  if (isInWork || work == target.frame) {
+    if (!work.empty()) return work;
+  } else if (!target.frame.empty()) {
+    return target.frame;
+  }
+  const BodyPointer body = target.body == 0 ? nullptr : cell.bodies.withId(target.body);
+  return body ? body->name : std::string();
+}
+
 NamedTarget targetShownAt(NamedTarget target, const Pose& shown, const CellPlacement& cell) {
   const bool isOwn = cell.plans.workFrame.empty() || cell.plans.workFrame == target.frame;
   const Result<Pose> base = targetBasePose(target, cell), work = poseOfFrame(cell.plans.workFrame, cell);

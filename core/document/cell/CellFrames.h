@@ -56,6 +56,8 @@ Result<NamedTarget> targetInFrame(NamedTarget target, const std::string& frame, 
 // The pose of a target as it is shown: in CellPlans::workFrame; without that, or where it is not known, in what the
 // target is on.
 Pose shownPose(const NamedTarget& target, const CellPlacement& cell);
+// The name of the frame or body that this pose is in; empty: it is in the frame of the root.
+std::string shownIn(const NamedTarget& target, const CellPlacement& cell);
 // The target at another pose, in the same frame as that.
 NamedTarget targetShownAt(NamedTarget target, const Pose& shown, const CellPlacement& cell);
 

@@ -299,8 +299,17 @@ std::vector<Property> targetProperties(const NamedTarget& target, const CellPlac
   const std::string prefix = "target." + target.name + '.';
   std::vector<Property> all;
   if (!cell.plans.frames.empty())
-    all.push_back(frameChoice(prefix + "frame", target.name, QT_TRANSLATE_NOOP("Property", "In the frame"), cell.plans,
-                              target.frame));
+    all.push_back(frameChoice(prefix + "frame", target.name, QT_TRANSLATE_NOOP("Property", "Moves with the frame"),
+                              cell.plans, target.frame));
+  const std::string in = shownIn(target, cell);
+  Property coordinates =
+      toRead("", target.name.c_str(), QT_TRANSLATE_NOOP("Property", "Coordinates in"), in, Quantity::Number);
+  coordinates.id = prefix + "coordinates";
+  if (in.empty()) {
+    coordinates.choices = {QT_TRANSLATE_NOOP("Property", "the cell")};
+    coordinates.value = 0.0;
+  }
+  all.push_back(std::move(coordinates));
   for (Property& each : poseProperties(prefix, target.name, shownPose(target, cell))) all.push_back(std::move(each));
   for (Property& each : all) each.groupTranslated = false;
   return all;

@@ -227,10 +227,18 @@ class CellFramesTest : public QObject {
       document.history()->redo();
       return isSame;
     };
+    const auto shownWhere = [&] {
+      const auto property = document.property("target.spot.coordinates");
+      const auto* const name = std::get_if<std::string>(&property->value);
+      return name ? *name : std::string();
+    };
+    QCOMPARE(shownWhere(), std::string());  // in the cell
     // 30 mm along x and 50 mm along y are 50 mm along the x, and -30 mm along the y, of a frame that is turned by 90°.
     QCOMPARE(number("target.spot.x"), 130.0);
     QVERIFY(document.setProperty("frame", 1.0).hasValue());
     QCOMPARE(document.plans()->workFrame, std::string("a.b"));
+    QCOMPARE(shownWhere(), std::string("a.b"));  // though the target does not move with it
+    QVERIFY(!document.setProperty("target.spot.coordinates", 1.0).hasValue());
     QVERIFY(undone(plans));
     QVERIFY(std::abs(number("target.spot.x") - 50.0) < 1e-9 && std::abs(number("target.spot.y") + 30.0) < 1e-9);
     QVERIFY(document.setProperty("target.spot.x", 60.0).hasValue());
