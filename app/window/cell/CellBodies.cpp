@@ -26,6 +26,7 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
       m_link(tr("Add a body &linked to a file…"), this),
       m_rename(tr("Re&name the body"), this),
       m_unit(tr("Choose the &unit of its numbers…"), this),
+      m_beside(tr("&Place it beside the others"), this),
       m_mount(tr("&Mount the body on the tool flange"), this),
       m_tip(tr("Tool &centre point at its tip"), this),
       m_release(tr("Take the body off the &robot"), this),
@@ -42,6 +43,8 @@ CellBodies::CellBodies(const WindowContext& parts, QObject* parent)
   prepare(m_rename, "renameBody", nullptr, tr("Give the selected body another name, in the list"));
   prepare(m_unit, "bodyUnit", nullptr,
           tr("Specify the unit of the numbers of its file: STL, OBJ, PLY and OFF have none and are taken as mm"));
+  prepare(m_beside, "placeBeside", nullptr,
+          tr("Put the selected body in front of the robot and of all other bodies, on the floor"));
   prepare(m_mount, "mountBody", nullptr,
           tr("Attach the selected body to the robot as a tool, with its origin at the flange"));
   prepare(m_tip, "centreAtTip", nullptr,
@@ -83,6 +86,7 @@ void CellBodies::connectActions() {
     m_list->edit(m_list->currentIndex().siblingAtColumn(BodyModel::Name));
   });
   connect(&m_unit, &QAction::triggered, this, &CellBodies::askForUnit);
+  connect(&m_beside, &QAction::triggered, this, [this] { placeBeside(selected()->id); });
   connect(&m_mount, &QAction::triggered, this, &CellBodies::mountSelected);
   connect(&m_tip, &QAction::triggered, this, [this] { setCentreAtTip(selected()->id); });
   connect(&m_release, &QAction::triggered, this, [this] { carry({selected()->id}, kNone); });
@@ -132,8 +136,8 @@ QList<QAction*> CellBodies::adding() {
 }
 
 QList<QAction*> CellBodies::all() {
-  return adding() + QList<QAction*>{&m_rename, &m_unit,    &m_mount,  &m_tip,    &m_release, &m_remove,
-                                    &m_hide,   &m_showAll, &m_update, &m_relink, &m_unlink};
+  return adding() + QList<QAction*>{&m_rename, &m_unit, &m_beside,  &m_mount,  &m_tip,    &m_release,
+                                    &m_remove, &m_hide, &m_showAll, &m_update, &m_relink, &m_unlink};
 }
 
 void CellBodies::setDocument(DocumentTab* document) {
@@ -181,6 +185,7 @@ void CellBodies::update() {
         !body    ? noSingleBody
         : isMesh ? tr("Unlink the file first: it is read again with its own numbers.")
                  : tr("Only bodies from mesh files have numbers without a unit."));
+  offer(m_beside, body && body->carrier.empty(), body ? tr("A link of the robot carries it.") : noSingleBody);
   const bool isTool = body && isOnFlange(*body);
   offer(m_tip, isTool, body ? tr("The flange does not carry it.") : noSingleBody);
   offer(m_release, body && !body->carrier.empty(), body ? tr("The robot does not carry it.") : noSingleBody);

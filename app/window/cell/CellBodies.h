@@ -28,6 +28,7 @@ class CellBodies : public QObject {
   BodySelection& selection() { return m_selection; }
   const BodySelection& selection() const { return m_selection; }
   QList<QAction*> all();
+  void placeBeside(BodyId id);         // in front of all else, on the floor; nothing, where a link carries it
   QList<QAction*> adding();            // those that add a body
   QMenu& menu() { return *m_menu; }    // all of them
   BodyList* list() { return m_list; }  // owned by the window
@@ -45,6 +46,7 @@ class CellBodies : public QObject {
   void addShapes();
   void addShape(const PrimitiveDescription& primitive);
   const Box& robotAtRest();
+  Vec3 wayBeside(const Box& own, std::optional<BodyId> but);
   void askForFile(const QString& title, const std::function<void(const std::string& path)>& chosen);
   void setVisible(const std::set<BodyId>& ids, bool visible);
   void removeSelected();
@@ -69,8 +71,8 @@ class CellBodies : public QObject {
   BodySelection m_selection;
   BodyList* m_list;
   QMenu* m_shapes;  // owned by the window
-  QAction m_add, m_link, m_rename, m_unit, m_mount, m_tip, m_release, m_remove, m_hide, m_showAll, m_update, m_relink,
-      m_unlink;
+  QAction m_add, m_link, m_rename, m_unit, m_beside, m_mount, m_tip, m_release, m_remove, m_hide, m_showAll, m_update,
+      m_relink, m_unlink;
   QMenu* m_menu;  // owned by the window
   std::weak_ptr<const CellRobot> m_measured;
   Box m_robotAtRest;  // of m_measured

@@ -88,7 +88,28 @@ const Box& CellBodies::robotAtRest() {
   return m_robotAtRest;
 }
 
-// Beside all that is there, standing on the floor of the cell.
+// How far something has to be moved to be in front of the robot and of all bodies but one, on the floor of the cell.
+Vec3 CellBodies::wayBeside(const Box& own, std::optional<BodyId> but) {
+  Box there = robotAtRest();
+  for (const BodyPointer& body : inFrameOfBase(cell().bodies(), cell().robot().model, cell().joints())) {
+    if (body->id != but) there.extend(boundsOf(*body));
+  }
+  const double x = there.isEmpty() ? 0.0 : std::ceil(there.max().x() - own.min().x());
+  return {x, 0.0 - own.center().y(), 0.0 - own.min().z()};
+}
+
+void CellBodies::placeBeside(BodyId id) {
+  const BodyPointer body = cell().bodies().withId(id);
+  const bool canStand = body && body->carrier.empty() && !body->geometry->bounds().isEmpty();
+  if (!canStand) return;
+  Body moved = *body;
+  moved.pose.pretranslate(wayBeside(boundsOf(*body), id));
+  auto edit = changeBodyEdit(cell().bodies(), std::move(moved));
+  if (!edit) return report(cell(), edit.error());
+  if (*edit)
+    cell().commit(tr("Place %1 beside the others").arg(QString::fromStdString(body->name)), std::move(edit).value());
+}
+
 void CellBodies::addShape(const PrimitiveDescription& primitive) {
   OperationValues values(bodyOperation());
   std::string what = std::string(primitive.id) + ':';
@@ -97,12 +118,8 @@ void CellBodies::addShape(const PrimitiveDescription& primitive) {
   values.setValid("add", what);
   const auto geometry =
       PrimitiveGeometry::make(primitive.primitive, std::vector<double>(primitive.dimensions.size(), kNewShape));
-  const Box own = geometry.value()->bounds();
-  Box there = robotAtRest();
-  for (const BodyPointer& body : inFrameOfBase(cell().bodies(), cell().robot().model, cell().joints()))
-    there.extend(boundsOf(*body));
-  const double x = there.isEmpty() ? 0.0 : std::ceil(there.max().x() - own.min().x());
-  values.setValid("at", std::vector<double>{x, 0.0, -own.min().z()});
+  const Vec3 at = wayBeside(geometry.value()->bounds(), std::nullopt);
+  values.setValid("at", std::vector<double>{at.x(), at.y(), at.z()});
   apply(values);
 }
 

@@ -413,8 +413,10 @@ void RobotCellUi::reveal(BodyId id, bool isNew) {
        tr("%1 is inside another object").arg(QString::fromStdString(body->name)),
        tr("It is at the position given in its file; everything else is transparent while it is selected."),
        tr("Type another position in the panel."),
-       {},
-       {},
+       tr("&Place it beside the others"),
+       [this, id, tab = document()] {
+         if (tab == document()) m_bodies.placeBeside(id);
+       },
        {},
        {},
        &document()->document});

@@ -67,6 +67,27 @@ class CellBodiesWindowTest : public QObject {
     QCOMPARE(undo->text(), added);
   }
 
+  // Where a new shape is put, a body comes back to from inside the robot; not one that the robot carries.
+  void besideTheOthers() {
+    CellWindow driver;
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    const QString x = driver.field("body.1.x"), y = driver.field("body.1.y"), z = driver.field("body.1.z");
+    driver.edit("body.1.x", "0");
+    driver.edit("body.1.y", "10");
+    driver.edit("body.1.z", "20");
+    QVERIFY(driver.settle());
+    driver.choose("placeBeside");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.field("body.1.x"), x);
+    QCOMPARE(driver.field("body.1.y"), y);
+    QCOMPARE(driver.field("body.1.z"), z);
+    driver.click("quickActions/undo");
+    QVERIFY(driver.field("body.1.x").startsWith("0"));
+    driver.choose("mountBody");
+    QVERIFY(!driver.find<QAction>("placeBeside")->isEnabled());
+  }
+
   // The message after mounting offers the tool centre point at the tip; one step, also by the menu.
   void theCentrePointIsPutAtTheTip() {
     CellWindow driver;
