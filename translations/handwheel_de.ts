@@ -13,36 +13,6 @@
     </message>
 </context>
 <context>
-    <name>CellTargets</name>
-    <message>
-        <source>its body was removed</source>
-        <translation>sein Körper wurde entfernt</translation>
-    </message>
-    <message>
-        <source>out of reach</source>
-        <translation>außer Reichweite</translation>
-    </message>
-    <message>
-        <source>%1 (on %2)</source>
-        <translation>%1 (auf %2)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln configuration(s)</source>
-        <translation>
-            <numerusform>%Ln Stellung</numerusform>
-            <numerusform>%Ln Stellungen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>its frame is on nothing</source>
-        <translation>sein Bezugssystem liegt auf nichts</translation>
-    </message>
-    <message>
-        <source>%1 (in %2)</source>
-        <translation>%1 (in %2)</translation>
-    </message>
-</context>
-<context>
     <name>ClassTable</name>
     <message>
         <source>Student</source>
@@ -75,6 +45,22 @@
     <message>
         <source>points</source>
         <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>by program</source>
+        <translation>durch ein Programm</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beides</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Hergestellt</translation>
     </message>
 </context>
 <context>
@@ -1614,6 +1600,22 @@
     <message>
         <source>Merge some of them first.</source>
         <translation>Verschmelzen Sie zuerst einige davon.</translation>
+    </message>
+    <message>
+        <source>the curve of the path &apos;%1&apos; was planned with another tool centre point</source>
+        <translation>die Kurve der Bahn &apos;%1&apos; wurde mit einem anderen Werkzeugmittelpunkt geplant</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; leads to where the target &apos;%2&apos; was when it was planned</source>
+        <translation>die Bahn &apos;%1&apos; führt dorthin, wo das Ziel &apos;%2&apos; beim Planen war</translation>
+    </message>
+    <message>
+        <source>the file is open in another tab, and would be replaced</source>
+        <translation>die Datei ist in einem anderen Tab geöffnet und würde ersetzt</translation>
+    </message>
+    <message>
+        <source>Choose another name, or close the other tab first.</source>
+        <translation>Wählen Sie einen anderen Namen, oder schließen Sie zuerst den anderen Tab.</translation>
     </message>
 </context>
 <context>
@@ -5366,10 +5368,6 @@
         <translation>Das Teil im Schnitt.</translation>
     </message>
     <message>
-        <source>The part in section, with the outline of the target. Blue: material left over the target. Red: cut too deep.</source>
-        <translation>Das Teil im Schnitt, mit dem Umriss des Ziels. Blau: Restmaterial über dem Ziel. Rot: zu tief geschnitten.</translation>
-    </message>
-    <message>
         <source>Rounded to the numbers of this format, %1 more triangles have no area. 3MF, PLY, OBJ and OFF keep all digits; or move the part to the origin.</source>
         <translation>Auf die Zahlen dieses Formats gerundet haben %1 weitere Dreiecke keine Fläche. 3MF, PLY, OBJ und OFF behalten alle Stellen; oder verschieben Sie das Teil zum Ursprung.</translation>
     </message>
@@ -5396,6 +5394,18 @@
     <message>
         <source>Power up to %1 kW</source>
         <translation>Leistung bis %1 kW</translation>
+    </message>
+    <message>
+        <source>The part in section, with the outline of the target. Blue: material left over the target. Red: cut too deep. The bar behind the part is grey.</source>
+        <translation>Das Teil im Schnitt, mit dem Umriss des Ziels. Blau: Material, das über dem Ziel stehen blieb. Rot: zu tief geschnitten. Die Stange hinter dem Teil ist grau.</translation>
+    </message>
+    <message>
+        <source>By hand: programs are not allowed</source>
+        <translation>Von Hand: Programme sind nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>The end of ⌀%1 mm is the free one, whose face is finished; the end of ⌀%2 mm is towards the chuck.</source>
+        <translation>Das Ende mit ⌀%1 mm ist das freie, dessen Stirnfläche bearbeitet wird; das Ende mit ⌀%2 mm liegt zum Futter hin.</translation>
     </message>
 </context>
 <context>
@@ -5540,12 +5550,52 @@
         <translation>kollisionsfrei, außer für Glieder ohne Netze (%1)</translation>
     </message>
     <message>
-        <source>It follows the curve at the former position of %1. Plan it again to follow the part.</source>
-        <translation>Sie folgt der Kurve an der früheren Lage von %1. Planen Sie sie neu, damit sie dem Teil folgt.</translation>
-    </message>
-    <message>
         <source>Every motion is proven to keep a clearance of %1.</source>
         <translation>Für jede Bewegung ist bewiesen, dass sie einen Abstand von %1 einhält.</translation>
+    </message>
+    <message>
+        <source>not verified since its targets were moved</source>
+        <translation>nicht geprüft, seit ihre Ziele bewegt wurden</translation>
+    </message>
+    <message>
+        <source>Plan it again.</source>
+        <translation>Planen Sie sie neu.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blend(s) will be exact stops, as not every way within their zones is proven free.</source>
+        <translation><numerusform>%Ln Überschleifen wird ein genauer Halt, weil nicht jeder Weg in seiner Zone als frei bewiesen ist.</numerusform><numerusform>%Ln Überschleifen werden genaue Halte, weil nicht jeder Weg in ihren Zonen als frei bewiesen ist.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>too near %Ln time(s)</source>
+        <translation><numerusform>%Ln Mal zu nah</numerusform><numerusform>%Ln Mal zu nah</numerusform></translation>
+    </message>
+    <message>
+        <source>plan again: the tool centre point was changed</source>
+        <translation>neu planen: der Werkzeugmittelpunkt wurde geändert</translation>
+    </message>
+    <message>
+        <source>plan again: it misses %1</source>
+        <translation>neu planen: sie verfehlt %1</translation>
+    </message>
+    <message>
+        <source>On the way to place %1: %2 only %4 from %3</source>
+        <translation>Auf dem Weg zu Stelle %1: %2 nur %4 von %3 entfernt</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %Ln more</source>
+        <translation><numerusform>und %Ln weitere</numerusform><numerusform>und %Ln weitere</numerusform></translation>
+    </message>
+    <message>
+        <source>It leads along the curve where %1 was when it was planned: the tool does not meet it any more.</source>
+        <translation>Sie führt an der Kurve entlang, wo %1 beim Planen war: das Werkzeug trifft sie nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The tool centre point was another one when its curve was planned: that is not met any more.</source>
+        <translation>Der Werkzeugmittelpunkt war ein anderer, als ihre Kurve geplant wurde: diese wird nicht mehr getroffen.</translation>
+    </message>
+    <message>
+        <source>The tool does not come to the target %1 any more: that, or the tool, has moved since.</source>
+        <translation>Das Werkzeug kommt nicht mehr zum Ziel %1: dieses oder das Werkzeug wurde seitdem bewegt.</translation>
     </message>
 </context>
 <context>
@@ -7736,6 +7786,38 @@
     <message>
         <source>Memory of the layers (MB)</source>
         <translation>Speicher der Ebenen (MB)</translation>
+    </message>
+    <message>
+        <source>Moves with the frame</source>
+        <translation>Bewegt sich mit dem Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Coordinates in</source>
+        <translation>Koordinaten in</translation>
+    </message>
+    <message>
+        <source>the cell</source>
+        <translation>der Zelle</translation>
+    </message>
+    <message>
+        <source>Clearance to keep</source>
+        <translation>Einzuhaltender Abstand</translation>
+    </message>
+    <message>
+        <source>Programs allowed</source>
+        <translation>Programme erlaubt</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>Taktzeit</translation>
+    </message>
+    <message>
+        <source>Security index</source>
+        <translation>Sicherheitsindex</translation>
+    </message>
+    <message>
+        <source>Manipulability</source>
+        <translation>Manipulierbarkeit</translation>
     </message>
 </context>
 <context>
@@ -10247,6 +10329,46 @@
         <source>Attach %1 to %2</source>
         <translation>%1 an %2 anbringen</translation>
     </message>
+    <message>
+        <source>&amp;Place it beside the others</source>
+        <translation>Neben die anderen &amp;stellen</translation>
+    </message>
+    <message>
+        <source>Tool &amp;centre point at its tip</source>
+        <translation>Werkzeug&amp;mittelpunkt an seine Spitze</translation>
+    </message>
+    <message>
+        <source>Put the selected body in front of the robot and of all other bodies, on the floor</source>
+        <translation>Den gewählten Körper vor den Roboter und alle anderen Körper auf den Boden stellen</translation>
+    </message>
+    <message>
+        <source>Put the tool centre point in the middle of what reaches farthest along the Z axis of the flange</source>
+        <translation>Den Werkzeugmittelpunkt in die Mitte dessen setzen, was entlang der Z-Achse des Flansches am weitesten reicht</translation>
+    </message>
+    <message>
+        <source>A link of the robot carries it.</source>
+        <translation>Ein Glied des Roboters trägt ihn.</translation>
+    </message>
+    <message>
+        <source>The flange does not carry it.</source>
+        <translation>Der Flansch trägt ihn nicht.</translation>
+    </message>
+    <message>
+        <source>Place %1 beside the others</source>
+        <translation>%1 neben die anderen stellen</translation>
+    </message>
+    <message>
+        <source>%1 was mounted on %2</source>
+        <translation>%1 wurde an %2 montiert</translation>
+    </message>
+    <message>
+        <source>The tool centre point is where it was; it is a group of fields in the panel.</source>
+        <translation>Der Werkzeugmittelpunkt ist, wo er war; er ist eine Gruppe von Feldern im Feld.</translation>
+    </message>
+    <message>
+        <source>Tool centre point at the tip of %1</source>
+        <translation>Werkzeugmittelpunkt an der Spitze von %1</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellCollisions</name>
@@ -10757,20 +10879,12 @@
         <translation>Nur was bewiesen kollisionsfrei ist, wird exportiert.</translation>
     </message>
     <message>
-        <source>It leads along the curve where %1 was when it was planned: the tool does not meet it any more.</source>
-        <translation>Sie führt entlang der Kurve, wo %1 beim Planen stand: Das Werkzeug trifft das Teil nicht mehr.</translation>
-    </message>
-    <message>
         <source>Export it as it is</source>
         <translation>Unverändert exportieren</translation>
     </message>
     <message>
         <source>The name had no extension of a robot language, so that of %1 was added.</source>
         <translation>Der Name hatte keine Dateiendung einer Robotersprache, daher wurde die von %1 angefügt.</translation>
-    </message>
-    <message>
-        <source>It follows the curve at the former position of %1: a comment of the program says so.</source>
-        <translation>Es folgt der Kurve an der früheren Lage von %1: Ein Kommentar im Programm sagt das.</translation>
     </message>
     <message>
         <source>Store the current joint values under a name</source>
@@ -10963,6 +11077,34 @@
         <source>To write programs in one of its frames again, choose to work in it.</source>
         <translation>Um Programme wieder in einem seiner Koordinatensysteme zu schreiben, wählen Sie, darin zu arbeiten.</translation>
     </message>
+    <message>
+        <source>&amp;Allow pairs to touch…</source>
+        <translation>Berührung von Paaren &amp;erlauben …</translation>
+    </message>
+    <message>
+        <source>A comment of the program says so.</source>
+        <translation>Ein Kommentar des Programms sagt es.</translation>
+    </message>
+    <message>
+        <source>&amp;Declare the frame in RAPID programs</source>
+        <translation>Koordinatensystem in RAPID-Programmen &amp;deklarieren</translation>
+    </message>
+    <message>
+        <source>Allow &amp;pairs to touch…</source>
+        <translation>Berührung von &amp;Paaren erlauben …</translation>
+    </message>
+    <message>
+        <source>Write the data of the frame (wobjdata) into each RAPID program; two modules of one task must not both have them</source>
+        <translation>Die Daten des Koordinatensystems (wobjdata) in jedes RAPID-Programm schreiben; zwei Module eines Tasks dürfen sie nicht beide haben</translation>
+    </message>
+    <message>
+        <source>Choose which of the pairs that meet here, or on the selected path, may touch; or no longer</source>
+        <translation>Wählen, welche der Paare, die sich hier oder auf der gewählten Bahn treffen, sich berühren dürfen oder nicht mehr</translation>
+    </message>
+    <message>
+        <source>Change the pairs that may touch</source>
+        <translation>Paare ändern, die sich berühren dürfen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -11067,6 +11209,30 @@
     <message>
         <source>Searching configurations for the targets</source>
         <translation>Stellungen für die Ziele werden gesucht</translation>
+    </message>
+    <message>
+        <source>its body was removed</source>
+        <translation>sein Körper wurde entfernt</translation>
+    </message>
+    <message>
+        <source>its frame is on nothing</source>
+        <translation>sein Koordinatensystem ist auf nichts</translation>
+    </message>
+    <message>
+        <source>out of reach</source>
+        <translation>außer Reichweite</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln configuration(s)</source>
+        <translation><numerusform>%Ln Konfiguration</numerusform><numerusform>%Ln Konfigurationen</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 (on %2)</source>
+        <translation>%1 (auf %2)</translation>
+    </message>
+    <message>
+        <source>%1 (in %2)</source>
+        <translation>%1 (in %2)</translation>
     </message>
 </context>
 <context>
@@ -11201,6 +11367,10 @@
     <message>
         <source>Turn it on at full strength, or add a layer: the panel Layers has both.</source>
         <translation>Schalten Sie sie mit voller Stärke ein, oder fügen Sie eine Ebene hinzu: Das Feld „Ebenen“ hat beides.</translation>
+    </message>
+    <message>
+        <source>Computing the layer</source>
+        <translation>Ebene wird berechnet</translation>
     </message>
 </context>
 <context>
@@ -11920,10 +12090,6 @@
         <translation>Neuer Hinweis</translation>
     </message>
     <message>
-        <source>Change the hints of a step</source>
-        <translation>Die Hinweise eines Schritts ändern</translation>
-    </message>
-    <message>
         <source>1 point</source>
         <translation>1 Punkt</translation>
     </message>
@@ -11952,6 +12118,22 @@
     <message>
         <source>A size of the target</source>
         <translation>Ein Maß des Ziels</translation>
+    </message>
+    <message>
+        <source>Add a hint</source>
+        <translation>Einen Hinweis hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change a hint</source>
+        <translation>Einen Hinweis ändern</translation>
+    </message>
+    <message>
+        <source>Remove a hint</source>
+        <translation>Einen Hinweis entfernen</translation>
+    </message>
+    <message>
+        <source>Points: %1</source>
+        <translation>Punkte: %1</translation>
     </message>
 </context>
 <context>
@@ -11995,6 +12177,14 @@
     <message>
         <source>Write your name above first</source>
         <translation>Tragen Sie zuerst oben Ihren Namen ein</translation>
+    </message>
+    <message>
+        <source>between the faces at Z %1 mm and Z %2 mm</source>
+        <translation>zwischen den Stirnflächen bei Z %1 mm und Z %2 mm</translation>
+    </message>
+    <message>
+        <source>The work was changed since; measured before that:</source>
+        <translation>Das Werk wurde seitdem geändert; davor gemessen:</translation>
     </message>
 </context>
 <context>
@@ -12350,6 +12540,42 @@
     <message>
         <source>Model solution of %1</source>
         <translation>Musterlösung von %1</translation>
+    </message>
+    <message>
+        <source>Turn the target en&amp;d for end</source>
+        <translation>Ziel um&amp;drehen</translation>
+    </message>
+    <message>
+        <source>Make the end at the chuck the free one, whose face is finished</source>
+        <translation>Das Ende am Futter zum freien machen, dessen Stirnfläche bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>student&apos;s copy</source>
+        <translation>Exemplar für Schüler</translation>
+    </message>
+    <message>
+        <source>Student&apos;s copy</source>
+        <translation>Exemplar für Schüler</translation>
+    </message>
+    <message>
+        <source>%1, student&apos;s copy</source>
+        <translation>%1, Exemplar für Schüler</translation>
+    </message>
+    <message>
+        <source>The target was not turned</source>
+        <translation>Das Ziel wurde nicht umgedreht</translation>
+    </message>
+    <message>
+        <source>Turn the target end for end</source>
+        <translation>Ziel umdrehen</translation>
+    </message>
+    <message>
+        <source>The target lies the other way round now</source>
+        <translation>Das Ziel liegt jetzt andersherum</translation>
+    </message>
+    <message>
+        <source>“Criteria” are measured at the places where they were: look at them.</source>
+        <translation>„Kriterien“ werden an den bisherigen Stellen gemessen: Sehen Sie sie durch.</translation>
     </message>
 </context>
 <context>
@@ -12959,6 +13185,10 @@
         <source>Collisions with the parts involved, and warnings with the rule that was broken, each with its time. A crash stops the spindle.</source>
         <translation>Kollisionen mit den beteiligten Teilen und Warnungen mit der verletzten Regel, jeweils mit der Zeit. Eine Kollision hält die Spindel an.</translation>
     </message>
+    <message>
+        <source>less than %1</source>
+        <translation>weniger als %1</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LathePanel</name>
@@ -13174,6 +13404,10 @@
         <source>Handwheels</source>
         <translation>Handräder</translation>
     </message>
+    <message>
+        <source>Latest crash or warning</source>
+        <translation>Letzte Kollision oder Warnung</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheReadout</name>
@@ -13367,6 +13601,10 @@
     <message>
         <source>The restored material is where the tool was, so the tool was moved out of it.</source>
         <translation>Das wiederhergestellte Material ist dort, wo das Werkzeug war; daher wurde das Werkzeug herausgefahren.</translation>
+    </message>
+    <message>
+        <source>The spindle stands still.</source>
+        <translation>Die Spindel steht still.</translation>
     </message>
 </context>
 <context>
@@ -13979,6 +14217,25 @@
     </message>
 </context>
 <context>
+    <name>handwheel::PairsDialog</name>
+    <message>
+        <source>Pairs that may touch</source>
+        <translation>Paare, die sich berühren dürfen</translation>
+    </message>
+    <message>
+        <source>Nothing meets where the robot is, nor on the selected path.</source>
+        <translation>Weder wo der Roboter ist, noch auf der gewählten Bahn trifft sich etwas.</translation>
+    </message>
+    <message>
+        <source>Checked pairs may touch: nothing is proven about them. Neighbouring links, and those that always meet, may touch anyway.</source>
+        <translation>Angekreuzte Paare dürfen sich berühren: Über sie wird nichts bewiesen. Benachbarte Glieder und solche, die sich immer treffen, dürfen es ohnehin.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::PartSurfaces</name>
     <message>
         <source>Finding the edges of %1</source>
@@ -14049,6 +14306,10 @@
     <message>
         <source>Plays the path on a time line, with its clearance and its collisions</source>
         <translation>Spielt die Bahn auf einer Zeitleiste ab, mit Abstand und Kollisionen</translation>
+    </message>
+    <message>
+        <source>Clearance to keep</source>
+        <translation>Einzuhaltender Abstand</translation>
     </message>
 </context>
 <context>
@@ -14794,6 +15055,10 @@
     <message>
         <source>The program or the part was changed since: run it again.</source>
         <translation>Programm oder Teil wurde seitdem geändert: führen Sie es erneut aus.</translation>
+    </message>
+    <message>
+        <source>This exercise is to be done by hand: it does not allow programs to be made, run, or to cut.</source>
+        <translation>Diese Übung ist von Hand zu machen: Programme dürfen nicht erstellt, ausgeführt oder zum Schneiden benutzt werden.</translation>
     </message>
 </context>
 <context>
@@ -15670,6 +15935,10 @@
     <message>
         <source>C&amp;onfigurations, targets and frames</source>
         <translation>St&amp;ellungen, Ziele und Bezugssysteme</translation>
+    </message>
+    <message>
+        <source>&amp;Place it beside the others</source>
+        <translation>Neben die anderen &amp;stellen</translation>
     </message>
 </context>
 <context>
@@ -16608,6 +16877,37 @@
     <message>
         <source>blue: %1 too small, red: %1 too large</source>
         <translation>blau: %1 zu klein, rot: %1 zu groß</translation>
+    </message>
+    <message>
+        <source>Curve ⌀ %1 … %2</source>
+        <translation>Kurve ⌀ %1 … %2</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TargetPlaceView</name>
+    <message>
+        <source>The target in its bar; the free end is on the right</source>
+        <translation>Das Ziel in seiner Stange; das freie Ende ist rechts</translation>
+    </message>
+    <message>
+        <source>Grey: the target. Blue: what is cut off the bar</source>
+        <translation>Grau: das Ziel. Blau: was von der Stange abgeschnitten wird</translation>
+    </message>
+    <message>
+        <source>← chuck</source>
+        <translation>← Futter</translation>
+    </message>
+    <message>
+        <source>Turn &amp;end for end</source>
+        <translation>&amp;Umdrehen</translation>
+    </message>
+    <message>
+        <source>Make the end at the chuck the free one, whose face is finished</source>
+        <translation>Das Ende am Futter zum freien machen, dessen Stirnfläche bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>free end →</source>
+        <translation>freies Ende →</translation>
     </message>
 </context>
 <context>

@@ -13,35 +13,6 @@
     </message>
 </context>
 <context>
-    <name>CellTargets</name>
-    <message>
-        <source>its body was removed</source>
-        <translation>其所在物体已被移除</translation>
-    </message>
-    <message>
-        <source>out of reach</source>
-        <translation>无法到达</translation>
-    </message>
-    <message>
-        <source>%1 (on %2)</source>
-        <translation>%1（在 %2 上）</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln configuration(s)</source>
-        <translation>
-            <numerusform>%Ln 种位形</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>its frame is on nothing</source>
-        <translation>其坐标系没有载体</translation>
-    </message>
-    <message>
-        <source>%1 (in %2)</source>
-        <translation>%1（在 %2 中）</translation>
-    </message>
-</context>
-<context>
     <name>ClassTable</name>
     <message>
         <source>Student</source>
@@ -74,6 +45,22 @@
     <message>
         <source>points</source>
         <translation>分</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>by program</source>
+        <translation>由程序</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>两者</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>加工方式</translation>
     </message>
 </context>
 <context>
@@ -1613,6 +1600,22 @@
     <message>
         <source>Merge some of them first.</source>
         <translation>请先合并其中一些。</translation>
+    </message>
+    <message>
+        <source>the curve of the path &apos;%1&apos; was planned with another tool centre point</source>
+        <translation>路径“%1”的曲线是用另一个工具中心点规划的</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; leads to where the target &apos;%2&apos; was when it was planned</source>
+        <translation>路径“%1”通向规划时目标“%2”所在的位置</translation>
+    </message>
+    <message>
+        <source>the file is open in another tab, and would be replaced</source>
+        <translation>该文件已在另一个标签页中打开，将被替换</translation>
+    </message>
+    <message>
+        <source>Choose another name, or close the other tab first.</source>
+        <translation>请选择其他名称，或先关闭另一个标签页。</translation>
     </message>
 </context>
 <context>
@@ -5365,10 +5368,6 @@
         <translation>零件剖面。</translation>
     </message>
     <message>
-        <source>The part in section, with the outline of the target. Blue: material left over the target. Red: cut too deep.</source>
-        <translation>零件剖面及目标轮廓。蓝色：超出目标的余料。红色：切削过深。</translation>
-    </message>
-    <message>
         <source>Rounded to the numbers of this format, %1 more triangles have no area. 3MF, PLY, OBJ and OFF keep all digits; or move the part to the origin.</source>
         <translation>按此格式的数字舍入后，又有 %1 个三角形没有面积。3MF、PLY、OBJ 和 OFF 保留所有位数；或者将零件移到原点。</translation>
     </message>
@@ -5395,6 +5394,18 @@
     <message>
         <source>Power up to %1 kW</source>
         <translation>功率不超过 %1 kW</translation>
+    </message>
+    <message>
+        <source>The part in section, with the outline of the target. Blue: material left over the target. Red: cut too deep. The bar behind the part is grey.</source>
+        <translation>零件剖面及目标轮廓。蓝色：目标之上剩余的材料。红色：切得过深。零件后面的棒料为灰色。</translation>
+    </message>
+    <message>
+        <source>By hand: programs are not allowed</source>
+        <translation>手动：不允许使用程序</translation>
+    </message>
+    <message>
+        <source>The end of ⌀%1 mm is the free one, whose face is finished; the end of ⌀%2 mm is towards the chuck.</source>
+        <translation>直径 ⌀%1 mm 的一端为自由端，其端面需加工；直径 ⌀%2 mm 的一端朝向卡盘。</translation>
     </message>
 </context>
 <context>
@@ -5538,12 +5549,52 @@
         <translation>除无网格的连杆外无碰撞（%1）</translation>
     </message>
     <message>
-        <source>It follows the curve at the former position of %1. Plan it again to follow the part.</source>
-        <translation>它沿 %1 先前位置处的曲线。请重新规划，使其跟随零件。</translation>
-    </message>
-    <message>
         <source>Every motion is proven to keep a clearance of %1.</source>
         <translation>已证明每个运动都至少保持 %1 的间隙。</translation>
+    </message>
+    <message>
+        <source>not verified since its targets were moved</source>
+        <translation>目标移动后尚未验证</translation>
+    </message>
+    <message>
+        <source>Plan it again.</source>
+        <translation>请重新规划。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blend(s) will be exact stops, as not every way within their zones is proven free.</source>
+        <translation><numerusform>%Ln 处过渡将改为精确停止，因为其区域内并非所有路径都被证明无碰撞。</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>too near %Ln time(s)</source>
+        <translation><numerusform>%Ln 次过近</numerusform></translation>
+    </message>
+    <message>
+        <source>plan again: the tool centre point was changed</source>
+        <translation>需重新规划：工具中心点已更改</translation>
+    </message>
+    <message>
+        <source>plan again: it misses %1</source>
+        <translation>需重新规划：未到达 %1</translation>
+    </message>
+    <message>
+        <source>On the way to place %1: %2 only %4 from %3</source>
+        <translation>前往位置 %1 途中：%2 距 %3 仅 %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %Ln more</source>
+        <translation><numerusform>以及另外 %Ln 个</numerusform></translation>
+    </message>
+    <message>
+        <source>It leads along the curve where %1 was when it was planned: the tool does not meet it any more.</source>
+        <translation>它沿规划时 %1 所在处的曲线行进：工具已不再与之相遇。</translation>
+    </message>
+    <message>
+        <source>The tool centre point was another one when its curve was planned: that is not met any more.</source>
+        <translation>规划曲线时的工具中心点不同：已不再与曲线相遇。</translation>
+    </message>
+    <message>
+        <source>The tool does not come to the target %1 any more: that, or the tool, has moved since.</source>
+        <translation>工具不再到达目标 %1：目标或工具此后已移动。</translation>
     </message>
 </context>
 <context>
@@ -7734,6 +7785,38 @@
     <message>
         <source>Memory of the layers (MB)</source>
         <translation>图层占用内存 (MB)</translation>
+    </message>
+    <message>
+        <source>Moves with the frame</source>
+        <translation>随坐标系移动</translation>
+    </message>
+    <message>
+        <source>Coordinates in</source>
+        <translation>坐标所在</translation>
+    </message>
+    <message>
+        <source>the cell</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>Clearance to keep</source>
+        <translation>须保持的间隙</translation>
+    </message>
+    <message>
+        <source>Programs allowed</source>
+        <translation>允许使用程序</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>节拍时间</translation>
+    </message>
+    <message>
+        <source>Security index</source>
+        <translation>安全指数</translation>
+    </message>
+    <message>
+        <source>Manipulability</source>
+        <translation>可操作度</translation>
     </message>
 </context>
 <context>
@@ -10191,6 +10274,46 @@
         <source>Attach %1 to %2</source>
         <translation>将 %1 附着到 %2</translation>
     </message>
+    <message>
+        <source>&amp;Place it beside the others</source>
+        <translation>放到其他物体旁(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Tool &amp;centre point at its tip</source>
+        <translation>工具中心点设在其尖端(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Put the selected body in front of the robot and of all other bodies, on the floor</source>
+        <translation>将选中的物体放在机器人及所有其他物体前方的地面上</translation>
+    </message>
+    <message>
+        <source>Put the tool centre point in the middle of what reaches farthest along the Z axis of the flange</source>
+        <translation>将工具中心点设在沿法兰 Z 轴伸出最远处的中心</translation>
+    </message>
+    <message>
+        <source>A link of the robot carries it.</source>
+        <translation>它由机器人的连杆承载。</translation>
+    </message>
+    <message>
+        <source>The flange does not carry it.</source>
+        <translation>它不由法兰承载。</translation>
+    </message>
+    <message>
+        <source>Place %1 beside the others</source>
+        <translation>将 %1 放到其他物体旁</translation>
+    </message>
+    <message>
+        <source>%1 was mounted on %2</source>
+        <translation>%1 已安装到 %2</translation>
+    </message>
+    <message>
+        <source>The tool centre point is where it was; it is a group of fields in the panel.</source>
+        <translation>工具中心点保持原位；它是面板中的一组字段。</translation>
+    </message>
+    <message>
+        <source>Tool centre point at the tip of %1</source>
+        <translation>工具中心点在 %1 的尖端</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellCollisions</name>
@@ -10689,20 +10812,12 @@
         <translation>只导出已证明无碰撞的内容。</translation>
     </message>
     <message>
-        <source>It leads along the curve where %1 was when it was planned: the tool does not meet it any more.</source>
-        <translation>它沿规划时 %1 所在位置的曲线：工具不再与该零件接触。</translation>
-    </message>
-    <message>
         <source>Export it as it is</source>
         <translation>按原样导出</translation>
     </message>
     <message>
         <source>The name had no extension of a robot language, so that of %1 was added.</source>
         <translation>名称没有任何机器人语言的扩展名，因此添加了 %1 的扩展名。</translation>
-    </message>
-    <message>
-        <source>It follows the curve at the former position of %1: a comment of the program says so.</source>
-        <translation>它沿 %1 先前位置处的曲线：程序中有注释说明这一点。</translation>
     </message>
     <message>
         <source>Store the current joint values under a name</source>
@@ -10894,6 +11009,34 @@
         <source>To write programs in one of its frames again, choose to work in it.</source>
         <translation>若要再次在其某个坐标系中编写程序，请选择在其中工作。</translation>
     </message>
+    <message>
+        <source>&amp;Allow pairs to touch…</source>
+        <translation>允许成对接触(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>A comment of the program says so.</source>
+        <translation>程序中的注释会说明这一点。</translation>
+    </message>
+    <message>
+        <source>&amp;Declare the frame in RAPID programs</source>
+        <translation>在 RAPID 程序中声明坐标系(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Allow &amp;pairs to touch…</source>
+        <translation>允许成对接触(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Write the data of the frame (wobjdata) into each RAPID program; two modules of one task must not both have them</source>
+        <translation>将坐标系数据 (wobjdata) 写入每个 RAPID 程序；同一任务的两个模块不能都包含它们</translation>
+    </message>
+    <message>
+        <source>Choose which of the pairs that meet here, or on the selected path, may touch; or no longer</source>
+        <translation>选择此处或选中路径上相遇的哪些成对物体可以接触，或不再可以</translation>
+    </message>
+    <message>
+        <source>Change the pairs that may touch</source>
+        <translation>更改可接触的成对物体</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -10998,6 +11141,30 @@
     <message>
         <source>Searching configurations for the targets</source>
         <translation>正在搜索到达目标点的位形</translation>
+    </message>
+    <message>
+        <source>its body was removed</source>
+        <translation>其物体已被移除</translation>
+    </message>
+    <message>
+        <source>its frame is on nothing</source>
+        <translation>其坐标系没有载体</translation>
+    </message>
+    <message>
+        <source>out of reach</source>
+        <translation>超出可达范围</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln configuration(s)</source>
+        <translation><numerusform>%Ln 个构型</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 (on %2)</source>
+        <translation>%1（在 %2 上）</translation>
+    </message>
+    <message>
+        <source>%1 (in %2)</source>
+        <translation>%1（在 %2 中）</translation>
     </message>
 </context>
 <context>
@@ -11132,6 +11299,10 @@
     <message>
         <source>Turn it on at full strength, or add a layer: the panel Layers has both.</source>
         <translation>请以全强度打开它或添加图层：“图层”面板中二者皆有。</translation>
+    </message>
+    <message>
+        <source>Computing the layer</source>
+        <translation>正在计算图层</translation>
     </message>
 </context>
 <context>
@@ -11849,10 +12020,6 @@
         <translation>新提示</translation>
     </message>
     <message>
-        <source>Change the hints of a step</source>
-        <translation>更改步骤的提示</translation>
-    </message>
-    <message>
         <source>1 point</source>
         <translation>1 分</translation>
     </message>
@@ -11879,6 +12046,22 @@
     <message>
         <source>A size of the target</source>
         <translation>目标的一个尺寸</translation>
+    </message>
+    <message>
+        <source>Add a hint</source>
+        <translation>添加提示</translation>
+    </message>
+    <message>
+        <source>Change a hint</source>
+        <translation>更改提示</translation>
+    </message>
+    <message>
+        <source>Remove a hint</source>
+        <translation>移除提示</translation>
+    </message>
+    <message>
+        <source>Points: %1</source>
+        <translation>分数：%1</translation>
     </message>
 </context>
 <context>
@@ -11922,6 +12105,14 @@
     <message>
         <source>Write your name above first</source>
         <translation>请先在上方填写您的姓名</translation>
+    </message>
+    <message>
+        <source>between the faces at Z %1 mm and Z %2 mm</source>
+        <translation>在 Z %1 mm 与 Z %2 mm 的端面之间</translation>
+    </message>
+    <message>
+        <source>The work was changed since; measured before that:</source>
+        <translation>作业此后已更改；此前的测量结果：</translation>
     </message>
 </context>
 <context>
@@ -12273,6 +12464,42 @@
     <message>
         <source>Model solution of %1</source>
         <translation>%1 的参考解</translation>
+    </message>
+    <message>
+        <source>Turn the target en&amp;d for end</source>
+        <translation>将目标首尾调转(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Make the end at the chuck the free one, whose face is finished</source>
+        <translation>将卡盘端变为自由端，其端面需加工</translation>
+    </message>
+    <message>
+        <source>student&apos;s copy</source>
+        <translation>学生副本</translation>
+    </message>
+    <message>
+        <source>Student&apos;s copy</source>
+        <translation>学生副本</translation>
+    </message>
+    <message>
+        <source>%1, student&apos;s copy</source>
+        <translation>%1，学生副本</translation>
+    </message>
+    <message>
+        <source>The target was not turned</source>
+        <translation>目标未调转</translation>
+    </message>
+    <message>
+        <source>Turn the target end for end</source>
+        <translation>将目标首尾调转</translation>
+    </message>
+    <message>
+        <source>The target lies the other way round now</source>
+        <translation>目标现已调转</translation>
+    </message>
+    <message>
+        <source>“Criteria” are measured at the places where they were: look at them.</source>
+        <translation>“评分标准”仍在原来的位置测量：请检查。</translation>
     </message>
 </context>
 <context>
@@ -12872,6 +13099,10 @@
         <source>Collisions with the parts involved, and warnings with the rule that was broken, each with its time. A crash stops the spindle.</source>
         <translation>碰撞及相关部件、警告及所违反的规则，均附时间。碰撞会使主轴停止。</translation>
     </message>
+    <message>
+        <source>less than %1</source>
+        <translation>小于 %1</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LathePanel</name>
@@ -13087,6 +13318,10 @@
         <source>Handwheels</source>
         <translation>手轮</translation>
     </message>
+    <message>
+        <source>Latest crash or warning</source>
+        <translation>最近的碰撞或警告</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheReadout</name>
@@ -13280,6 +13515,10 @@
     <message>
         <source>The restored material is where the tool was, so the tool was moved out of it.</source>
         <translation>恢复的材料正处于刀具所在位置，因此已将刀具从中退出。</translation>
+    </message>
+    <message>
+        <source>The spindle stands still.</source>
+        <translation>主轴静止。</translation>
     </message>
 </context>
 <context>
@@ -13887,6 +14126,25 @@
     </message>
 </context>
 <context>
+    <name>handwheel::PairsDialog</name>
+    <message>
+        <source>Pairs that may touch</source>
+        <translation>可接触的成对物体</translation>
+    </message>
+    <message>
+        <source>Nothing meets where the robot is, nor on the selected path.</source>
+        <translation>机器人所在处和选中路径上均无相遇。</translation>
+    </message>
+    <message>
+        <source>Checked pairs may touch: nothing is proven about them. Neighbouring links, and those that always meet, may touch anyway.</source>
+        <translation>勾选的成对物体可以接触：不对其作任何证明。相邻连杆及始终相遇的连杆本来就可以接触。</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::PartSurfaces</name>
     <message>
         <source>Finding the edges of %1</source>
@@ -13957,6 +14215,10 @@
     <message>
         <source>Plays the path on a time line, with its clearance and its collisions</source>
         <translation>在时间轴上播放路径，显示间隙和碰撞</translation>
+    </message>
+    <message>
+        <source>Clearance to keep</source>
+        <translation>须保持的间隙</translation>
     </message>
 </context>
 <context>
@@ -14698,6 +14960,10 @@
     <message>
         <source>The program or the part was changed since: run it again.</source>
         <translation>此后程序或零件已更改：请重新运行。</translation>
+    </message>
+    <message>
+        <source>This exercise is to be done by hand: it does not allow programs to be made, run, or to cut.</source>
+        <translation>本练习须手动完成：不允许编写、运行程序或用程序切削。</translation>
     </message>
 </context>
 <context>
@@ -15563,6 +15829,10 @@
     <message>
         <source>C&amp;onfigurations, targets and frames</source>
         <translation>构型、目标和坐标系(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Place it beside the others</source>
+        <translation>放到其他物体旁(&amp;P)</translation>
     </message>
 </context>
 <context>
@@ -16492,6 +16762,37 @@
     <message>
         <source>blue: %1 too small, red: %1 too large</source>
         <translation>蓝色：偏小 %1，红色：偏大 %1</translation>
+    </message>
+    <message>
+        <source>Curve ⌀ %1 … %2</source>
+        <translation>曲线 ⌀ %1 … %2</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TargetPlaceView</name>
+    <message>
+        <source>The target in its bar; the free end is on the right</source>
+        <translation>棒料中的目标；自由端在右侧</translation>
+    </message>
+    <message>
+        <source>Grey: the target. Blue: what is cut off the bar</source>
+        <translation>灰色：目标。蓝色：从棒料上切除的部分</translation>
+    </message>
+    <message>
+        <source>← chuck</source>
+        <translation>← 卡盘</translation>
+    </message>
+    <message>
+        <source>Turn &amp;end for end</source>
+        <translation>首尾调转(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Make the end at the chuck the free one, whose face is finished</source>
+        <translation>将卡盘端变为自由端，其端面需加工</translation>
+    </message>
+    <message>
+        <source>free end →</source>
+        <translation>自由端 →</translation>
     </message>
 </context>
 <context>
