@@ -18,8 +18,8 @@ inline float eikonalDistance(std::array<float, 3> d) {
     x = 0.5f * (sum + std::sqrt(std::max(0.0f, 2.0f - difference * difference)));
     if (x > d[2]) {
       // From the nearest one on: squares of large distances would leave no digits of a step.
-      const float a = d[1] - d[0], b = d[2] - d[0], sum = a + b;
-      x = d[0] + (sum + std::sqrt(std::max(0.0f, sum * sum - 3.0f * (a * a + b * b - 1.0f)))) / 3.0f;
+      const float a = d[1] - d[0], b = d[2] - d[0], both = a + b;
+      x = d[0] + (both + std::sqrt(std::max(0.0f, both * both - 3.0f * (a * a + b * b - 1.0f)))) / 3.0f;
     }
   }
   return x;
