@@ -34,8 +34,9 @@ bool ViewFocus::eventFilter(QObject* watched, QEvent* event) {
 // Later: Qt is not done with the event. Unless something else has the focus by then, as a field that a command opened.
 void ViewFocus::takeBackFrom(const QWidget* holder) {
   const auto take = [this, holder = QPointer<const QWidget>(holder)] {
-    const bool isUnchanged = holder ? holder->hasFocus() : !m_window.focusWidget();
-    if (m_view.isVisible() && isUnchanged) m_view.setFocus(Qt::OtherFocusReason);
+    const QWidget* const present = m_window.focusWidget();
+    const bool isFree = !present || !present->isEnabled() || !present->isVisible();
+    if (m_view.isVisible() && (isFree || (holder && holder->hasFocus()))) m_view.setFocus(Qt::OtherFocusReason);
   };
   QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
 }

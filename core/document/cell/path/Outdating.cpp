@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/cell/path/Outdating.h"
 
+#include "base/Units.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellArms.h"
 #include "robot/Kinematics.h"
-
-#include <cmath>
 
 namespace handwheel {
 
@@ -28,9 +27,9 @@ BodyPointer standingPart(const PathProcess& process, const CellPlacement& cell) 
 }  // namespace
 
 bool isSamePlace(const Pose& one, const Pose& other) {
-  constexpr double kDistance = 1e-3, kAngle = 1e-3 * M_PI / 180.0;  // mm, rad
-  const Eigen::AngleAxisd turn(Eigen::Matrix3d(one.linear().transpose() * other.linear()));
-  return (one.translation() - other.translation()).norm() <= kDistance && std::abs(turn.angle()) <= kAngle;
+  constexpr double kDistance = 1e-3, kAngle = 1e-3 * kRadiansPerDegree;  // mm, rad
+  const double angle = Eigen::Quaterniond(one.linear()).angularDistance(Eigen::Quaterniond(other.linear()));
+  return (one.translation() - other.translation()).norm() <= kDistance && angle <= kAngle;
 }
 
 std::optional<Pose> targetInTool(const CellRobot& robot, const CellPlacement& cell, std::string_view arm,

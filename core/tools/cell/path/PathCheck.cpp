@@ -201,8 +201,8 @@ std::vector<std::string> remarksOn(const CellScene& scene, const RobotPath& path
   constexpr std::size_t kLongestName = 60;
   std::vector<std::string> remarks;
   if (const std::size_t stops = stoppedBlends(path, checked); stops > 0)
-    remarks.push_back(std::to_string(stops) +
-                      " of the blends are exact stops:" + " not every way within their zones is proven free.");
+    remarks.push_back("Exact stops in place of blends: " + std::to_string(stops) +
+                      ". Not every way within their zones is proven free.");
   const Outdating& outdating = checked.outdating;
   if (!outdating.part.empty())
     remarks.push_back("Outdated: the part " + identifierOf(outdating.part, kLongestName) +

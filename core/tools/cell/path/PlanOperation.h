@@ -45,7 +45,7 @@ struct PlannedPath {
 // are not critical are left out. Straight lines to a place stay lines. Errors: PlaceCollides, PlaceBeyondLimits,
 // OthersMoved, RouteNotFound, LineUnreachable, LineCollides, PathTooShort, Cancelled; those of nearestFree() at targets
 // that have moved.
-Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const Waypoint> places,
+Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const Waypoint> given,
                                    const RouteSettings& settings, Progress progress = {});
 
 }  // namespace handwheel

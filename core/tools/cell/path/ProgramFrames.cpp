@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/path/ProgramFrames.h"
 
-#include "base/Units.h"
+#include "document/cell/path/Outdating.h"
 #include "document/scene/BodyChanges.h"
 #include "robot/posts/PostText.h"
 #include "scene/RigidPose.h"
@@ -14,12 +14,6 @@
 namespace handwheel {
 
 namespace {
-
-bool isSamePlace(const Pose& a, const Pose& b) {
-  constexpr double kDistance = 1e-3, kAngle = 1e-3 * kRadiansPerDegree;  // mm, rad: as programs are read back
-  const double angle = Eigen::Quaterniond(a.linear()).angularDistance(Eigen::Quaterniond(b.linear()));
-  return (a.translation() - b.translation()).norm() <= kDistance && angle <= kAngle;
-}
 
 // What programs in the languages call a frame of the cell, in lower case.
 std::set<std::string> namesInPrograms(const CellPlans& plans, const NamedFrame& frame) {

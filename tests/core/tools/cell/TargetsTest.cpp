@@ -179,7 +179,7 @@ class TargetsTest : public QObject {
                                : NamedTarget{"T", frame.inverse(Eigen::Isometry) * there, 0, "F"}};
     m_cell->plan(plans);
     const RobotPath path = plannedTo({{.joints = m_cell->document().joints()}, called("T")});
-    QVERIFY(path.places.back().target && path.places.back().target->inTool.isApprox(Pose::Identity(), 1e-6));
+    QVERIFY(path.places.back().target && isSamePlace(path.places.back().target->inTool, Pose::Identity()));
     QVERIFY(!outdating(path).isAny());
     const Vec3 by(10.0, -5.0, 3.0);
     if (what == 0) plans.targets[0].pose.pretranslate(frame.linear().transpose() * by);

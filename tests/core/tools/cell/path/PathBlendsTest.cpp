@@ -127,7 +127,7 @@ class PathBlendsTest : public QObject {
 
   // Blends that were wanted and not certified are counted, but at the ends, where the robot stops in any case.
   void stoppedBlendsAreCounted() {
-    RobotPath path{"p", std::vector<Waypoint>(5, Waypoint{.blend = 1.0})};
+    RobotPath path{"p", std::vector<Waypoint>(5, Waypoint{.joints = JointValues::Zero(6), .blend = 1.0})};
     path.places[3].blend = 0.0;
     CheckedPath checked;
     checked.blends = {0.0, 0.0, 0.7, 0.0, 0.0};
