@@ -102,15 +102,15 @@ class ExerciseTest : public QObject {
     QVERIFY(std::abs(highest - 119.5) < 1e-6);
     QVERIFY(bench.run({"exercise", "shaft.handwheel", "--facing", "1", "-o", "x.handwheel"}).code != 0);
     // Turned end for end, each point is reflected between the same heights; the radii stay.
-    const Ran turned = bench.run({"exercise", "faced.exercise.json", "--turn-target", "-o", "turned.exercise.json"});
-    QVERIFY2(turned.code == 0 && turned.err.contains("is the free one"), turned.err);
+    const Ran reversed = bench.run({"exercise", "faced.exercise.json", "--turn-target", "-o", "turned.exercise.json"});
+    QVERIFY2(reversed.code == 0 && reversed.err.contains("is the free one"), reversed.err);
     const auto other = nlohmann::json::parse(bench.content("turned.exercise.json").toStdString());
-    const auto &before = faced["task"]["target"]["segments"], &after = other["task"]["target"]["segments"];
-    QCOMPARE(after.size(), before.size());
+    const auto &first = faced["task"]["target"]["segments"], &after = other["task"]["target"]["segments"];
+    QCOMPARE(after.size(), first.size());
     double lowest = highest;
-    for (const auto& segment : before) lowest = std::min({lowest, segment[1].get<double>(), segment[3].get<double>()});
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      const auto &a = before[i], &b = after[before.size() - 1 - i];
+    for (const auto& segment : first) lowest = std::min({lowest, segment[1].get<double>(), segment[3].get<double>()});
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const auto &a = first[i], &b = after[first.size() - 1 - i];
       QVERIFY(std::abs(a[0].get<double>() - b[2].get<double>()) < 1e-9);
       QVERIFY(std::abs(highest + lowest - a[1].get<double>() - b[3].get<double>()) < 1e-6);
     }

@@ -125,7 +125,7 @@ class PathDigestsTest : public QObject {
   }
 
  private:
-  static constexpr int kChanges = 17;
+  static constexpr int kChanges = 18;
 
   Cell now() { return std::static_pointer_cast<const RobotCellSnapshot>(m_cell->document().snapshot()); }
   static const RobotPath& way(const RobotCellSnapshot& cell) { return cell.plans->paths.front(); }
@@ -203,7 +203,7 @@ class PathDigestsTest : public QObject {
         cell = std::move(removed).value();
         return true;
       }
-      case 16:
+      case 17:
         plans.targets.front().pose.translation().x() = beside(300.1, up);
         break;
     }
