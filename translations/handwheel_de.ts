@@ -5563,11 +5563,17 @@
     </message>
     <message numerus="yes">
         <source>%Ln blend(s) will be exact stops, as not every way within their zones is proven free.</source>
-        <translation><numerusform>%Ln Überschleifen wird ein genauer Halt, weil nicht jeder Weg in seiner Zone als frei bewiesen ist.</numerusform><numerusform>%Ln Überschleifen werden genaue Halte, weil nicht jeder Weg in ihren Zonen als frei bewiesen ist.</numerusform></translation>
+        <translation>
+            <numerusform>%Ln Überschleifen wird ein genauer Halt, weil nicht jeder Weg in seiner Zone als frei bewiesen ist.</numerusform>
+            <numerusform>%Ln Überschleifen werden genaue Halte, weil nicht jeder Weg in ihren Zonen als frei bewiesen ist.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>too near %Ln time(s)</source>
-        <translation><numerusform>%Ln Mal zu nah</numerusform><numerusform>%Ln Mal zu nah</numerusform></translation>
+        <translation>
+            <numerusform>%Ln Mal zu nah</numerusform>
+            <numerusform>%Ln Mal zu nah</numerusform>
+        </translation>
     </message>
     <message>
         <source>plan again: the tool centre point was changed</source>
@@ -5583,7 +5589,10 @@
     </message>
     <message numerus="yes">
         <source>and %Ln more</source>
-        <translation><numerusform>und %Ln weitere</numerusform><numerusform>und %Ln weitere</numerusform></translation>
+        <translation>
+            <numerusform>und %Ln weitere</numerusform>
+            <numerusform>und %Ln weitere</numerusform>
+        </translation>
     </message>
     <message>
         <source>It leads along the curve where %1 was when it was planned: the tool does not meet it any more.</source>
@@ -11224,7 +11233,10 @@
     </message>
     <message numerus="yes">
         <source>%Ln configuration(s)</source>
-        <translation><numerusform>%Ln Konfiguration</numerusform><numerusform>%Ln Konfigurationen</numerusform></translation>
+        <translation>
+            <numerusform>%Ln Konfiguration</numerusform>
+            <numerusform>%Ln Konfigurationen</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 (on %2)</source>

@@ -5562,11 +5562,15 @@
     </message>
     <message numerus="yes">
         <source>%Ln blend(s) will be exact stops, as not every way within their zones is proven free.</source>
-        <translation><numerusform>%Ln 处过渡将改为精确停止，因为其区域内并非所有路径都被证明无碰撞。</numerusform></translation>
+        <translation>
+            <numerusform>%Ln 处过渡将改为精确停止，因为其区域内并非所有路径都被证明无碰撞。</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>too near %Ln time(s)</source>
-        <translation><numerusform>%Ln 次过近</numerusform></translation>
+        <translation>
+            <numerusform>%Ln 次过近</numerusform>
+        </translation>
     </message>
     <message>
         <source>plan again: the tool centre point was changed</source>
@@ -5582,7 +5586,9 @@
     </message>
     <message numerus="yes">
         <source>and %Ln more</source>
-        <translation><numerusform>以及另外 %Ln 个</numerusform></translation>
+        <translation>
+            <numerusform>以及另外 %Ln 个</numerusform>
+        </translation>
     </message>
     <message>
         <source>It leads along the curve where %1 was when it was planned: the tool does not meet it any more.</source>
@@ -11156,7 +11162,9 @@
     </message>
     <message numerus="yes">
         <source>%Ln configuration(s)</source>
-        <translation><numerusform>%Ln 个构型</numerusform></translation>
+        <translation>
+            <numerusform>%Ln 个构型</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 (on %2)</source>

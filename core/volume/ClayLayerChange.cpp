@@ -13,7 +13,7 @@
 namespace handwheel {
 namespace {
 
-constexpr float kKnown = 3.0f;  // voxels, up to which depths are distances
+constexpr float kKnown = ClayLayerChange::kKnownDepth;
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 constexpr std::size_t kNoBlock = std::numeric_limits<std::size_t>::max();
 constexpr float kBucket = 0.25f;  // voxels of distance that are dealt with together: less than a step of the front
@@ -101,8 +101,9 @@ class DistanceFront {
     for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
       float& distance = m_distances[first + i];
       const int sample = view.block ? std::abs(static_cast<int>(view.block->depths[i])) : int{VolumeBlock::kFull};
-      const float depth = static_cast<float>(sample) * static_cast<float>(1.0 / VolumeBlock::kUnit);
-      distance = sample < ClayLayerChange::kDeepestSample ? depth : std::max(distance, depth);
+      // The deepest one says "at least kKnown": some volumes know no more than that.
+      if (sample < ClayLayerChange::kDeepestSample)
+        distance = static_cast<float>(sample) * static_cast<float>(1.0 / VolumeBlock::kUnit);
     }
   }
   // The voxel beside another one along an axis; kNoBlock: it is in none of the blocks.

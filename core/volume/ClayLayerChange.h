@@ -23,6 +23,7 @@ class ClayLayerChange {
  public:
   // Of what a share of a layer gives: it never makes a block full or empty. From it on a depth is "at least so much".
   static constexpr int kDeepestSample = VolumeBlock::kFull - 1;
+  static constexpr float kKnownDepth = 3.0f;  // voxels, up to which depths of all volumes are distances
 
   ClayLayerChange(const SparseVolume& base, const SparseVolume& top);
   ClayLayerChange(const ClayLayerChange&) = delete;

@@ -49,7 +49,7 @@ SparseVolume::Content withShare(const SparseVolume::Content& below, const ClayLa
     float depth = static_cast<float>(sample) * static_cast<float>(1.0 / VolumeBlock::kUnit);
     // Where the surface below is further away than depths tell, it is about as far as when the layer was made.
     if (std::abs(static_cast<int>(sample)) >= kDeepestSample)
-      depth = std::copysign(std::max(kLimit, std::abs(layer.base[i])), depth);
+      depth = std::copysign(std::max(ClayLayerChange::kKnownDepth, std::abs(layer.base[i])), depth);
     before[i] = depth;
     own[i] = layer.base[i] + layer.change[i];
     depths[i] = depth + part * layer.change[i];

@@ -112,12 +112,14 @@ const DocumentTab* RunningAttempt::workOn(const DocumentTab& from) const {
 // tries is another one than the exercise; a teacher who has changed the exercise begins anew. file: of the exercise.
 RunningAttempt::Work* RunningAttempt::begunFrom(const std::shared_ptr<const ExerciseSnapshot>& exercise,
                                                 const DocumentFile& file, const AssignedExercise& assigned) {
-  const auto isMeant = [&](const Work& each) {
-    if (each.origin == exercise) return true;
+  const auto isOfThis = [&](const Work& each) { return each.origin == exercise; };
+  const auto isAlike = [&](const Work& each) {
     const AssignedExercise& work = each.tab->document.file().assigned;
     return !exercise->work && isSameExercise(work, assigned) && isBegunFrom(work, file);
   };
-  const auto found = std::find_if(m_works.rbegin(), m_works.rend(), isMeant);
+  // Exercises that were never saved have no id to tell their works apart.
+  auto found = std::find_if(m_works.rbegin(), m_works.rend(), isOfThis);
+  if (found == m_works.rend()) found = std::find_if(m_works.rbegin(), m_works.rend(), isAlike);
   return found == m_works.rend() ? nullptr : &*found;
 }
 

@@ -45,7 +45,7 @@ class TargetSizes {
   explicit TargetSizes(const TurningTask& task) : m_task(task), m_target(*task.target) {}
 
   std::vector<MarkingCriterion> find() {
-    const std::vector<ProfileFeature> features = withCurves(featuresOf(m_target, kFeature));
+    const std::vector<ProfileFeature> features = featuresOf(m_target, kFeature);
     for (const ProfileFeature& feature : features) {
       if (feature.kind == ProfileFeature::Kind::FlatFace && isTop(feature)) m_top = feature;
     }

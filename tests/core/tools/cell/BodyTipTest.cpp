@@ -39,13 +39,11 @@ class BodyTipTest : public QObject {
     QVERIFY(isTipAt(box, {0.0, -35.0 * half, 65.0 * half}));
   }
 
-  // A point, and nothing at all.
+  // A point.
   void ofAMesh() {
     TriangleSoup pyramid{{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {3, 4, 25}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-    Body body{.name = "tool", .geometry = std::make_shared<const MeshGeometry>(std::move(pyramid))};
+    const Body body{.name = "tool", .geometry = std::make_shared<const MeshGeometry>(std::move(pyramid))};
     QVERIFY(isTipAt(body, {3.0, 4.0, 25.0}));
-    body.geometry = std::make_shared<const MeshGeometry>(TriangleSoup());
-    QVERIFY(!tipOf(body));
   }
 };
 

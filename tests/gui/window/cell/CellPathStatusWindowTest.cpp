@@ -255,7 +255,9 @@ class CellPathStatusWindowTest : public QObject {
     driver.click("messageAction");
     QTest::qWait(50);  // what takes the focus does so later
     auto* editor = driver.tree()->findChild<QLineEdit*>();
-    QVERIFY(editor && editor->isVisible() && editor->hasFocus());
+    QVERIFY(editor && editor->isVisible());
+    // Without a window manager no window is active, but it knows what would get the keys.
+    QCOMPARE(editor->window()->focusWidget(), static_cast<QWidget*>(editor));
     editor->selectAll();
     QTest::keyClicks(editor, "approach");
     QTest::keyClick(editor, Qt::Key_Return);

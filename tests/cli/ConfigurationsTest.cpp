@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "PlannedCell.h"
+#include "TestClass.h"
+
+#include <QTest>
+#include <array>
+#include <cmath>
+#include <set>
+
+using namespace handwheel;
+
+// What a cell keeps for planning, changed on the command line: configurations, their numbers, pairs that may touch.
+class ConfigurationsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // A link and a body that may touch, and no longer.
+  void pairsAreAllowed() {
+    const PlannedCell cell;
+    cell.put("straight.json", R"({"waypoints": [[1.2, 0.5, 0, 0, 0, 0], [-1.2, 0.5, 0, 0, 0, 0]]})");
+    const auto met = [&] {
+      std::set<std::string> links;
+      const Ran ran = cell.run({"verify", "cell.handwheel", "straight.json", "--json"});
+      const nlohmann::json report = jsonOf(ran.out);
+      for (const nlohmann::json& each : report["collisions"]) links.insert(each["link"].get<std::string>());
+      return links;
+    };
+    const std::set<std::string> before = met();
+    QVERIFY(!before.empty());
+    const auto change = [&](const char* option, const QString& pair) {
+      return cell.run({"configuration", "cell.handwheel", option, pair, "-o", "cell.handwheel"}).code;
+    };
+    for (const std::string& link : before) {
+      QCOMPARE(change("--allow", QString::fromStdString(link) + ",box"), 0);
+      QVERIFY(!met().contains(link));
+    }
+    QCOMPARE(cell.run({"verify", "cell.handwheel", "straight.json"}).code, 0);
+    QCOMPARE(change("--forbid", "box," + QString::fromStdString(*before.begin())), 0);
+    QVERIFY((met() == std::set<std::string>{*before.begin()}));
+    QVERIFY(change("--allow", "box") != 0 && change("--allow", "box,nothing") != 0);
+  }
+
+  // Numbers are given to the ways that can be chosen, in their order; no other number can be.
+  void numbersOfSolutions() {
+    const PlannedCell cell;
+    const auto at = [&](const QStringList& words) {
+      return cell.run(QStringList{"configuration", "cell.handwheel", "--at", "350,200,500", "--turn", "0,90,0"} +
+                      words);
+    };
+    const nlohmann::json listed = jsonOf(at({"--solutions", "--json"}).out)["solutions"];
+    const QList<QByteArray> lines = at({"--solutions"}).out.split('\n');
+    int numbers = 0, beyond = 0;
+    for (const nlohmann::json& way : listed) {
+      const QByteArray head = lines[2 * (numbers + beyond)];
+      const bool isWithin = way["within_limits"].get<bool>();
+      isWithin ? ++numbers : ++beyond;
+      QCOMPARE(way["number"].is_null(), !isWithin);
+      QVERIFY(head.startsWith(isWithin ? QByteArray::number(numbers) + ": " : QByteArray("-: ")));
+      if (!isWithin) continue;
+      QCOMPARE(way["number"].get<int>(), numbers);
+      const Ran chosen = at({"--solution", QString::number(numbers), "--add", "way", "-o", "chosen.handwheel"});
+      QVERIFY2(chosen.code == 0, chosen.err);
+    }
+    QVERIFY(numbers > 1 && beyond > 0);  // else it tells nothing
+    QVERIFY(at({"--solution", QString::number(numbers + 1), "--add", "way", "-o", "chosen.handwheel"}).code != 0);
+    const Ran far = cell.run({"configuration", "cell.handwheel", "--at", "5000,0,0", "--solution", "1", "--add", "way",
+                              "-o", "chosen.handwheel"});
+    QVERIFY(far.code != 0 && far.err.contains("bring its tool"));
+  }
+
+  void configurations() {
+    const PlannedCell cell;
+    QCOMPARE(cell.run({"configuration", "cell.handwheel", "--remove", "up", "-o", "cell.handwheel"}).code, 0);
+    const Ran gone = cell.run({"configuration", "cell.handwheel", "--go", "up", "-o", "cell.handwheel"});
+    QCOMPARE(gone.code, 1);
+    QVERIFY(gone.err.contains("'up'"));
+    const Ran moved = cell.run({"configuration", "cell.handwheel", "--go", "left", "-o", "cell.handwheel", "--json"});
+    QCOMPARE(jsonOf(moved.out)["configurations"].size(), std::size_t{2});
+    const nlohmann::json now = jsonOf(cell.run({"inspect", "cell.handwheel", "--json"}).out);
+    QVERIFY(std::abs(now["document"]["joints"][0]["value"].get<double>() - 1.2) < 1e-12);
+    const Ran beyond =
+        cell.run({"configuration", "cell.handwheel", "--add", "x", "--joints", "joint_1=9", "-o", "cell.handwheel"});
+    QCOMPARE(beyond.code, 1);
+    QVERIFY(beyond.err.contains("oint_1"));
+    // The pairs and states of a semantic description.
+    cell.put("r.srdf",
+             "<robot name='r'><group_state name='folded' group='arm'><joint name='joint_2' value='-1'/></group_state>"
+             "<disable_collisions link1='link_1' link2='link_4' reason='Never'/></robot>");
+    const Ran read = cell.run({"configuration", "cell.handwheel", "--srdf", "r.srdf", "-o", "cell.handwheel"});
+    QVERIFY2(read.code == 0, read.err);
+    QVERIFY(read.out.contains("configuration folded"));
+  }
+
+  // All ways in which the arm reaches a pose, one of them taken, and a target that a path goes to.
+  void waysAndTargets() {
+    const PlannedCell cell;
+    const QStringList pose{"--at", "-250,200,500", "--turn", "160,20,0"};
+    const Ran listed = cell.run(QStringList{"configuration", "cell.handwheel", "--solutions", "--json"} + pose);
+    QVERIFY2(listed.code == 0, listed.err);
+    const nlohmann::json ways = jsonOf(listed.out)["solutions"];
+    QVERIFY(ways.size() >= 2 && ways[1]["within_limits"].get<bool>());
+    const Ran moved = cell.run(QStringList{"configuration", "cell.handwheel", "--add", "second", "--solution", "2",
+                                           "-o", "moved.handwheel", "--json"} +
+                               pose);
+    QVERIFY2(moved.code == 0, moved.err);
+    const nlohmann::json stored = jsonOf(moved.out)["configurations"].back();
+    QCOMPARE(stored["name"].get<std::string>(), std::string("second"));
+    for (const auto& [joint, value] : ways[1]["joints"].items())
+      QVERIFY(std::abs(stored["joints"][joint].get<double>() - value.get<double>()) < 1e-9);
+    const Ran target =
+        cell.run(QStringList{"configuration", "cell.handwheel", "--add-target", "drop", "-o", "cell.handwheel"} + pose);
+    QVERIFY2(target.code == 0 && target.out.contains("target drop"), target.out + target.err);
+    const Ran planned = cell.run({"plan", "cell.handwheel", "--from", "left", "--to", "drop", "--json"});
+    QVERIFY2(planned.code == 0, planned.err);
+    QVERIFY(jsonOf(planned.out)["certified"].get<bool>());
+    const Ran far = cell.run({"configuration", "cell.handwheel", "--solutions", "--at", "5000,0,0"});
+    QCOMPARE(far.code, 2);
+    QVERIFY(far.out.contains("cannot"));
+    const Ran set = cell.run({"set", "cell.handwheel", "tool.x=5000", "-o", "far.handwheel"});
+    QVERIFY2(set.code != 0 && set.err.contains("5000"), set.err);
+  }
+};
+
+HANDWHEEL_TEST(ConfigurationsTest)
+#include "ConfigurationsTest.moc"
