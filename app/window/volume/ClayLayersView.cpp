@@ -100,9 +100,10 @@ void ClayLayersView::makeDock() {
   buttons->addStretch();
   auto* const column = new QVBoxLayout(content);
   column->setContentsMargins(8, 4, 8, 8);
-  column->addWidget(m_list, 1);
-  column->addLayout(strength);
+  // The hint below the list has one line or three: what is clicked stays where it is.
   column->addLayout(buttons);
+  column->addLayout(strength);
+  column->addWidget(m_list, 1);
   column->addWidget(m_hint);
   m_dock->setWidget(new ScrolledPanel(content, ScrolledPanel::Ways::Both, m_dock));
   window->addDockWidget(Qt::RightDockWidgetArea, m_dock);
