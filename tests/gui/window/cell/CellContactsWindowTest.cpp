@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "CellWindow.h"
+#include "PixelsLike.h"
 #include "viewport/camera/CameraNavigation.h"
 #include "viewport/path/ContactLayer.h"
 
@@ -15,20 +16,7 @@ namespace {
 class ContactsWindow : public CellWindow {
  public:
   // Pixels in the colour of contacts.
-  int marked() {
-    const QImage image = view()->grabImage();
-    const QColor mark = contactColour();
-    int count = 0;
-    for (int y = 0; y < image.height(); ++y) {
-      for (int x = 0; x < image.width(); ++x) {
-        const QColor pixel = image.pixelColor(x, y);
-        const int off = std::abs(pixel.red() - mark.red()) + std::abs(pixel.green() - mark.green()) +
-                        std::abs(pixel.blue() - mark.blue());
-        count += off < 30 ? 1 : 0;
-      }
-    }
-    return count;
-  }
+  int marked() { return pixelsLike(view()->grabImage(), contactColour()); }
   QString number(const char* property) { return field(property).split(' ').front(); }
   // A box about the tool, and so in the last link.
   void addBoxInTheTool() {
@@ -89,3 +77,4 @@ class CellContactsWindowTest : public QObject {
 
 HANDWHEEL_WINDOW_TEST(CellContactsWindowTest)
 #include "CellContactsWindowTest.moc"
+#include "PixelsLike.h"

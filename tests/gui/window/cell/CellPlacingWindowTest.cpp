@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "CellWindow.h"
+#include "PixelsLike.h"
 #include "viewport/camera/CameraNavigation.h"
 #include "viewport/path/PathLayer.h"
 
@@ -28,17 +29,7 @@ class PlacingWindow : public CellWindow {
 
 // Pixels of the colour in which outlines are drawn.
 int outlined(const QImage& image) {
-  const QColor line = pathColour(PathLine::Look::Feed, sceneColours(false));
-  int count = 0;
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
-      const QColor pixel = image.pixelColor(x, y);
-      const int off = std::abs(pixel.red() - line.red()) + std::abs(pixel.green() - line.green()) +
-                      std::abs(pixel.blue() - line.blue());
-      count += off < 30 ? 1 : 0;
-    }
-  }
-  return count;
+  return pixelsLike(image, pathColour(PathLine::Look::Feed, sceneColours(false)));
 }
 
 }  // namespace
@@ -145,3 +136,4 @@ class CellPlacingWindowTest : public QObject {
 
 HANDWHEEL_WINDOW_TEST(CellPlacingWindowTest)
 #include "CellPlacingWindowTest.moc"
+#include "PixelsLike.h"

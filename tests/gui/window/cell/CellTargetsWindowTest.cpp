@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "CellWindow.h"
+#include "PixelsLike.h"
 #include "viewport/path/PathLayer.h"
 
 #include <QListWidget>
@@ -25,21 +26,6 @@ class TargetsWindow : public CellWindow {
     edit("joint.joint_5", "40");
   }
 };
-
-// Pixels of about this colour.
-int painted(const QImage& image, PathLine::Look look) {
-  const QColor line = pathColour(look, sceneColours(false));
-  int count = 0;
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
-      const QColor pixel = image.pixelColor(x, y);
-      const int off = std::abs(pixel.red() - line.red()) + std::abs(pixel.green() - line.green()) +
-                      std::abs(pixel.blue() - line.blue());
-      count += off < 30 ? 1 : 0;
-    }
-  }
-  return count;
-}
 
 }  // namespace
 
@@ -98,7 +84,9 @@ class CellTargetsWindowTest : public QObject {
     driver.bend();
     driver.showAll();
     QVERIFY(driver.settle());
-    const auto greens = [&] { return painted(driver.view()->grabImage(), PathLine::Look::AxisY); };
+    const auto greens = [&] {
+      return pixelsLike(driver.view()->grabImage(), pathColour(PathLine::Look::AxisY, sceneColours(false)));
+    };
     const int before = greens();
     driver.choose("storeFrame");
     QVERIFY(driver.settle());
@@ -165,3 +153,4 @@ class CellTargetsWindowTest : public QObject {
 
 HANDWHEEL_WINDOW_TEST(CellTargetsWindowTest)
 #include "CellTargetsWindowTest.moc"
+#include "PixelsLike.h"
