@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/drilling/DrillCut.h"
 
+#include "volume/drilling/DrillHead.h"
 #include "volume/repair/DepthWindow.h"
 
 #include <tbb/parallel_for.h>
@@ -12,16 +13,19 @@
 namespace handwheel {
 namespace {
 
-constexpr double kNear = 6.1;            // voxels, from the middle of a block to its farthest samples
-constexpr double kMostRadius = 500.0;    // voxels
-constexpr std::size_t kFewBlocks = 200;  // to wake other threads for would take longer
-constexpr double kWideHead = 256.0;      // voxels, of a head that is looked for where there is material alone
-constexpr double kTwistStep = 0.25;      // voxels, between the places of a head that is not swept exactly
+constexpr double kNear = 6.1;               // voxels, from the middle of a block to its farthest samples
+constexpr double kMostRadius = 500.0;       // voxels
+constexpr std::size_t kFewBlocks = 200;     // to wake other threads for would take longer
+constexpr double kWideHead = 256.0;         // voxels, of a head that is looked for where there is material alone
+constexpr double kTwistStep = 0.25;         // voxels, between the places of a head that is not swept exactly
+constexpr double kSampleRounding = 0.4999;  // a lower sample is further away than what is rounded to this one
 
 // The share of a voxel that is below the surface.
 double share(std::int16_t depth) {
   return std::clamp(0.5 + depth / VolumeBlock::kUnit, 0.0, 1.0);
 }
+
+using Row = Eigen::Array<double, VolumeBlock::kSize, 1>;
 
 // What a block becomes and what that takes of it.
 struct BlockCut {
@@ -31,6 +35,14 @@ struct BlockCut {
   Vec3 push = Vec3::Zero();  // sum over them of directions from the centre
 };
 
+// Lengths of a tool in voxels.
+DrillTool inVoxels(DrillTool tool, double voxel) {
+  tool.diameter /= voxel;
+  tool.length /= voxel;
+  tool.width /= voxel;
+  return tool;
+}
+
 // A move in voxels.
 class HeadSweep {
  public:
@@ -38,18 +50,16 @@ class HeadSweep {
       : m_from((move.from - volume.origin()) / volume.voxel()),
         m_to((move.to - volume.origin()) / volume.voxel()),
         m_axis(move.axis),
-        m_head(tool),
-        m_isBall(tool.shape == DrillShape::Ball || tool.shape == DrillShape::Burr) {
-    m_head.diameter /= volume.voxel();
-    m_head.length /= volume.voxel();
-    m_head.width /= volume.voxel();
-    m_erosion = move.erosion * (m_to - m_from).norm();
-    m_places = m_isBall ? 1 : 1 + static_cast<int>((m_to - m_from).norm() / kTwistStep);
-  }
+        m_tool(inVoxels(tool, volume.voxel())),
+        m_head(m_tool),
+        m_along(std::abs((m_to - m_from).dot(m_axis))),
+        m_across((m_to - m_from - (m_to - m_from).dot(m_axis) * m_axis).norm()),
+        m_erosion(move.erosion * (m_to - m_from).norm()),
+        m_places(m_head.isBall() ? 1 : 1 + static_cast<int>((m_to - m_from).norm() / kTwistStep)) {}
 
   const Vec3& centre() const { return m_to; }
   double inside(const Vec3& p) const {
-    if (m_isBall) {
+    if (m_head.isBall()) {
       const Vec3 way = m_to - m_from;
       const double length = way.squaredNorm(), at = length > 0.0 ? (p - m_from).dot(way) / length : 1.0;
       return m_head.inside(p - m_from - std::clamp(at, 0.0, 1.0) * way, m_axis);
@@ -59,24 +69,28 @@ class HeadSweep {
       most = std::max(most, m_head.inside(p - m_from - static_cast<double>(i) / m_places * (m_to - m_from), m_axis));
     return most;
   }
+  // The most that inside() can be for a row of a block, from this place along x.
+  Row boundOfRow(const Vec3& first) const {
+    return m_head.row<VolumeBlock::kSize>(first - m_from, m_axis, m_across, m_along);
+  }
   // Of a box around all of it.
   Box box() const {
     Box box(m_from.cwiseMin(m_to), m_from.cwiseMax(m_to));
-    const double out = std::max(m_head.radius(), m_head.reach()) + DepthWindow::kMargin;
-    const Vec3 shank = m_head.shape == DrillShape::Twist ? Vec3(m_head.length * m_axis) : Vec3(Vec3::Zero());
+    const double out = std::max(m_tool.radius(), m_tool.reach()) + DepthWindow::kMargin;
+    const Vec3 shank = m_tool.shape == DrillShape::Twist ? Vec3(m_tool.length * m_axis) : Vec3(Vec3::Zero());
     Box all(box.min() - Vec3::Constant(out), box.max() + Vec3::Constant(out));
     all.extend(all.min() + shank.cwiseMin(0.0));
     all.extend(all.max() + shank.cwiseMax(0.0));
     return all;
   }
-  double radius() const { return m_head.radius(); }
   double erosion() const { return m_erosion; }
 
  private:
   Vec3 m_from, m_to, m_axis;
-  DrillTool m_head;
-  bool m_isBall;
-  double m_erosion;  // voxels
+  DrillTool m_tool;
+  DrillHead m_head;
+  double m_along, m_across;  // of the move, voxels
+  double m_erosion;          // voxels
   int m_places;
 };
 
@@ -99,13 +113,17 @@ std::vector<VoxelIndex> cubesNear(const HeadSweep& head, const Box& box, int edg
   return cubes;
 }
 
+// In a cycle of a simulation few of its samples change: a bound for each row leaves out the others.
 BlockCut cutBlock(const SparseVolume& volume, const VoxelIndex& block, const HeadSweep& head) {
   BlockCut cut;
   const SparseVolume::Content old = volume.content(block);
   std::shared_ptr<VolumeBlock> samples;
+  Row bound;
   for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
     const Vec3 p = (VolumeBlock::kSize * block + VoxelIndex(i & 7, i >> 3 & 7, i >> 6)).cast<double>();
+    if ((i & 7) == 0) bound = -VolumeBlock::kUnit * head.boundOfRow(p);
     const std::int16_t before = old.block ? old.block->depths[static_cast<std::size_t>(i)] : VolumeBlock::kFull;
+    if (bound[i & 7] > before - kSampleRounding) continue;
     const double inside = head.inside(p);
     if (!(-inside * VolumeBlock::kUnit < before)) continue;
     const std::int16_t after = depthSample(std::max(-inside, before / VolumeBlock::kUnit - head.erosion()));

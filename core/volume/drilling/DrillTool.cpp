@@ -2,36 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/drilling/DrillTool.h"
 
+#include "volume/drilling/DrillHead.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 namespace handwheel {
-namespace {
-
-bool isBall(DrillShape shape) {
-  return shape == DrillShape::Ball || shape == DrillShape::Burr;
-}
-
-}  // namespace
-
 double DrillTool::reach() const {
   if (shape == DrillShape::Saw) return 0.5 * width;
   return shape == DrillShape::Twist ? radius() / std::tan(0.5 * pointAngle) : radius();
 }
 
-double DrillTool::inside(const Vec3& from, const Vec3& axis) const {
-  if (isBall(shape)) return radius() - from.norm();
-  const double up = from.dot(axis), across = (from - up * axis).norm(), half = 0.5 * pointAngle;
-  if (shape == DrillShape::Saw) return std::min(radius() - across, 0.5 * width - std::abs(up));
-  const double cone = (up + reach()) * std::sin(half) - across * std::cos(half);
-  return std::min({radius() - across, cone, length - up});
-}
-
 double DrillTool::signedDepth(const Vec3& from, const Vec3& axis) const {
-  const double bound = inside(from, axis);
-  if (isBall(shape) || bound >= 0.0) return bound;
+  const DrillHead head(*this);
+  const double bound = head.inside(from, axis);
+  if (head.isBall() || bound >= 0.0) return bound;
   // In the half plane through the axis: from the front to the rim, the back and the axis again.
   using Point = Eigen::Vector2d;
   const double up = from.dot(axis);

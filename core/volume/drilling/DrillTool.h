@@ -29,10 +29,8 @@ struct DrillTool {
   double reach() const;
   // From the centre to where it meets material: the same, but of a saw its radius, across the axis.
   double edge() const { return shape == DrillShape::Saw ? radius() : reach(); }
-  // How deep a place is inside the head, mm; below 0 outside, where it is less than the distance at most. from: from
-  // the centre; axis: to the shank, of length 1.
-  double inside(const Vec3& from, const Vec3& axis) const;
-  // The same, but outside exactly the negative distance.
+  // How deep a place is inside the head, mm; outside, the negative distance. from: from the centre; axis: to the shank,
+  // of length 1.
   double signedDepth(const Vec3& from, const Vec3& axis) const;
 };
 

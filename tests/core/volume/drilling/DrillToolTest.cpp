@@ -3,6 +3,7 @@
 #include "volume/drilling/DrillTool.h"
 
 #include "TestClass.h"
+#include "volume/drilling/DrillHead.h"
 #include "volume/drilling/DrillTools.h"
 
 #include <rapidcheck.h>
@@ -43,6 +44,25 @@ class DrillToolTest : public QObject {
       }
       const bool isInside = across < tool.radius() && up < tool.length && across < (up + reach) / reach * tool.radius();
       RC_ASSERT(std::abs(tool.signedDepth(from, axis) - (isInside ? nearest : -nearest)) < 1e-2);
+    }));
+  }
+
+  // A head that has moved is nowhere deeper around a place than the bound for its way, and without a way as deep.
+  void boundOfMovedHeads() {
+    QVERIFY(rc::check([] {
+      const DrillHead head(*drillToolOf(*rc::gen::element<std::string>("ball:6", "twist:6", "saw:20:2")));
+      const auto drawnVector = [](double most) {
+        return Vec3(drawnBetween(-most, most), drawnBetween(-most, most), drawnBetween(-most, most));
+      };
+      const Vec3 from = drawnVector(15.0), way = drawnVector(2.0),
+                 axis = (drawnVector(1.0) + Vec3(0, 0, 3)).normalized();
+      const double along = std::abs(way.dot(axis)), across = (way - way.dot(axis) * axis).norm();
+      const auto bound = head.row<8>(from, axis, across, along), still = head.row<8>(from, axis, 0.0, 0.0);
+      for (int i = 0; i < 8; ++i) {
+        const Vec3 place = from + i * Vec3::UnitX();
+        RC_ASSERT(head.inside(place - way, axis) <= bound[i] + 1e-12);
+        RC_ASSERT(std::abs(head.inside(place, axis) - still[i]) < 1e-12);
+      }
     }));
   }
 

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/drilling/DrillTool.h"
+
+#include <cmath>
+
+namespace handwheel {
+
+// The shape of a drill, for many places: sines and radii are computed once.
+class DrillHead {
+ public:
+  explicit DrillHead(const DrillTool& tool)
+      : m_shape(tool.shape),
+        m_isBall(tool.shape == DrillShape::Ball || tool.shape == DrillShape::Burr),
+        m_radius(tool.radius()),
+        m_reach(tool.reach()),
+        m_length(tool.length),
+        m_halfWidth(0.5 * tool.width),
+        m_sine(std::sin(0.5 * tool.pointAngle)),
+        m_cosine(std::cos(0.5 * tool.pointAngle)) {}
+
+  bool isBall() const { return m_isBall; }
+
+  // How deep a place is inside the head, in the tool's unit; below 0 outside, where it is less than the distance at
+  // most. from: from the centre; axis: to the shank, of length 1.
+  double inside(const Vec3& from, const Vec3& axis) const { return row<1>(from, axis, 0.0, 0.0)[0]; }
+
+  // The most that this can be for a head that is moved, by so much across and along its axis at most, for so many
+  // places: each is a unit further along x.
+  template <int Count>
+  Eigen::Array<double, Count, 1> row(const Vec3& from, const Vec3& axis, double across, double along) const {
+    using Row = Eigen::Array<double, Count, 1>;
+    const double y = from.y(), z = from.z();
+    Row x;
+    for (int i = 0; i < Count; ++i) x[i] = from.x() + i;
+    if (m_isBall) return m_radius + (across + along) - (x * x + (y * y + z * z)).sqrt();
+    const Row up = x * axis.x() + (y * axis.y() + z * axis.z());
+    const Row offX = x - up * axis.x(), offY = y - up * axis.y(), offZ = z - up * axis.z();
+    const Row off = (offX * offX + (offY * offY + offZ * offZ)).sqrt() - across;
+    if (m_shape == DrillShape::Saw) return (m_radius - off).min(m_halfWidth - up.abs() + along);
+    const Row cone = (up + (m_reach + along)) * m_sine - off * m_cosine;
+    return (m_radius - off).min(cone).min(m_length - up + along);
+  }
+
+ private:
+  DrillShape m_shape;
+  bool m_isBall;
+  double m_radius, m_reach, m_length, m_halfWidth;
+  double m_sine, m_cosine;  // of half the point angle
+};
+
+}  // namespace handwheel
