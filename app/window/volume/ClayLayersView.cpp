@@ -31,6 +31,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kSliderSteps = 100;  // of a strength of 1
+constexpr int kAgainMs = 50;       // while a stroke is waited for
 
 QPushButton* layerButton(const QString& text, const char* name, const QString& tip) {
   auto* const made = new QPushButton(text);
@@ -118,15 +119,8 @@ void ClayLayersView::makeDock() {
           [this] { setStrength(m_strength->isSliderDown() ? DragPhase::Continues : DragPhase::Ends); });
   connect(m_strength, &QSlider::sliderReleased, this, [this] { setStrength(DragPhase::Ends); });
   connect(m_add, &QPushButton::clicked, this, &ClayLayersView::add);
-  connect(m_remove, &QPushButton::clicked, this, [this] {
-    volume().settle();
-    if (chosen() >= 0) commit(tr("Remove layer"), withoutLayer(*volume().volume(), static_cast<std::size_t>(chosen())));
-  });
-  connect(m_merge, &QPushButton::clicked, this, [this] {
-    volume().settle();
-    if (chosen() >= 0)
-      commit(tr("Merge layer"), withLayerMerged(*volume().volume(), static_cast<std::size_t>(chosen())));
-  });
+  connect(m_remove, &QPushButton::clicked, this, [this] { start(tr("Remove layer"), withoutLayer); });
+  connect(m_merge, &QPushButton::clicked, this, [this] { start(tr("Merge layer"), withLayerMerged); });
 }
 
 void ClayLayersView::setDocument(DocumentTab* document) {
@@ -179,8 +173,9 @@ void ClayLayersView::refresh() {
 void ClayLayersView::refreshChosen() {
   const int layer = chosen();
   const bool isThere = layer >= 0 && layer < static_cast<int>(layers().size());
-  for (QWidget* each : std::initializer_list<QWidget*>{m_strength, m_remove, m_merge}) each->setEnabled(isThere);
-  m_add->setEnabled(layers().size() < ClayLayers::kMostLayers);
+  for (QWidget* each : std::initializer_list<QWidget*>{m_strength, m_remove, m_merge})
+    each->setEnabled(isThere && !m_step);
+  m_add->setEnabled(!m_step && layers().size() < ClayLayers::kMostLayers);
   const double strength = isThere ? strengthOf(layer) : 1.0;
   m_strengthText->setText(tr("%1 %").arg(QLocale().toString(std::round(100.0 * strength), 'f', 0)));
   if (!m_strength->isSliderDown()) {
@@ -204,6 +199,46 @@ void ClayLayersView::add() {
 
 void ClayLayersView::commit(const QString& text, const LayerStep& step) {
   volume().commit(text, step.edit());
+}
+
+void ClayLayersView::start(const QString& text, StepOf of) {
+  volume().settle();
+  if (m_step || chosen() < 0) return;
+  m_step = Step{text, of, static_cast<std::size_t>(chosen())};
+  computeStep();
+  refresh();
+}
+
+void ClayLayersView::computeStep() {
+  if (!m_step->isPossible(*volume().volume())) return m_step.reset();
+  Job job;
+  job.name = m_step->text;
+  job.work = [this, before = volume().volume(), step = *m_step](Progress) -> Job::Finish {
+    const auto made = std::make_shared<const LayerStep>(step.of(*before, step.layer));
+    return [this, before, made] { finish(before, made); };
+  };
+  job.failed = [this](const Error& error) {
+    m_step.reset();
+    if (m_document) warn(error);
+    refresh();
+  };
+  m_computing.start(std::move(job));
+}
+
+// Computed anew after what was done meanwhile. What settled the document has done the step already.
+void ClayLayersView::finish(const std::shared_ptr<const VolumeSnapshot>& before,
+                            const std::shared_ptr<const LayerStep>& made) {
+  if (!m_step || !m_document) return;
+  if (isStrokeLive()) {
+    QTimer::singleShot(kAgainMs, this, [this, before, made] { finish(before, made); });
+    return;
+  }
+  if (volume().volume() != before) {
+    computeStep();
+  } else {
+    commit(std::exchange(m_step, std::nullopt)->text, *made);
+  }
+  refresh();
 }
 
 double ClayLayersView::strengthOf(int layer) const {
@@ -280,7 +315,6 @@ bool ClayLayersView::isStrokeLive() const {
 // A stroke that began meanwhile is not taken away: it comes first, and the share is computed anew. Where the volume is
 // another one by an undo or what else was done, the share that was chosen before is dropped.
 void ClayLayersView::take(const std::shared_ptr<const PreparedShare>& share, const Wanted& wanted, bool isLate) {
-  constexpr int kAgainMs = 50;
   const bool isMeant = m_document && m_wanted && wanted.number <= m_wanted->number;
   if (isMeant && isStrokeLive()) {
     QTimer::singleShot(kAgainMs, this, [this, share, wanted] { take(share, wanted, true); });
@@ -302,6 +336,11 @@ void ClayLayersView::take(const std::shared_ptr<const PreparedShare>& share, con
 }
 
 void ClayLayersView::applyWanted() {
+  if (m_step) {
+    const Step step = *std::exchange(m_step, std::nullopt);
+    volume().settle();
+    if (step.isPossible(*volume().volume())) commit(step.text, step.of(*volume().volume(), step.layer));
+  }
   if (!m_wanted) return;
   const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
   volume().settle();  // a stroke that is ending comes first, also where this is told of the same

@@ -23,8 +23,8 @@ namespace handwheel {
 class VolumeDocument;
 
 // The panel of the layers of clay. The topmost layer is first: it is renamed, turned off and on in the list, the slider
-// is its strength. What becomes of the volume then is computed on another thread; of what comes in meanwhile the last
-// counts. Window thread.
+// is its strength. What becomes of the volume then, or without a layer, is computed on another thread; of what comes in
+// meanwhile the last counts. Window thread.
 class ClayLayersView : public QObject {
   Q_OBJECT
 
@@ -51,6 +51,16 @@ class ClayLayersView : public QObject {
     quint64 number;  // of all that were wanted
   };
 
+  using StepOf = LayerStep (*)(const VolumeSnapshot&, std::size_t layer);
+  // A layer that is being taken away or merged.
+  struct Step {
+    QString text;  // of the undo step
+    StepOf of;
+    std::size_t layer;
+
+    bool isPossible(const VolumeSnapshot& volume) const { return volume.layers && layer < volume.layers->all().size(); }
+  };
+
   VolumeDocument& volume() const;
   const std::vector<ClayLayer>& layers() const;
   int chosen() const;  // number of a layer, the lowest being 0; -1: none
@@ -60,6 +70,9 @@ class ClayLayersView : public QObject {
   void refreshChosen();
   void add();
   void commit(const QString& text, const LayerStep& step);
+  void start(const QString& text, StepOf of);
+  void computeStep();
+  void finish(const std::shared_ptr<const VolumeSnapshot>& before, const std::shared_ptr<const LayerStep>& made);
   void take(const QListWidgetItem& item);
   void setStrength(DragPhase phase);
   void want(Wanted wanted);
@@ -67,7 +80,7 @@ class ClayLayersView : public QObject {
   bool isStrokeLive() const;
   // isLate: a stroke was waited for.
   void take(const std::shared_ptr<const PreparedShare>& share, const Wanted& wanted, bool isLate = false);
-  void applyWanted();  // at once, on this thread
+  void applyWanted();  // and a step, at once, on this thread
   void apply(const Wanted& wanted);
   void set(int layer, const char* what, const PropertyValue& value, DragPhase phase);
   void warn(const Error& error);
@@ -81,6 +94,7 @@ class ClayLayersView : public QObject {
   std::optional<Wanted> m_wanted;
   quint64 m_wantedCount = 0;
   bool m_isComputing = false;
+  std::optional<Step> m_step;
   QPointer<QDockWidget> m_dock;
   QListWidget* m_list = nullptr;
   QSlider* m_strength = nullptr;

@@ -268,9 +268,20 @@ class ClayWindowTest : public QObject {
     QCOMPARE(strength->value(), 100);
     QCOMPARE(list->item(0)->checkState(), Qt::Checked);
     clay.driver.click("clayLayerMerge");
-    QCOMPARE(list->count(), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(list->count(), 0, kPatienceMs);
     QVERIFY(!clay.document().volume()->layers);
     QCOMPARE(material(), carved);
+    clay.document().history()->undo();
+    QCOMPARE(list->count(), 1);
+    clay.driver.click("clayLayerRemove");
+    clay.document().settle();  // as saving does, while the volume without the layer is being computed
+    QCOMPARE(list->count(), 0);
+    QCOMPARE(material(), ball);
+    clay.document().history()->undo();
+    QCOMPARE(material(), carved);
+    clay.driver.click("clayLayerRemove");
+    QTRY_COMPARE_WITH_TIMEOUT(list->count(), 0, kPatienceMs);
+    QCOMPARE(material(), ball);
   }
 
   // A layer is made, sculpted by the mouse, weakened by a drag of the slider and turned off; all is undone and done
