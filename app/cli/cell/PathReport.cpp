@@ -62,6 +62,8 @@ std::vector<std::string> reasonsOf(const Outdating& outdating) {
   std::vector<std::string> reasons;
   if (!outdating.part.empty())
     reasons.push_back("the part " + outdating.part + " has moved since the path was planned along it");
+  if (outdating.isBaseOther)
+    reasons.emplace_back("the base of its robot has moved since the path was planned along its curve");
   if (outdating.isToolOther)
     reasons.emplace_back("the tool centre point was changed since the path was planned along its curve");
   for (const std::string& target : outdating.targets)
@@ -82,6 +84,7 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
   const Outdating& outdating = checked.outdating;
   json["outdated"] = outdating.isAny();
   if (!outdating.part.empty()) json["part_moved"] = outdating.part;
+  if (outdating.isBaseOther) json["base_moved"] = true;
   if (outdating.isToolOther) json["tool_changed"] = true;
   if (!outdating.targets.empty()) json["targets_moved"] = outdating.targets;
   if (checked.way.stopsAt) json["stops_at"] = {{"place", *checked.way.stopsAt}, {"share", checked.way.reached}};

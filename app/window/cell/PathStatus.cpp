@@ -104,10 +104,10 @@ class Words {
     return tooNear > 0 ? tr("%1, %2").arg(met, nearly) : met;
   }
   static QString planAgain(const Outdating& outdating) {
-    if (outdating.part.empty() && outdating.isToolOther) return tr("plan again: the tool centre point was changed");
-    if (outdating.part.empty())
-      return tr("plan again: it misses %1").arg(QString::fromStdString(*outdating.targets.begin()));
-    return tr("plan again: %1 has moved").arg(QString::fromStdString(outdating.part));
+    if (!outdating.part.empty()) return tr("plan again: %1 has moved").arg(QString::fromStdString(outdating.part));
+    if (outdating.isBaseOther) return tr("plan again: its robot has moved");
+    if (outdating.isToolOther) return tr("plan again: the tool centre point was changed");
+    return tr("plan again: it misses %1").arg(QString::fromStdString(*outdating.targets.begin()));
   }
   static QString moved(const PathFindings& found, const QString& text) {
     if (found.robotsMoved.empty()) return text;
@@ -141,6 +141,8 @@ QStringList outdatingReasons(const Outdating& outdating) {
         Words::tr("It leads along the curve where %1 was when it was planned: the tool does not meet it any more.")
             .arg(QString::fromStdString(outdating.part));
   }
+  if (outdating.isBaseOther)
+    reasons += Words::tr("Its robot stood elsewhere when its curve was planned: the tool does not meet that any more.");
   if (outdating.isToolOther)
     reasons += Words::tr("The tool centre point was another one when its curve was planned: that is not met any more.");
   for (const std::string& target : outdating.targets) {

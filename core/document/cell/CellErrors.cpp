@@ -68,6 +68,11 @@ const ErrorDescription CellError::PathOutdated{
     .sentences = {translatable("ErrorText", "the path '%1' leads along the curve where '%2' was when it was planned")},
     .advice = {translatable("ErrorText", "Plan it again, or write it as it is; on the command line: --outdated.")}};
 
+const ErrorDescription CellError::PathBaseMoved{
+    .id = "PathBaseMoved",
+    .sentences = {translatable("ErrorText", "the robot stood elsewhere when the curve of the path '%1' was planned")},
+    .advice = {translatable("ErrorText", "Plan it again, or write it as it is; on the command line: --outdated.")}};
+
 const ErrorDescription CellError::PathToolChanged{
     .id = "PathToolChanged",
     .sentences = {translatable("ErrorText", "the curve of the path '%1' was planned with another tool centre point")},

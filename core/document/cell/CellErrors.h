@@ -19,6 +19,7 @@ extern const ErrorDescription LineUnreachable;    // {place, percent} the arm ca
 extern const ErrorDescription PoseUnreachable;    // {motion} of a program: no joint values reach it
 extern const ErrorDescription PathCollides;       // {path, count of collisions, link, link or body} first of them
 extern const ErrorDescription PathOutdated;       // {path, part} the part that it leads along stands elsewhere now
+extern const ErrorDescription PathBaseMoved;      // {path} its curve was planned with the robot elsewhere
 extern const ErrorDescription PathToolChanged;    // {path} its curve was planned with another tool centre point
 extern const ErrorDescription PathTargetMoved;    // {path, target} the tool does not come to that any more
 extern const ErrorDescription LineCollides;       // {place, link, link or body} the straight line to it

@@ -35,6 +35,7 @@ json toJson(const std::string& path, const PathProof& proof) {
                  {"shapeless", found.hasShapeless},
                  {"robots_moved", found.robotsMoved},
                  {"part_moved", found.outdating.part},
+                 {"base_moved", found.outdating.isBaseOther},
                  {"tool_changed", found.outdating.isToolOther},
                  {"targets_moved", found.outdating.targets},
                  {"listed", json::array()},
@@ -93,7 +94,8 @@ std::optional<PathProof> proofFrom(const json& stored) {
   if (length && security && manipulability) found.measures = PathMeasures{*length, *security, *manipulability};
   found.hasShapeless = isAt(stored, "shapeless");
   found.robotsMoved = namesAt(stored, "robots_moved");
-  found.outdating = {stringAt(stored, "part_moved"), isAt(stored, "tool_changed"), namesAt(stored, "targets_moved")};
+  found.outdating = {stringAt(stored, "part_moved"), isAt(stored, "base_moved"), isAt(stored, "tool_changed"),
+                     namesAt(stored, "targets_moved")};
   const auto listed = stored.find("listed");
   for (const json& each : listed != stored.end() && listed->is_array() ? *listed : json::array()) {
     if (each.is_object() && found.listed.size() < PathFindings::kMostListed)

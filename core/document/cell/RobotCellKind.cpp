@@ -144,6 +144,7 @@ nlohmann::json describePaths(const RobotCellSnapshot& cell) {
                     {"places", path.places.size()},
                     {"outdated", outdating.isAny()}});
     if (!outdating.part.empty()) list.back()["part_moved"] = outdating.part;
+    if (outdating.isBaseOther) list.back()["base_moved"] = true;
     if (outdating.isToolOther) list.back()["tool_changed"] = true;
     if (!outdating.targets.empty()) list.back()["targets_moved"] = outdating.targets;
   }

@@ -126,17 +126,23 @@ CellPlans plansWithout(const RobotCellSnapshot& cell, std::size_t arm, const Cel
   return plans;
 }
 
-// The plans in which the paths of other robots tell where this one stands, or stood when it was first moved.
+// The plans in which paths tell where this robot stands, or stood when it was first moved: those of other robots, and
+// its own along curves, which do not move with it.
 std::shared_ptr<const CellPlans> withBaseKept(const RobotCellSnapshot& cell, std::size_t arm) {
   const RobotArm& moved = cell.robot->arms[arm];
   const auto isToTell = [&](const RobotPath& path) {
-    return !isSameArm(*cell.robot, path.arm, moved.name) && !path.bases.contains(moved.name);
+    if (isSameArm(*cell.robot, path.arm, moved.name)) return path.process && !path.process->base;
+    return !path.bases.contains(moved.name);
   };
   if (std::none_of(cell.plans->paths.begin(), cell.plans->paths.end(), isToTell)) return cell.plans;
   auto plans = std::make_shared<CellPlans>(*cell.plans);
   const Pose base = basePose(cell.robot->model, moved);
   for (RobotPath& path : plans->paths) {
-    if (isToTell(path)) path.bases.emplace(moved.name, base);
+    if (!isToTell(path)) continue;
+    if (isSameArm(*cell.robot, path.arm, moved.name))
+      path.process->base = base;
+    else
+      path.bases.emplace(moved.name, base);
   }
   return plans;
 }

@@ -121,6 +121,7 @@ Json processJson(const PathProcess& process) {
     std::visit([&, &key = name](const auto& known) { values[key] = known; }, value);
   Json json = {{"values", values}, {"part", numbersOfPose(process.part)}, {"planned", numbersOfPose(process.planned)}};
   if (process.tool) json["tool"] = numbersOfPose(*process.tool);
+  if (process.base) json["base"] = numbersOfPose(*process.base);
   return json;
 }
 
@@ -136,6 +137,7 @@ std::optional<PathProcess> processFrom(const Json& json) {
   process.part = *part;
   process.planned = poseAt(json, "planned").value_or(*part);
   process.tool = poseAt(json, "tool");
+  process.base = poseAt(json, "base");
   for (const auto& [name, value] : values->items()) {
     if (value.is_boolean()) process.values[name] = value.get<bool>();
     if (value.is_number()) process.values[name] = value.get<double>();

@@ -54,10 +54,11 @@ bool NamedConfiguration::operator==(const NamedConfiguration& other) const {
 }
 
 bool PathProcess::operator==(const PathProcess& other) const {
-  const bool isSameTool =
-      tool.has_value() == other.tool.has_value() && (!tool || tool->matrix() == other.tool->matrix());
+  const auto areEqual = [](const std::optional<Pose>& a, const std::optional<Pose>& b) {
+    return a.has_value() == b.has_value() && (!a || a->matrix() == b->matrix());
+  };
   return values == other.values && part.matrix() == other.part.matrix() && planned.matrix() == other.planned.matrix() &&
-         isSameTool;
+         areEqual(tool, other.tool) && areEqual(base, other.base);
 }
 
 bool RobotPath::operator==(const RobotPath& other) const {

@@ -54,6 +54,7 @@ struct PathProcess {
   Pose part = Pose::Identity();         // of the part, in the frame of the base, when they were chosen,
   Pose planned = part;                  // and when the path was planned last
   std::optional<Pose> tool = {};        // the tool's centre point then, as CellPlans::tool; none: it is not known
+  std::optional<Pose> base = {};        // of the robot then, in the frame of the root; none: where it is now
 
   bool operator==(const PathProcess& other) const;
 };

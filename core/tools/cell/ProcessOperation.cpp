@@ -115,8 +115,7 @@ void move(SurfaceTrack& track, const Pose& by) {
   }
 }
 
-PathProcess processOf(const OperationValues& values, const Pose& chosen, const Pose& planned, const Pose& tool) {
-  PathProcess process{{}, chosen, planned, tool};
+PathProcess processOf(const OperationValues& values, PathProcess process) {
   for (const Parameter& parameter : values.operation().parameters) {
     const std::string& id = parameter.property.id;
     if (values.isSet(id) && id != "name") process.values.emplace(id, *values.value(id));
@@ -330,7 +329,8 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
   }
   planned.path.arm = cell.plans->arm;
   planned.path.clearance = cell.plans->ownClearance(route.plan.check.clearance);
-  planned.path.process = processOf(values, asChosen.pose, body.pose, cell.plans->tool);
+  planned.path.process = processOf(
+      values, {{}, asChosen.pose, body.pose, cell.plans->tool, basePose(scene.robot->model, scene.plannedArm())});
   planned.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return planned;
 }

@@ -24,6 +24,15 @@ BodyPointer standingPart(const PathProcess& process, const CellPlacement& cell) 
   return part && carrierOf(*part, cell.robot) == kNone ? part : nullptr;
 }
 
+// A part and a robot that were moved as one still meet: only where the part is for the base counts.
+void compareStanding(const PathProcess& process, const Body& part, const Pose& base, Outdating& found) {
+  const Pose planned = process.base.value_or(base);
+  if (isSamePlace(base.inverse(Eigen::Isometry) * part.pose, planned.inverse(Eigen::Isometry) * process.planned))
+    return;
+  found.isBaseOther = !isSamePlace(base, planned);
+  if (!found.isBaseOther || !isSamePlace(part.pose, process.planned)) found.part = part.name;
+}
+
 }  // namespace
 
 bool isSamePlace(const Pose& one, const Pose& other) {
@@ -48,7 +57,8 @@ Outdating outdatingOf(const CellRobot& robot, const CellPlacement& cell, const R
   Outdating found;
   if (path.process) {
     const BodyPointer part = standingPart(*path.process, cell);
-    if (part && !isSamePlace(part->pose, path.process->planned)) found.part = part->name;
+    const auto number = armNumber(robot, path.arm);
+    if (part && number) compareStanding(*path.process, *part, basePose(cell.robot, robot.arms[*number]), found);
     const std::optional<Pose>& tool = path.process->tool;
     found.isToolOther = tool && !isSamePlace(toolOf(robot, cell.plans, path.arm), *tool);
   }

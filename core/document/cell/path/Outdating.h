@@ -15,10 +15,11 @@ struct CellRobot;
 // What a path was planned for and does not lead to any more.
 struct Outdating {
   std::string part = {};               // that it leads along, where that stands elsewhere now
+  bool isBaseOther = false;            // its robot stands elsewhere than when its curve was planned
   bool isToolOther = false;            // its curve was planned with another centre point of the tool
   std::set<std::string> targets = {};  // that places of it were planned to, where the tool does not come to them now
 
-  bool isAny() const { return isToolOther || !part.empty() || !targets.empty(); }
+  bool isAny() const { return isToolOther || isBaseOther || !part.empty() || !targets.empty(); }
   bool operator==(const Outdating&) const = default;
 };
 

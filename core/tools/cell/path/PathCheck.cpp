@@ -207,6 +207,8 @@ std::vector<std::string> remarksOn(const CellScene& scene, const RobotPath& path
   if (!outdating.part.empty())
     remarks.push_back("Outdated: the part " + identifierOf(outdating.part, kLongestName) +
                       " has moved since the path was planned along it.");
+  if (outdating.isBaseOther)
+    remarks.emplace_back("Outdated: the base of the robot has moved since the path was planned along its curve.");
   if (outdating.isToolOther)
     remarks.push_back("Outdated: the tool centre point was changed since the path was planned along its curve.");
   for (const std::string& target : outdating.targets)

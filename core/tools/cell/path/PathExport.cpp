@@ -38,6 +38,7 @@ std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, co
 
 std::optional<Error> outdatingProblem(const RobotPath& path, const Outdating& outdating) {
   if (!outdating.part.empty()) return Error{CellError::PathOutdated, {path.name, outdating.part}, {}, {}};
+  if (outdating.isBaseOther) return Error{CellError::PathBaseMoved, {path.name}, {}, {}};
   if (outdating.isToolOther) return Error{CellError::PathToolChanged, {path.name}, {}, {}};
   if (outdating.targets.empty()) return std::nullopt;
   return Error{CellError::PathTargetMoved, {path.name, *outdating.targets.begin()}, {}, {}};

@@ -50,6 +50,9 @@ class PathFileTest : public QObject {
         path.process = PathProcess{{{"along", anyNumber(0, 4)}, {"free", true}, {"part", "a \"block\""}}};
         path.process->part =
             Pose(Eigen::Translation3d(1.5, -2.0, 1e3) * Eigen::AngleAxisd(anyNumber(-3, 3), Vec3(1, 2, 2) / 3.0));
+        if (*rc::gen::arbitrary<bool>()) path.process->tool = Pose(Eigen::Translation3d(0.5, 0.0, anyNumber(0, 90)));
+        if (*rc::gen::arbitrary<bool>())
+          path.process->base = Pose(Eigen::Translation3d(anyNumber(-900, 900), 7.0, 0.0));
       }
       const auto again = readPath(toJson(arm(), path).dump(), arm(), pair(0, 0));
       RC_ASSERT(again.hasValue());

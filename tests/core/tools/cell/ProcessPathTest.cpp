@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ArmCell.h"
 #include "TestClass.h"
+#include "document/cell/CellArms.h"
+#include "document/cell/RobotChanges.h"
 #include "document/scene/BodyEdit.h"
 #include "tools/cell/ProcessOperation.h"
 
@@ -109,6 +111,8 @@ class ProcessPathTest : public QObject {
     const auto before = cell.planned(valuesAlong(kAlongEdge));
     QVERIFY(before.hasValue());
     QVERIFY(!cell.outdating(*before).isAny());
+    const std::optional<Pose>& base = before->path.process->base;
+    QVERIFY(base && base->isApprox(Pose::Identity()));  // of the first robot, from which all is measured
     cell.moveBlock(Pose(Eigen::Translation3d(10, 0, 0)));
     QVERIFY(!cell.outdating(*before).part.empty());
     const auto after = cell.planned(valuesOf(*before->path.process), before->path.process->part);
@@ -136,6 +140,42 @@ class ProcessPathTest : public QObject {
     PlannedPath unknown = *before;
     unknown.path.process->tool.reset();
     QVERIFY(!cell.outdating(unknown).isAny());
+  }
+
+  // A path does not move with the base of its robot: the tool misses the curve. Where the part was moved as the robot
+  // was, it meets it again. A path that does not tell where the robot stood does from the first move on.
+  void aRobotThatHasMoved() {
+    ArmCell cell;
+    RobotCellDocument& document = cell.document();
+    const Pose stood = poseOf({0, 1500, 0}, Vec3::Zero());
+    auto robots = withRobotAdded(cell.content(), {cellOf(*libraryTable("ur5")), "left", stood});
+    document.commit("Add", document.robotsEdit(std::move(robots).value()));
+    const BodyId box = cell.addBox({100, 100, 60}, {350, 1500, 230});
+    PathProcess process{.values = {{"part", std::string("box1")}}, .part = document.bodies().withId(box)->pose};
+    process.planned = process.part;
+    CellPlans plans = *document.plans();
+    plans.paths.push_back({.name = "unknown", .places = {}, .arm = "left", .process = process});
+    process.base = stood;
+    plans.paths.push_back({.name = "known", .places = {}, .arm = "left", .process = process});
+    cell.plan(plans);
+    const auto outdating = [&](const char* path) {
+      return outdatingOf(document.robot(), document.placement(), *document.plans()->path(path));
+    };
+    const auto moveTo = [&](const Pose& base) {
+      auto moved = withRobotMoved(cell.content(), 1, base);
+      QVERIFY(moved.hasValue());
+      document.commit("Move", document.robotsEdit(std::move(moved).value(), 1));
+    };
+    QVERIFY(!outdating("known").isAny() && !outdating("unknown").isAny());
+    const Pose by(Eigen::Translation3d(15, -25, -10) * Eigen::AngleAxisd(0.15, Vec3::UnitZ()));
+    moveTo(by * stood);
+    for (const char* path : {"known", "unknown"}) QVERIFY((outdating(path) == Outdating{.isBaseOther = true}));
+    auto moved = std::make_shared<Body>(*document.bodies().withId(box));
+    moved->pose = by * moved->pose;
+    document.commit("Move", std::make_unique<BodyEdit>(std::vector<BodyEdit::Change>{{box, std::move(moved)}}));
+    for (const char* path : {"known", "unknown"}) QVERIFY(!outdating(path).isAny());
+    moveTo(stood);
+    for (const char* path : {"known", "unknown"}) QVERIFY((outdating(path) == Outdating{.part = "box1"}));
   }
 
   void valuesComeBack() {
