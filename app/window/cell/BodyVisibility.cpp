@@ -40,12 +40,4 @@ BodyVisibility visibilityOf(const Body& body, const Viewport& view) {
   return visibility;
 }
 
-Box boundsOf(const Body& body) {
-  Box bounds;
-  const Box& own = body.geometry->bounds();
-  if (own.isEmpty()) return bounds;
-  for (const Vec3& corner : cornersOf(own)) bounds.extend(body.pose * corner);
-  return bounds;
-}
-
 }  // namespace handwheel

@@ -18,7 +18,4 @@ enum class BodyVisibility {
 // Looks at some points of the surface. Parts that cannot be searched yet cover nothing.
 BodyVisibility visibilityOf(const Body& body, const Viewport& view);
 
-// The bounds of a body at its place, from those of its shape.
-Box boundsOf(const Body& body);
-
 }  // namespace handwheel

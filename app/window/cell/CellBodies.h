@@ -11,6 +11,8 @@
 
 namespace handwheel {
 
+struct RobotCellSnapshot;
+
 class BodyList;
 class RobotCellDocument;
 struct CellRobot;
@@ -45,8 +47,10 @@ class CellBodies : public QObject {
   void connectList();
   void addShapes();
   void addShape(const PrimitiveDescription& primitive);
-  const Box& robotAtRest();
-  Vec3 wayBeside(const Box& own, std::optional<BodyId> but);
+  const Box& robotAtRest(const RobotCellSnapshot& content);
+  bool standBeside(const RobotCellSnapshot& content, Body& body, OperationValues& values);
+  void placeAsInFile(BodyId id);
+  void place(BodyId id, const Pose& pose, const QString& text);  // with %1 for its name
   void askForFile(const QString& title, const std::function<void(const std::string& path)>& chosen);
   void setVisible(const std::set<BodyId>& ids, bool visible);
   void removeSelected();
@@ -58,10 +62,10 @@ class CellBodies : public QObject {
   void relinkSelected();
   void askForUnit();
   void scale(BodyId id, double factor);
-  void reportUnit(BodyId id, const QString& file);
+  void reportAdded(BodyId id, const QString& file, bool hasUnit, bool isBeside);
   void apply(const OperationValues& values);
   void read(const OperationValues& values);
-  void commit(DocumentTab& tab, const OperationValues& values, Result<BodyChange> change);
+  void commit(DocumentTab& tab, const OperationValues& values, Result<BodyChange> change, bool isBeside = false);
   bool isOnFlange(const Body& body) const;
   void report(const Document& document, const Error& error);
   void update();

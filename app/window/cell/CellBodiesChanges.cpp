@@ -13,12 +13,13 @@
 #include "panels/LogModel.h"
 #include "scene/MeshGeometry.h"
 #include "scene/PrimitiveGeometry.h"
+#include "scene/RigidPose.h"
 #include "text/ErrorText.h"
+#include "tools/cell/BodyPlacing.h"
 #include "tools/cell/BodyTip.h"
 #include "tools/scene/BodyDragTool.h"
 #include "window/CommandLines.h"
 #include "window/JobRunner.h"
-#include "window/cell/BodyVisibility.h"
 #include "window/cell/CellBodies.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileDialogs.h"
@@ -56,6 +57,10 @@ QString containerBeside(const QString& path) {
   return file.path() + QLatin1Char('/') + file.completeBaseName() + containerEnding();
 }
 
+RobotCellSnapshot contentOf(const RobotCellDocument& cell) {
+  return static_cast<const RobotCellSnapshot&>(*cell.snapshot());
+}
+
 // "body --add part.stl --link", with names quoted for a shell.
 std::string stepOf(const OperationValues& values) {
   QString step = QString::fromStdString(bodyOperation().id);
@@ -81,33 +86,50 @@ std::string operandOf(const QString& path) {
 }  // namespace
 
 // Whatever the arm does now: its bounds in the pose in which a robot is opened. Computed once for each robot.
-const Box& CellBodies::robotAtRest() {
-  const auto robot = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot())->robot;
-  if (m_measured.lock() != robot) m_robotAtRest = displayOf(*robot, restValues(robot->model)).bounds();
-  m_measured = robot;
+const Box& CellBodies::robotAtRest(const RobotCellSnapshot& content) {
+  if (m_measured.lock() != content.robot)
+    m_robotAtRest = displayOf(*content.robot, restValues(content.robot->model)).bounds();
+  m_measured = content.robot;
   return m_robotAtRest;
-}
-
-// How far something has to be moved to be in front of the robot and of all bodies but one, on the floor of the cell.
-Vec3 CellBodies::wayBeside(const Box& own, std::optional<BodyId> but) {
-  Box there = robotAtRest();
-  for (const BodyPointer& body : inFrameOfBase(cell().bodies(), cell().robot().model, cell().joints())) {
-    if (body->id != but) there.extend(boundsOf(*body));
-  }
-  const double x = there.isEmpty() ? 0.0 : std::ceil(there.max().x() - own.min().x());
-  return {x, 0.0 - own.center().y(), 0.0 - own.min().z()};
 }
 
 void CellBodies::placeBeside(BodyId id) {
   const BodyPointer body = cell().bodies().withId(id);
   const bool canStand = body && body->carrier.empty() && !body->geometry->bounds().isEmpty();
   if (!canStand) return;
+  const RobotCellSnapshot content = contentOf(cell());
+  place(id, Pose(Eigen::Translation3d(wayBeside(boundsOf(*body), robotAtRest(content), content, id)) * body->pose),
+        tr("Place %1 beside the others"));
+}
+
+// Files have their bodies in their own numbers.
+void CellBodies::placeAsInFile(BodyId id) {
+  place(id, Pose::Identity(), tr("Place %1 where its file says"));
+}
+
+void CellBodies::place(BodyId id, const Pose& pose, const QString& text) {
+  const BodyPointer body = cell().bodies().withId(id);
+  if (!body) return;
   Body moved = *body;
-  moved.pose.pretranslate(wayBeside(boundsOf(*body), id));
+  moved.pose = pose;
   auto edit = changeBodyEdit(cell().bodies(), std::move(moved));
   if (!edit) return report(cell(), edit.error());
-  if (*edit)
-    cell().commit(tr("Place %1 beside the others").arg(QString::fromStdString(body->name)), std::move(edit).value());
+  if (*edit) cell().commit(text.arg(QString::fromStdString(body->name)), std::move(edit).value());
+}
+
+// Where a body that is to be added from a file would be inside something else it gets another place, also in the
+// values. False: it stays where its file says.
+bool CellBodies::standBeside(const RobotCellSnapshot& content, Body& body, OperationValues& values) {
+  if (!values.isSet("add") || values.isSet("at")) return false;
+  const Box own = boundsOf(body), &robots = robotAtRest(content);
+  if (!isInsideOthers(own, robots, content)) return false;
+  Pose beside = body.pose;
+  beside.pretranslate(wayBeside(own, robots, content));
+  if (!isRigid(beside)) return false;  // too far away
+  body.pose = beside;
+  const Vec3 at = beside.translation();
+  values.setValid("at", std::vector<double>{at.x(), at.y(), at.z()});
+  return true;
 }
 
 void CellBodies::addShape(const PrimitiveDescription& primitive) {
@@ -118,7 +140,8 @@ void CellBodies::addShape(const PrimitiveDescription& primitive) {
   values.setValid("add", what);
   const auto geometry =
       PrimitiveGeometry::make(primitive.primitive, std::vector<double>(primitive.dimensions.size(), kNewShape));
-  const Vec3 at = wayBeside(geometry.value()->bounds(), std::nullopt);
+  const RobotCellSnapshot content = contentOf(cell());
+  const Vec3 at = wayBeside(geometry.value()->bounds(), robotAtRest(content), content);
   values.setValid("at", std::vector<double>{at.x(), at.y(), at.z()});
   apply(values);
 }
@@ -282,14 +305,28 @@ void CellBodies::scale(BodyId id, double factor) {
   m_parts.jobs.start(std::move(job));
 }
 
-void CellBodies::reportUnit(BodyId id, const QString& file) {
+// What is said of a new body: that its numbers have no unit, and that it is not where they say.
+void CellBodies::reportAdded(BodyId id, const QString& file, bool hasUnit, bool isBeside) {
+  if (hasUnit && !isBeside) return;
   const BodyPointer body = cell().bodies().withId(id);
   const QString name = QString::fromStdString(body->name),
                 size = sizeText(body->geometry->bounds().sizes(), cell().displayUnit(), QLocale());
-  Message said{Message::Weight::Warning, tr("%1 measures %2").arg(name, size),
-               tr("%1 has no unit; its numbers were taken as millimetres.").arg(file)};
+  Message said;
+  if (!hasUnit) {
+    said = {Message::Weight::Warning, tr("%1 measures %2").arg(name, size),
+            tr("%1 has no unit; its numbers were taken as millimetres.").arg(file)};
+  }
   said.about = &m_document->document;
-  if (m_unit.isEnabled()) {
+  if (isBeside) {
+    if (hasUnit) said.title = tr("%1 was placed beside the others").arg(name);
+    const QString why = tr("Where its file says, it would be inside something else: it was placed beside the others.");
+    said.detail += (said.detail.isEmpty() ? QString() : QStringLiteral(" ")) + why;
+    said.otherText = tr("&Place it where its file says");
+    said.other = [this, id, document = m_document] {
+      if (document == m_document) placeAsInFile(id);
+    };
+  }
+  if (!hasUnit && m_unit.isEnabled()) {
     said.actionText = tr("Choose the unit…");
     said.action = [this, id, document = m_document] {
       if (document != m_document) return;
@@ -318,16 +355,17 @@ void CellBodies::read(const OperationValues& values) {
   job.work = [this, &tab, &kinds = m_parts.kinds, values, bodies = cell().bodies(),
               folder = folderOf(tab.document)](Progress progress) -> Job::Finish {
     auto body = std::make_shared<Result<ReadBody>>(bodyFrom(values, bodies, kinds, folder, progress));
-    return [this, &tab, values, body] {
+    return [this, &tab, placed = values, body]() mutable {
       if (!*body) return report(tab.document, body->error());
-      const auto& bodiesNow = static_cast<const RobotCellDocument&>(tab.document).bodies();
-      commit(tab, values, bodyChange(values, bodiesNow, std::move(*body).value()));
+      const auto& now = static_cast<const RobotCellDocument&>(tab.document);
+      const bool isBeside = standBeside(contentOf(now), (*body)->body, placed);
+      commit(tab, placed, bodyChange(placed, now.bodies(), std::move(*body).value()), isBeside);
     };
   };
   m_parts.jobs.start(std::move(job));
 }
 
-void CellBodies::commit(DocumentTab& tab, const OperationValues& values, Result<BodyChange> change) {
+void CellBodies::commit(DocumentTab& tab, const OperationValues& values, Result<BodyChange> change, bool isBeside) {
   auto& document = static_cast<RobotCellDocument&>(tab.document);
   if (!change) return report(document, change.error());
   const QString path = document.path();
@@ -341,8 +379,8 @@ void CellBodies::commit(DocumentTab& tab, const OperationValues& values, Result<
   if (!values.isSet("add") || &tab != m_document) return;
   m_selection.select(next);
   emit added(next, readsFile(values));
-  if (!change->file.hasUnit)
-    reportUnit(next, QFileInfo(QFile::decodeName(QByteArray::fromStdString(values.text("add")))).fileName());
+  const QFileInfo source(QFile::decodeName(QByteArray::fromStdString(values.text("add"))));
+  reportAdded(next, source.fileName(), change->file.hasUnit, isBeside);
 }
 
 void CellBodies::report(const Document& document, const Error& error) {

@@ -17,6 +17,7 @@
 #include "panels/bodies/BodyList.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
+#include "tools/cell/BodyPlacing.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/PartsLayer.h"
 #include "window/ActionToolTip.h"

@@ -88,6 +88,42 @@ class CellBodiesWindowTest : public QObject {
     QVERIFY(!driver.find<QAction>("placeBeside")->isEnabled());
   }
 
+  // What a file would put into the robot stands beside the others, on the floor, and its message offers the place that
+  // the file says; where that is free it is kept. The ring reaches 10 mm above and below the origin of its file.
+  void aFileThatIsInsideTheRobot() {
+    const QTemporaryDir folder;
+    const QString inside = folder.filePath("inside.stl"), apart = folder.filePath("apart.stl");
+    writeStl(inside, quadTorus(24, 12, {}));
+    std::vector<Corners> far = quadTorus(24, 12, {});
+    for (Corners& triangle : far) {
+      for (Corner& corner : triangle) corner[1] += 2000.0f;
+    }
+    writeStl(apart, far);
+    CellWindow driver;
+    const auto number = [&](const char* field) { return QLocale().toDouble(driver.field(field).section(' ', 0, 0)); };
+    driver.choose("addBody");
+    QVERIFY(driver.enterFileName("addBodyDialog", inside));
+    QTRY_COMPARE_WITH_TIMEOUT(driver.field("body.1.name"), QString("inside"), kPatienceMs);
+    QVERIFY(driver.text("messageText").contains("beside the others"));
+    QVERIFY(driver.text("messageText").contains("has no unit"));
+    QVERIFY(number("body.1.x") > 130.0 + 40.0);  // the radii of the base and of the ring
+    QCOMPARE(number("body.1.z"), 10.0);
+    driver.click("messageOther");
+    QVERIFY(driver.settle());
+    QCOMPARE(number("body.1.x"), 0.0);
+    QCOMPARE(number("body.1.z"), 0.0);
+    driver.click("quickActions/undo");
+    QCOMPARE(number("body.1.z"), 10.0);
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.listedBodies(), 0);
+    driver.choose("addBody");
+    QVERIFY(driver.enterFileName("addBodyDialog", apart));
+    QTRY_COMPARE_WITH_TIMEOUT(driver.field("body.1.name"), QString("apart"), kPatienceMs);
+    QVERIFY(!driver.text("messageText").contains("beside the others"));
+    QCOMPARE(number("body.1.x"), 0.0);
+    QCOMPARE(number("body.1.z"), 0.0);
+  }
+
   // The message after mounting offers the tool centre point at the tip; one step, also by the menu.
   void theCentrePointIsPutAtTheTip() {
     CellWindow driver;
