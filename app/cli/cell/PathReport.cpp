@@ -31,21 +31,21 @@ nlohmann::ordered_json touchesJson(const std::vector<ClosestPoints>& touches) {
   return list;
 }
 
-nlohmann::ordered_json toJson(const CellScene& scene, const CheckedPath& checked, const PathCollision& collision) {
-  const auto [link, other] = scene.namesOf(collision.deepest);
+nlohmann::ordered_json toJson(const CellScene& scene, const CheckedPath& checked, const PathStretch& stretch) {
+  const auto [link, other] = scene.namesOf(stretch.deepest);
   const JointPath& path = checked.way.joints;
-  const ArmValues& from = path[collision.motion];
-  const ArmValues& to = path[std::min(collision.motion + 1, path.size() - 1)];
-  const ArmValues at = from + collision.deepestAt * (to - from);
-  const auto touches = collision.deepest.link == kNone || !at.allFinite()
+  const ArmValues& from = path[stretch.motion];
+  const ArmValues& to = path[std::min(stretch.motion + 1, path.size() - 1)];
+  const ArmValues at = from + stretch.deepestAt * (to - from);
+  const auto touches = stretch.deepest.link == kNone || !at.allFinite()
                            ? std::vector<ClosestPoints>()
-                           : scene.scene.touches(at, collision.deepest, kMostTouches);
-  return {{"place", checked.placeOf(collision.motion)},
-          {"from", collision.from},
-          {"to", collision.to},
+                           : scene.scene.touches(at, stretch.deepest, kMostTouches);
+  return {{"place", stretch.place},
+          {"from", stretch.from},
+          {"to", stretch.to},
           {"link", link},
           {"with", other},
-          {"distance_mm", collision.deepest.distance},
+          {"distance_mm", stretch.deepest.distance},
           {"q", std::vector<double>(at.begin(), at.end())},
           {"contacts", touchesJson(touches)},
           {"contacts_found", touches.size()},
@@ -74,7 +74,7 @@ std::vector<std::string> reasonsOf(const Outdating& outdating) {
 nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
   const PathMetrics& metrics = checked.metrics;
   nlohmann::ordered_json collisions = nlohmann::ordered_json::array();
-  for (const PathCollision& each : checked.verification.collisions) collisions.push_back(toJson(scene, checked, each));
+  for (const PathStretch& each : stretchesOf(checked, scene)) collisions.push_back(toJson(scene, checked, each));
   nlohmann::ordered_json json = {
       {"certified", checked.isCertified()},       {"length_rad", metrics.length},
       {"waypoints", path.places.size()},          {"min_clearance_mm", metrics.leastClearance},

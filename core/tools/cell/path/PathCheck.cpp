@@ -115,7 +115,7 @@ std::vector<PathStretch> stretchesOf(const CheckedPath& checked, const CellScene
   std::vector<Open> open;
   for (const PathCollision& each : checked.verification.collisions) {
     if (each.motion >= shares.size()) {  // no motion leads on from the first place
-      all.push_back({.place = 0, .deepest = each.deepest});
+      all.push_back({.place = 0, .deepest = each.deepest, .motion = 0, .deepestAt = 0.0});
       continue;
     }
     const double begin = shares[each.motion][0], end = shares[each.motion][1];
@@ -131,12 +131,17 @@ std::vector<PathStretch> stretchesOf(const CheckedPath& checked, const CellScene
     const double to = begin + each.to * (end - begin);
     if (known == open.end()) {
       open.push_back({all.size(), each.motion, goesOn});
-      all.push_back({checked.placeOf(each.motion), begin + each.from * (end - begin), to, each.deepest});
+      all.push_back({checked.placeOf(each.motion), begin + each.from * (end - begin), to, each.deepest, each.motion,
+                     each.deepestAt});
       continue;
     }
     PathStretch& stretch = all[known->stretch];
     stretch.to = to;
-    if (each.deepest.distance < stretch.deepest.distance) stretch.deepest = each.deepest;
+    if (each.deepest.distance < stretch.deepest.distance) {
+      stretch.deepest = each.deepest;
+      stretch.motion = each.motion;
+      stretch.deepestAt = each.deepestAt;
+    }
     *known = {known->stretch, each.motion, goesOn};
   }
   return all;

@@ -50,6 +50,8 @@ struct PathStretch {
   std::size_t place = 0;          // that it leads to
   double from = 0.0, to = 0.0;    // shares of the way to the place
   RobotScene::Nearest deepest{};  // where it is nearest, and to what
+  std::size_t motion = 0;         // of the verification, in which that is; 0 also where there is none
+  double deepestAt = 0.0;         // share of the motion
 
   bool meets() const { return deepest.distance <= 0.0; }
 };

@@ -55,6 +55,12 @@ class PathStretchesTest : public QObject {
     QVERIFY(isStretchAt(all[0], 1, 0.125, 0.75, -3.0));
     QVERIFY(isStretchAt(all[1], 1, 0.375, 0.5, 2.0));
     QVERIFY(isStretchAt(all[2], 2, 0.0, 1.0, -1.0));  // on the way to another place
+    // Where it is nearest: of the first in the middle of its second motion.
+    QCOMPARE(all[0].motion, std::size_t{1});
+    QCOMPARE(all[0].deepestAt, 0.5);
+    QCOMPARE(all[1].motion, std::size_t{1});
+    QCOMPARE(all[1].deepestAt, 1.0);
+    QCOMPARE(all[2].motion, std::size_t{3});
     QVERIFY(all[0].meets() && !all[1].meets() && all[2].meets());
     const PathFindings found = findingsOf(checked, *cell.scene(), 5.0);
     QCOMPARE(found.collisions, std::size_t{3});

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../PlannedCell.h"
+#include "TestClass.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+// A path file: joint 1 comes to these values (rad), along straight lines of the tool.
+QByteArray lineThrough(std::initializer_list<double> values) {
+  nlohmann::json places = nlohmann::json::array();
+  for (const double value : values) {
+    nlohmann::json place;
+    place["joints"]["joint_1"] = value;
+    place["joints"]["joint_2"] = 0.5;
+    if (!places.empty()) place["motion"] = "linear";
+    places.push_back(place);
+  }
+  nlohmann::json path;
+  path["places"] = places;
+  return QByteArray::fromStdString(path.dump());
+}
+
+}  // namespace
+
+// What the command "verify" lists of paths that are not free.
+class VerificationTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Along a straight line, which short motions follow, what meets without a break is one collision: as many as the text
+  // has lines.
+  void collisionsAlongALine() {
+    const PlannedCell cell;
+    cell.put("line.json", lineThrough({0.6, -0.6, 0.6}));
+    const QByteArray text = cell.run({"verify", "cell.handwheel", "line.json"}).out;
+    const nlohmann::json report = jsonOf(cell.run({"verify", "cell.handwheel", "line.json", "--json"}).out);
+    QVERIFY(!report["collisions"].empty());
+    QCOMPARE(text.count("motion to place"), static_cast<qsizetype>(report["collisions"].size()));
+    for (const nlohmann::json& each : report["collisions"]) {
+      const double from = each["from"].get<double>(), to = each["to"].get<double>();
+      QVERIFY(from >= 0.0 && from <= to && to <= 1.0);
+      const QByteArray place = QByteArray::number(each["place"].get<int>() + 1);
+      QVERIFY(text.contains("motion to place " + place + ", "));
+    }
+  }
+
+  // At its limit joint 1 cannot go on, as the straight line wants it to: the line is not begun. What meets there is
+  // listed with the first place.
+  void aLineThatCannotBeBegun() {
+    const PlannedCell cell;
+    cell.run({"body", "cell.handwheel", "--add", "box:400,600,1200", "--at", "-450,0,400", "-o", "cell.handwheel"});
+    constexpr double kLimit = 165.0 * M_PI / 180.0;
+    cell.put("line.json", lineThrough({kLimit, -kLimit}));
+    const Ran ran = cell.run({"verify", "cell.handwheel", "line.json", "--json"});
+    QCOMPARE(ran.code, 2);
+    const nlohmann::json report = jsonOf(ran.out);
+    QCOMPARE(report["stops_at"]["place"].get<int>(), 1);
+    QCOMPARE(report["stops_at"]["share"].get<double>(), 0.0);
+    QVERIFY(!report["collisions"].empty());
+    for (const nlohmann::json& each : report["collisions"]) QCOMPARE(each["place"].get<int>(), 0);
+  }
+};
+
+HANDWHEEL_TEST(VerificationTest)
+#include "VerificationTest.moc"
