@@ -19,12 +19,15 @@ double widthOf(PathLine::Look look) {  // logical pixels
   switch (look) {
     case PathLine::Look::Rapid:
       return 1.2;
+    case PathLine::Look::Travel:
     case PathLine::Look::Feed:
       return 1.8;
     case PathLine::Look::AxisX:
     case PathLine::Look::AxisY:
     case PathLine::Look::AxisZ:
       return 2.4;
+    case PathLine::Look::Place:
+      return 6.0;
     case PathLine::Look::Thread:
     case PathLine::Look::Collision:
       break;
@@ -39,7 +42,9 @@ QColor pathColour(PathLine::Look look, const SceneColours& colours) {
   switch (look) {
     case PathLine::Look::Rapid:
       return isDark ? QColor(0xf2, 0x8b, 0x82) : QColor(0xc0, 0x30, 0x28);
+    case PathLine::Look::Travel:
     case PathLine::Look::Feed:
+    case PathLine::Look::Place:
       return isDark ? QColor(0x6c, 0xb8, 0xf0) : QColor(0x12, 0x5f, 0xa8);
     case PathLine::Look::Collision:
       return isDark ? QColor(0xff, 0x5a, 0x4d) : QColor(0xd4, 0x10, 0x10);

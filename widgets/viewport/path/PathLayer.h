@@ -12,10 +12,10 @@ namespace handwheel {
 
 // A line of a tool path in one look.
 struct PathLine {
-  enum class Look { Rapid, Feed, Thread, Collision, AxisX, AxisY, AxisZ };
-  static constexpr std::size_t kLooks = 7;
+  enum class Look { Rapid, Travel, Feed, Thread, Collision, AxisX, AxisY, AxisZ, Place };
+  static constexpr std::size_t kLooks = 9;
 
-  std::vector<Vec3> points;  // mm
+  std::vector<Vec3> points;  // mm; a single one is a dot
   Look look = Look::Feed;
 };
 
