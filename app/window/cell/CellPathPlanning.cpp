@@ -45,7 +45,7 @@ void CellPaths::reportVerified(const PathResult& result) {
   const QString title = tr("%1 was verified: %2").arg(name, status.summary);
   const bool isFree = result.found && result.found->isCertified;
   QStringList details =
-      isFree || !result.found ? QStringList() : collisionsOf(*result.found, cell().displayUnit(), QLocale());
+      isFree || !result.found ? QStringList() : listedCollisions(*result.found, cell().displayUnit(), QLocale());
   if (!result.problem.isEmpty()) details += result.problem;
   QString detail = details.join(QStringLiteral("; "));
   if (result.checked) {

@@ -5,7 +5,7 @@
 #include "document/cell/CellArms.h"
 #include "document/cell/RobotCellDocument.h"
 #include "viewport/Viewport.h"
-#include "viewport/path/PathLayer.h"
+#include "viewport/path/PathPicture.h"
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellRobots.h"
@@ -19,6 +19,23 @@
 #include <algorithm>
 
 namespace handwheel {
+
+namespace {
+
+// Gives what collides its look. points: of each sample one.
+void markCollisions(const CheckedPath& path, std::vector<PathPoint>& points) {
+  const auto& samples = path.metrics.samples;
+  const auto& collisions = path.verification.collisions;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const PathSample &from = samples[i - 1], &to = samples[i];
+    const double begin = from.motion == to.motion ? from.share : 0.0;
+    const auto own = std::ranges::equal_range(collisions, to.motion, {}, &PathCollision::motion);
+    const auto meets = [&](const PathCollision& each) { return each.to >= begin && each.from <= to.share; };
+    if (std::ranges::any_of(own, meets)) points[i].look = PathLine::Look::Collision;
+  }
+}
+
+}  // namespace
 
 CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, CellTargets& targets, CellRobots& robots,
                      std::function<BodyPointer()> selected, QObject* parent)
@@ -111,10 +128,8 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
   m_menu->setObjectName(QStringLiteral("planMenu"));
   m_menu->addActions(ofRows() + ofConfigurations() + ofPaths() + ofVerification() + ofPrograms() + QList{&m_choose});
   m_detail->setObjectName(QStringLiteral("planDetail"));
-  m_detail->setTextFormat(Qt::PlainText);
   m_detail->setWordWrap(true);
   m_detail->setContentsMargins(12, 4, 8, 4);
-  m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse);
   parts.viewport.addLayer(m_layer);
   connectActions();
   update();
@@ -186,6 +201,9 @@ void CellPaths::connectActions() {
   connect(m_tree, &PlanTree::removalRequested, this, &CellPaths::removeCurrent);
   connect(m_tree, &QWidget::customContextMenuRequested, this,
           [this](const QPoint& position) { m_menu->popup(m_tree->viewport()->mapToGlobal(position)); });
+  connect(m_detail, &QLabel::linkActivated, this, [this](const QString& link) {
+    if (path()) emit collisionChosen(link.toULongLong());
+  });
   connect(&m_collisions, &CellCollisions::prepared, this, &CellPaths::verify);
   connect(&m_targets, &CellTargets::reachChanged, this, &CellPaths::update);
 }
@@ -226,8 +244,8 @@ RobotCellDocument& CellPaths::cell() const {
   return cellIn(*m_document);
 }
 
-const JointValues& CellPaths::seenJoints() const {
-  const JointValues& standing = cell().joints();
+const JointValues& CellPaths::seenJoints(const RobotCellDocument& of) const {
+  const JointValues& standing = of.joints();
   return m_shownJoints && m_shownJoints->size() == standing.size() ? *m_shownJoints : standing;
 }
 
@@ -278,28 +296,23 @@ void CellPaths::verify() {
   if (present && scene() && present->places.size() >= 2) m_checks.verify(*present);
 }
 
-// The way of the tool's centre point; what collides in another colour.
+// The way of the tool's centre point: straight lines of the tool solid, other ways to a place as travel, and what
+// collides in another colour.
 void CellPaths::showPath() {
   const auto known = checked();
   const auto scene = m_collisions.scene();
-  auto lines = std::make_shared<std::vector<PathLine>>();
+  std::vector<PathPoint> points;
   if (known && scene) {
-    const CheckedPath& path = *known;
-    for (std::size_t i = 1; i < path.metrics.samples.size(); ++i) {
-      const PathSample &from = path.metrics.samples[i - 1], &to = path.metrics.samples[i];
-      const bool meets = std::any_of(path.verification.collisions.begin(), path.verification.collisions.end(),
-                                     [&](const PathCollision& each) {
-                                       const double begin = from.motion == to.motion ? from.share : 0.0;
-                                       return each.motion == to.motion && each.to >= begin && each.from <= to.share;
-                                     });
-      const auto look = meets ? PathLine::Look::Collision : PathLine::Look::Feed;
-      const auto placeOf = [&](const PathSample& at) {
-        return Vec3((scene->arm.tipPose(at.values) * plans().tool).translation());
-      };
-      if (lines->empty() || lines->back().look != look) lines->push_back({{placeOf(from)}, look});
-      lines->back().points.push_back(placeOf(to));
+    const RobotPath& present = *path();
+    for (const PathSample& sample : known->metrics.samples) {
+      const Vec3 at = (scene->arm.tipPose(sample.values) * plans().tool).translation();
+      const std::size_t leg = known->way.placeOf.empty() ? 0 : known->placeOf(sample.motion);
+      const bool isLine = present.places[leg].motion == ProgramMotion::Kind::Linear;
+      points.push_back({at, leg, isLine ? PathLine::Look::Feed : PathLine::Look::Travel});
     }
+    markCollisions(*known, points);
   }
+  auto lines = std::make_shared<const std::vector<PathLine>>(pathPicture(points));
   m_layer->setLines(lines->empty() ? nullptr : lines);
   emit pathChanged();
 }
@@ -318,17 +331,21 @@ void CellPaths::showDetail() {
   using Kind = PlanTree::Entry::Kind;
   const PlanTree::Entry entry = m_tree->current();
   QString text;
+  bool hasLinks = false;
   const RobotPath* const of =
       entry.kind == Kind::Path || entry.kind == Kind::Place ? plans().path(entry.name) : nullptr;
   if (of) {
     const PathStatus status = pathStatusOf(m_checks.stateOf(*of), *of, cell().displayUnit(), QLocale());
-    text = status.isFree ? status.summary : status.details;
+    hasLinks = !status.collisions.empty();
+    text = status.isFree ? status.summary : hasLinks ? linkedDetails(status) : status.details;
   } else if (const auto reach = m_targets.reach().find(entry.name);
              entry.kind == Kind::Target && reach != m_targets.reach().end()) {
     text = reach->second.remark;
   } else if (const auto remarks = frameRemarks(); entry.kind == Kind::Frame && remarks.contains(entry.name)) {
     text = remarks.at(entry.name);
   }
+  m_detail->setTextFormat(hasLinks ? Qt::RichText : Qt::PlainText);
+  m_detail->setTextInteractionFlags(hasLinks ? Qt::TextBrowserInteraction : Qt::TextSelectableByMouse);
   m_detail->setText(text);
   m_detail->setVisible(!text.isEmpty());
 }

@@ -70,6 +70,10 @@ class CellPaths : public QObject {
   // places, targets and frames are stored as they are seen.
   void setShownJoints(std::optional<JointValues> joints) { m_shownJoints = std::move(joints); }
 
+  bool showsOtherJoints() const { return m_shownJoints.has_value(); }
+  // As the view shows the robots of the cell.
+  const JointValues& seenJoints(const RobotCellDocument& of) const;
+
   const NamedTarget* target() const;  // of the selected row; null: that is none
   const NamedFrame* frame() const;    // likewise
   // The present path, and what is known of it; null while nothing is.
@@ -79,13 +83,14 @@ class CellPaths : public QObject {
   const CellPlans& plans() const;
 
  signals:
-  void rowChanged();   // another row is selected
-  void pathChanged();  // the present path, or what is known of it
+  void rowChanged();                         // another row is selected
+  void pathChanged();                        // the present path, or what is known of it
+  void collisionChosen(std::size_t number);  // of the present path, by its number in stretchesOf()
   void message(const handwheel::Message& message);
 
  private:
   RobotCellDocument& cell() const;
-  const JointValues& seenJoints() const;  // as the view shows the robot
+  const JointValues& seenJoints() const { return seenJoints(cell()); }
   CellPlacement seenPlacement() const;
   void connectActions();
   static RobotCellDocument& cellIn(DocumentTab& tab);

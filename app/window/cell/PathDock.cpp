@@ -17,6 +17,7 @@
 #include <QLocale>
 #include <QMainWindow>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace handwheel {
 
@@ -29,6 +30,8 @@ PathDock::PathDock(const WindowContext& parts, CellPaths& paths, QObject* parent
   connect(&paths, &CellPaths::pathChanged, this, [this] {
     if (m_isOpen && m_shown != m_paths.checked()) prepare();
   });
+  connect(&paths, &CellPaths::collisionChosen, this,
+          [this](std::size_t number) { goToCollision(m_paths.path()->name, number); });
 }
 
 void PathDock::makeDock() {
@@ -73,27 +76,49 @@ void PathDock::open(bool isOpen) {
   if (m_line) m_line->setPlaying(false);
   m_shown.reset();
   m_timed.reset();
+  m_wanted.reset();
+  showNothing();
+}
+
+void PathDock::showNothing() {
   m_paths.setShownJoints(std::nullopt);
   emit partsShown(nullptr, {});
 }
 
 void PathDock::prepare() {
-  m_paths.setShownJoints(std::nullopt);
-  emit partsShown(nullptr, {});
+  showNothing();
   m_shown = m_paths.checked();
   m_timed.reset();
   const auto scene = m_paths.scene();
   const bool isKnown = m_shown && scene && m_paths.path();
-  m_line->setEnabled(isKnown);
-  if (!isKnown) {
+  const bool isBegun = isKnown && !m_shown->way.placeOf.empty();
+  m_line->setEnabled(isBegun);
+  if (!isBegun) {
     m_line->setRecordings({});
-    m_text->setText(m_paths.path() ? tr("The path is being verified.")
-                                   : tr("Select a path in the panel, or plan one, to play it here."));
+    m_text->setText(isKnown          ? tr("The straight line to the second place cannot be begun.")
+                    : m_paths.path() ? tr("The path is being verified.")
+                                     : tr("Select a path in the panel, or plan one, to play it here."));
     return;
   }
   m_timed = std::make_unique<TimedPath>(timed(*scene, m_paths.plans(), *m_paths.path(), m_shown->way, m_shown->blends));
   m_line->setRecordings({recordingOf(*m_shown)});
   show(0.0);
+  goToWanted();
+}
+
+void PathDock::goToCollision(const std::string& path, std::size_t number) {
+  m_wanted = {path, number};
+  m_isOpen ? goToWanted() : open(true);
+}
+
+void PathDock::goToWanted() {
+  if (!m_wanted || !m_timed || !m_paths.path()) return;
+  const auto [path, number] = *std::exchange(m_wanted, std::nullopt);
+  const std::vector<PathStretch> all = stretchesOf(*m_shown, *m_paths.scene());
+  if (path != m_paths.path()->name || number >= all.size()) return;
+  m_line->setPlaying(false);
+  m_line->setTime(timeOf(all[number].motion, all[number].deepestAt));
+  show(m_line->time());
 }
 
 double PathDock::timeOf(std::size_t motion, double share) const {
@@ -124,12 +149,12 @@ TimeLineRecording PathDock::recordingOf(const CheckedPath& checked) const {
     recording.curves.push_back(
         {clearance.name, clearance.unit, {{0.0, kept}, {recording.duration, kept}}, tr("Clearance to keep")});
   const auto scene = m_paths.scene();
-  for (const PathCollision& each : checked.verification.collisions) {
+  for (const PathStretch& each : stretchesOf(checked, *scene)) {
     const auto [link, other] = scene->namesOf(each.deepest);
-    recording.markers.push_back(
-        {timeOf(each.motion, each.deepestAt),
-         tr("Collision: %1 with %2").arg(QString::fromStdString(link), QString::fromStdString(other)),
-         TimeLineMarker::Severity::Error});
+    recording.markers.push_back({timeOf(each.motion, each.deepestAt),
+                                 (each.meets() ? tr("Collision: %1 with %2") : tr("Too near: %1 to %2"))
+                                     .arg(QString::fromStdString(link), QString::fromStdString(other)),
+                                 each.meets() ? TimeLineMarker::Severity::Error : TimeLineMarker::Severity::Warning});
   }
   return recording;
 }

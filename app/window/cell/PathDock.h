@@ -30,6 +30,7 @@ class PathDock : public QObject {
 
   QAction* action() { return &m_toggle; }
   void setDocument(DocumentTab* document);
+  void close() { open(false); }
 
  signals:
   // What the view is to show before all else, and what collides there; null: nothing.
@@ -40,7 +41,10 @@ class PathDock : public QObject {
   void makeDock();
   void open(bool isOpen);
   void prepare();
+  void showNothing();
   void show(double seconds);
+  void goToCollision(const std::string& path, std::size_t number);
+  void goToWanted();
   TimeLineRecording recordingOf(const CheckedPath& checked) const;
   double timeOf(std::size_t motion, double share) const;
 
@@ -54,6 +58,8 @@ class PathDock : public QObject {
   QPointer<TimeLinePanel> m_line;
   std::shared_ptr<const CheckedPath> m_shown;
   std::unique_ptr<TimedPath> m_timed;  // of m_shown
+  // What is to be shown once its path is known: a collision of it, by its number in stretchesOf().
+  std::optional<std::pair<std::string, std::size_t>> m_wanted;
 };
 
 }  // namespace handwheel

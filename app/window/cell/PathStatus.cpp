@@ -72,7 +72,7 @@ class Words {
       return lines + QStringList{tr("The straight line to place %1 leaves the reach of the arm or the limits of its "
                                     "joints.")
                                      .arg(*found.stopsAt + 1)};
-    if (!found.isCertified) return lines + collisionsOf(found, m_unit, m_locale);
+    if (!found.isCertified) return lines + listedCollisions(found, m_unit, m_locale);
     lines += outdatingReasons(found.outdating);
     if (found.outdating.isAny()) lines += tr("Plan it again.");
     const double kept = found.clearance;
@@ -129,9 +129,25 @@ QStringList collisionsOf(const PathFindings& found, LengthUnit unit, const QLoca
                                        .arg(link, other, clearanceText(each.distance, unit, locale))
                                  : Words::tr("On the way to place %1: %2 with %3").arg(each.place + 1).arg(link, other);
   }
+  return texts;
+}
+
+QStringList listedCollisions(const PathFindings& found, LengthUnit unit, const QLocale& locale) {
+  QStringList texts = collisionsOf(found, unit, locale);
   if (found.collisions > found.listed.size())
     texts += Words::tr("and %Ln more", nullptr, static_cast<int>(found.collisions - found.listed.size()));
   return texts;
+}
+
+QString linkedDetails(const PathStatus& status) {
+  QStringList lines;
+  qsizetype next = 0;
+  for (const QString& line : status.details.split(QLatin1Char('\n'))) {
+    const bool isLink = next < status.collisions.size() && line == status.collisions[next];
+    lines +=
+        isLink ? QStringLiteral("<a href=\"%1\">%2</a>").arg(next++).arg(line.toHtmlEscaped()) : line.toHtmlEscaped();
+  }
+  return lines.join(QStringLiteral("<br>"));
 }
 
 QStringList outdatingReasons(const Outdating& outdating) {
@@ -164,7 +180,7 @@ QString clearanceText(double least, LengthUnit unit, const QLocale& locale) {
 PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, LengthUnit unit, const QLocale& locale) {
   const Words words(unit, locale);
   const auto plain = [](const QString& text, const QString& details, const char* icon) {
-    return PathStatus{text, text, details, QLatin1String(icon), false};
+    return PathStatus{text, text, details, {}, QLatin1String(icon), false};
   };
   if (path.places.size() < 2)
     return plain(Words::tr("too few places"), Words::tr("A path needs at least two places."), "info");
@@ -183,8 +199,14 @@ PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, L
   const bool isStored = isFree && !state.last->checked;
   const QString summary = isStored ? Words::tr("%1, as stored with the cell").arg(found) : found;
   const char* const icon = !isFree ? "warning" : isStored ? "info" : "ok";
-  return {words.shortly(*state.last), summary, (QStringList{summary} + words.details(*state.last)).join('\n'),
-          QLatin1String(icon), isFree};
+  const auto& findings = state.last->found;
+  const bool isListed = findings && !findings->isCertified && !findings->stopsAt;
+  return {words.shortly(*state.last),
+          summary,
+          (QStringList{summary} + words.details(*state.last)).join('\n'),
+          isListed ? collisionsOf(*findings, unit, locale) : QStringList(),
+          QLatin1String(icon),
+          isFree};
 }
 
 }  // namespace handwheel

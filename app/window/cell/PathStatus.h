@@ -14,7 +14,9 @@ struct PathStatus {
   QString text;     // short enough for a column: "free, 12.3 mm, 14:05"
   QString summary;  // "free of collisions (14:05, clearance 12.3 mm)"
   QString details;  // sentences, a line each
-  QString icon;     // its name; empty: none
+  // Those of these lines that are collisions, in the order of stretchesOf().
+  QStringList collisions;
+  QString icon;  // its name; empty: none
   bool isFree = false;
 };
 PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, LengthUnit unit, const QLocale& locale);
@@ -25,7 +27,12 @@ QString clearanceText(double least, LengthUnit unit, const QLocale& locale);
 // Why a path does not lead to what it was planned for any more, a sentence each.
 QStringList outdatingReasons(const Outdating& outdating);
 
-// The first collisions that were found, a text each, and how many more there are.
+// The first collisions that were found, a text each.
 QStringList collisionsOf(const PathFindings& found, LengthUnit unit, const QLocale& locale);
+// The same, and how many more there are.
+QStringList listedCollisions(const PathFindings& found, LengthUnit unit, const QLocale& locale);
+
+// The details as rich text, in which each collision is a link to its number, from 0.
+QString linkedDetails(const PathStatus& status);
 
 }  // namespace handwheel

@@ -35,6 +35,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -85,6 +86,10 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   connect(&m_surfaces, &PartSurfaces::prepared, this, [&tools = window.tools] { tools.refresh(); });
   connect(&m_guides, &PathGuides::prepared, this, [&tools = window.tools] { tools.refresh(); });
   connect(&window.viewport, &Viewport::clicked, this, &RobotCellUi::select);
+  constexpr int kFieldsMs = 100;  // a path is played with many more pictures a second than numbers can be read
+  m_replayFields.setSingleShot(true);
+  m_replayFields.setInterval(kFieldsMs);
+  connect(&m_replayFields, &QTimer::timeout, this, [this] { refreshPanel(); });
   m_clock.start();
 }
 
@@ -189,7 +194,23 @@ void RobotCellUi::showReplay(const std::shared_ptr<const DisplayModel>& model,
   showPast(model);
   m_toolCamera.follow(model.get());
   constexpr auto kReplay = CellContactMarks::Source::Replay;
-  model ? m_contacts->show(kReplay, collisions) : m_contacts->clear(kReplay);
+  const bool wasReplayed = std::exchange(m_isReplayed, model != nullptr);
+  if (model) {
+    m_contacts->show(kReplay, collisions);
+    if (!m_replayFields.isActive()) m_replayFields.start();
+  } else {
+    m_contacts->clear(kReplay);
+    m_replayFields.stop();
+    if (wasReplayed) refreshPanel();
+  }
+}
+
+// Of a replay, which ends: the robot stands there from now on.
+void RobotCellUi::takeShownPose() {
+  auto& cell = static_cast<RobotCellDocument&>(document()->document);
+  const JointValues joints = m_paths.seenJoints(cell);
+  m_pathDock.close();
+  if (auto edit = cell.jointEdit(joints)) cell.commit(tr("Go to where the path was shown"), std::move(edit));
 }
 
 // One that was added may stand outside the view.
@@ -313,6 +334,8 @@ std::map<std::string, bool> RobotCellUi::foldingGroups(const Document& document)
 }
 
 bool RobotCellUi::takeEdit(const std::string& id, const PropertyValue& value, bool stillDragging) {
+  // The other joints stay as they are seen.
+  if (m_paths.showsOtherJoints() && (id.starts_with("joint.") || id.starts_with("tool."))) takeShownPose();
   return m_paths.takeProcessEdit(id, value, stillDragging);
 }
 
@@ -333,7 +356,7 @@ std::vector<Property> RobotCellUi::panelProperties(const Document& document) con
   for (Property& each : m_paths.processProperties()) first.push_back(std::move(each));
   if (const RobotPath* const path = cell.plans()->path(entry.name); entry.kind == PlanTree::Entry::Kind::Place && path)
     first = placeProperties(*path, entry.place);
-  std::vector<Property> all = listedProperties(document);
+  std::vector<Property> all = cellProperties(cell.robot(), m_paths.seenJoints(cell), *cell.plans());
   const std::string base = "robot." + selectedRobot() + '.';
   std::erase_if(all, [&](const Property& each) {
     return !each.id.starts_with("joint") && !each.id.starts_with(base) && !each.id.starts_with("tcp.") &&

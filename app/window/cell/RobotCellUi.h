@@ -18,6 +18,7 @@
 #include "window/kinds/RigidPartsUi.h"
 
 #include <QElapsedTimer>
+#include <QTimer>
 #include <map>
 
 namespace handwheel {
@@ -71,6 +72,7 @@ class RobotCellUi : public RigidPartsUi {
   void say(Message message);
   void showRobots();
   void showReplay(const std::shared_ptr<const DisplayModel>& model, const std::vector<CellCollision>& collisions);
+  void takeShownPose();
   void markShown(DisplayModel& shown, const JointValues& joints, const Body* moved = nullptr);  // by a tool
   void select(const Pick& pick);
   void followRow(bool isChosen);  // by a person
@@ -100,6 +102,8 @@ class RobotCellUi : public RigidPartsUi {
   PathGuides m_guides;
   QPointer<QWidget> m_panel;
   QElapsedTimer m_clock;
+  QTimer m_replayFields;      // until the fields show where the time line has the robot
+  bool m_isReplayed = false;  // the view shows the robot on a path
   std::map<const DocumentTab*, std::vector<HandGuidingTrial>> m_trials;
   bool m_showsRow = true;         // in the panel, not the selected body: it was selected later
   bool m_isCovered = false;       // the selected body was, when it was last looked for

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "PlanningWindow.h"
+#include "panels/time/TimeLinePanel.h"
 #include "panels/time/TimePlot.h"
 
 #include <QLabel>
@@ -222,6 +223,30 @@ class CellPathStatusWindowTest : public QObject {
     driver.tree()->setCurrentItem(driver.configurations()->child(0));
     QVERIFY(!detail->isVisible());
     QVERIFY(driver.settle());
+  }
+
+  // A collision in the list leads to where it is deepest: there the time line shows it.
+  void collisionsAreLinks() {
+    TwoPaths driver;
+    driver.choose("add-box");  // in the way
+    QVERIFY(driver.settle());
+    driver.edit("body.1.x", "300");
+    driver.edit("body.1.y", "0");
+    driver.edit("body.1.z", "400");
+    driver.edit("body.1.size_z", "800");
+    QVERIFY(driver.settle());
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    QVERIFY(driver.becomes(0, "collision"));
+    auto* const detail = driver.find<QLabel>("planDetail");
+    QVERIFY(detail->text().contains("<a href=\"0\">On the way to place"));
+    emit detail->linkActivated("0");
+    QTRY_VERIFY(driver.find<QDockWidget>("pathDock")->isVisible());
+    QTRY_VERIFY(driver.text("pathText").contains("collision"));
+    QVERIFY(driver.find<TimeLinePanel>("pathTimeLine")->time() > 0.0);
+    emit detail->linkActivated("99");  // of what is not known any more
+    QVERIFY(driver.text("pathText").contains("collision"));
+    driver.tree()->setCurrentItem(driver.configurations()->child(0));
+    QVERIFY(!detail->isVisible());
   }
 
   // Another name by the menu: as by F2.

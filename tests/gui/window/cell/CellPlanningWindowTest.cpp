@@ -350,13 +350,41 @@ class CellPlanningWindowTest : public QObject {
     QTRY_VERIFY(driver.text("pathText") != before);
     // What is stored now is what the view shows: between the ends, that is not where the robot stands.
     driver.choose("storeConfiguration");
+    const auto first = [&] { return driver.field("joint.joint_1").split(' ').front().toDouble(); };
+    QTRY_VERIFY(std::abs(first() - 60.0) > 1.0 && std::abs(first() + 60.0) > 1.0);  // the fields show it, too
     driver.choose("pathDockToggle");
     QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
-    const auto first = [&] { return driver.field("joint.joint_1").split(' ').front().toDouble(); };
     QCOMPARE(first(), -60.0);
     driver.tree()->setCurrentItem(driver.configurations()->child(2));
     driver.choose("goToConfiguration");
     QVERIFY(std::abs(first() + 60.0) > 1.0);
+  }
+
+  // Who changes a joint while a path is played takes the robot from where it is seen; two steps back it is where it
+  // stood.
+  void aShownPoseIsEdited() {
+    PlanningWindow driver;
+    driver.storeAt("joint.joint_1", "60");
+    driver.storeAt("joint.joint_1", "-60");
+    QVERIFY(driver.settle());
+    driver.planPath();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->childCount() == 1 && driver.paths()->child(0)->text(1).contains("free"),
+                             kPatienceMs);
+    driver.choose("pathDockToggle");
+    auto* line = driver.find<TimeLinePanel>("pathTimeLine");
+    QTRY_VERIFY_WITH_TIMEOUT(line->isEnabled(), kPatienceMs);
+    const auto angle = [&](const char* joint) { return driver.field(joint).split(' ').front().toDouble(); };
+    QTRY_COMPARE(angle("joint.joint_1"), 60.0);  // it begins there
+    driver.edit("joint.joint_2", "12");
+    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
+    QCOMPARE(angle("joint.joint_1"), 60.0);
+    QCOMPARE(angle("joint.joint_2"), 12.0);
+    driver.click("quickActions/undo");
+    QCOMPARE(angle("joint.joint_1"), 60.0);
+    QCOMPARE(angle("joint.joint_2"), 0.0);
+    driver.click("quickActions/undo");
+    QCOMPARE(angle("joint.joint_1"), -60.0);
+    QVERIFY(driver.settle());
   }
 };
 
