@@ -63,6 +63,10 @@ void CellPaths::reportVerified(const PathResult& result) {
     said.action = [this, document = m_document] {
       if (document == m_document) askForPairs();
     };
+    said.otherText = tr("&Show the first on the time line");
+    said.other = [this, document = m_document, of = result.basis.path.name] {
+      if (document == m_document && choosePath(of)) emit collisionChosen(0);
+    };
   }
   emit message(said);
 }

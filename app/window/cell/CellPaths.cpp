@@ -190,7 +190,7 @@ void CellPaths::connectActions() {
   connect(&m_remove, &QAction::triggered, this, &CellPaths::removeCurrent);
   connect(m_tree, &PlanTree::currentChanged, this, [this] {
     verify();
-    m_targets.setSelected(target() ? target()->name : std::string(), frame() ? frame()->name : std::string());
+    showSelected();
     offerActions();  // not update(): the row would be another one when a double click ends
     showDetail();
     showPath();
@@ -322,8 +322,13 @@ void CellPaths::update() {
   for (const RobotPath& each : plans().paths)
     statuses[each.name] = pathStatusOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
   m_tree->setPlans(plans(), m_document ? &cell().robot() : nullptr, statuses, m_targets.reach(), frameRemarks());
+  showSelected();  // it may have another name
   offerActions();
   showDetail();
+}
+
+void CellPaths::showSelected() {
+  m_targets.setSelected(target() ? target()->name : std::string(), frame() ? frame()->name : std::string());
 }
 
 // The list has room for a few words only.
@@ -336,7 +341,7 @@ void CellPaths::showDetail() {
       entry.kind == Kind::Path || entry.kind == Kind::Place ? plans().path(entry.name) : nullptr;
   if (of) {
     const PathStatus status = pathStatusOf(m_checks.stateOf(*of), *of, cell().displayUnit(), QLocale());
-    hasLinks = !status.collisions.empty();
+    hasLinks = of == path() && !status.collisions.empty();
     text = status.isFree ? status.summary : hasLinks ? linkedDetails(status) : status.details;
   } else if (const auto reach = m_targets.reach().find(entry.name);
              entry.kind == Kind::Target && reach != m_targets.reach().end()) {

@@ -150,6 +150,7 @@ class CellPaths : public QObject {
   // named: what may be given a better name at once.
   void reportStored(const DocumentTab& tab, const QString& title, const QString& detail,
                     std::optional<PlanTree::Entry> named = {});
+  void showSelected();  // in the view
   void showDetail();
   void askForPairs();
   void readSemantics(const QString& file);

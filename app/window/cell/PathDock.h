@@ -9,6 +9,10 @@
 
 #include <QAction>
 #include <QPointer>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
 class QDockWidget;
 class QLabel;

@@ -95,6 +95,14 @@ class CellTargetsWindowTest : public QObject {
     driver.tree()->setCurrentItem(driver.tree()->topLevelItem(0));
     QVERIFY(driver.settle());
     QTRY_VERIFY(greens() > before && greens() <= selected);
+    // Selected once more, also under another name.
+    QTreeWidgetItem* const frames = driver.tree()->topLevelItem(3);
+    driver.tree()->setCurrentItem(frames->child(0));
+    QVERIFY(driver.settle());
+    QTRY_COMPARE(greens(), selected);
+    frames->child(0)->setText(0, "spot");
+    QVERIFY(driver.settle());
+    QTRY_COMPARE(greens(), selected);
   }
 
   // Moved away with its body it is out of reach, and says so.
