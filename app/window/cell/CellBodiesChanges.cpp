@@ -311,27 +311,30 @@ void CellBodies::reportAdded(BodyId id, const QString& file, bool hasUnit, bool 
   const BodyPointer body = cell().bodies().withId(id);
   const QString name = QString::fromStdString(body->name),
                 size = sizeText(body->geometry->bounds().sizes(), cell().displayUnit(), QLocale());
-  Message said;
+  Message said{Message::Weight::Info, tr("%1 was placed beside the others").arg(name)};
+  QStringList details;
   if (!hasUnit) {
-    said = {Message::Weight::Warning, tr("%1 measures %2").arg(name, size),
-            tr("%1 has no unit; its numbers were taken as millimetres.").arg(file)};
+    said.weight = Message::Weight::Warning;
+    said.title = tr("%1 measures %2").arg(name, size);
+    details += tr("%1 has no unit; its numbers were taken as millimetres.").arg(file);
   }
+  if (isBeside)
+    details += tr("Where its file says, it would be inside something else: it was placed beside the others.");
+  said.detail = details.join(QLatin1Char(' '));
   said.about = &m_document->document;
-  if (isBeside) {
-    if (hasUnit) said.title = tr("%1 was placed beside the others").arg(name);
-    const QString why = tr("Where its file says, it would be inside something else: it was placed beside the others.");
-    said.detail += (said.detail.isEmpty() ? QString() : QStringLiteral(" ")) + why;
-    said.otherText = tr("&Place it where its file says");
-    said.other = [this, id, document = m_document] {
-      if (document == m_document) placeAsInFile(id);
-    };
-  }
   if (!hasUnit && m_unit.isEnabled()) {
     said.actionText = tr("Choose the unit…");
     said.action = [this, id, document = m_document] {
       if (document != m_document) return;
       m_selection.select(id);
       askForUnit();
+    };
+  }
+  if (isBeside) {
+    const bool isFirst = said.actionText.isEmpty();
+    (isFirst ? said.actionText : said.otherText) = tr("&Place it where its file says");
+    (isFirst ? said.action : said.other) = [this, id, document = m_document] {
+      if (document == m_document) placeAsInFile(id);
     };
   }
   emit message(said);
@@ -358,7 +361,8 @@ void CellBodies::read(const OperationValues& values) {
     return [this, &tab, placed = values, body]() mutable {
       if (!*body) return report(tab.document, body->error());
       const auto& now = static_cast<const RobotCellDocument&>(tab.document);
-      const bool isBeside = standBeside(contentOf(now), (*body)->body, placed);
+      // It is only moved where that is said and seen.
+      const bool isBeside = &tab == m_document && standBeside(contentOf(now), (*body)->body, placed);
       commit(tab, placed, bodyChange(placed, now.bodies(), std::move(*body).value()), isBeside);
     };
   };
