@@ -198,8 +198,9 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
   QString detail = tr("%Ln motion(s), read back within %1 mm.", nullptr, static_cast<int>(written.check.motions))
                        .arg(locale.toString(written.check.distance, 'g', 2));
   if (written.exactStops > 0) {
-    detail += QLatin1Char(' ') + tr("%Ln blend(s) became exact stops, as their zones are not free everywhere.", nullptr,
-                                    static_cast<int>(written.exactStops));
+    detail +=
+        QLatin1Char(' ') + tr("%Ln blend(s) became exact stops, as not every way within their zones is proven free.",
+                              nullptr, static_cast<int>(written.exactStops));
   }
   if (!written.frame.empty())
     detail += QLatin1Char(' ') + tr("Its places are in the frame %1.").arg(QString::fromStdString(written.frame));
