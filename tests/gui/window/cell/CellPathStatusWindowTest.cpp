@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include "window/cell/PlanTree.h"
 
@@ -238,8 +239,10 @@ class CellPathStatusWindowTest : public QObject {
     driver.tree()->setCurrentItem(driver.paths()->child(0));
     QVERIFY(driver.becomes(0, "collision"));
     auto* const detail = driver.find<QLabel>("planDetail");
-    QVERIFY(detail->text().contains("<a href=\"0\">On the way to place"));
-    emit detail->linkActivated("0");
+    const QRegularExpression link("<a href=\"(\\d+)\">On the way to place [^<]* with [^<]*</a>");
+    const QRegularExpressionMatch first = link.match(detail->text());
+    QVERIFY2(first.hasMatch(), qPrintable(detail->text()));
+    emit detail->linkActivated(first.captured(1));
     QTRY_VERIFY(driver.find<QDockWidget>("pathDock")->isVisible());
     QTRY_VERIFY(driver.text("pathText").contains("collision"));
     QVERIFY(driver.find<TimeLinePanel>("pathTimeLine")->time() > 0.0);
