@@ -85,6 +85,7 @@ class CellPaths : public QObject {
  signals:
   void rowChanged();                         // another row is selected
   void pathChanged();                        // the present path, or what is known of it
+  void robotSent();                          // to a configuration, place or target, where it is to be seen
   void collisionChosen(std::size_t number);  // of the present path, by its number in stretchesOf()
   void message(const handwheel::Message& message);
 

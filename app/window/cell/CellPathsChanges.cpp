@@ -161,6 +161,7 @@ void CellPaths::goToTarget(const std::string& name) {
   if (!place) return report(place.error());
   if (auto edit = cell().jointEdit(place->joints))
     cell().commit(tr("Go to %1").arg(QString::fromStdString(name)), std::move(edit));
+  emit robotSent();
 }
 
 void CellPaths::goTo(const PlanTree::Entry& entry) {
@@ -175,10 +176,11 @@ void CellPaths::goTo(const PlanTree::Entry& entry) {
   const JointValues& set = configuration ? configuration->joints : of->places[entry.place].joints;
   const std::string& arm = configuration ? configuration->arm : of->arm;
   auto edit = cell().jointEdit(jointsSetBy(cell().robot(), arm, set, cell().joints()));
-  if (!edit) return;
   const QString name = QString::fromStdString(entry.name);
-  cell().commit(configuration ? tr("Go to %1").arg(name) : tr("Go to place %1 of %2").arg(entry.place + 1).arg(name),
-                std::move(edit));
+  const QString text =
+      configuration ? tr("Go to %1").arg(name) : tr("Go to place %1 of %2").arg(entry.place + 1).arg(name);
+  if (edit) cell().commit(text, std::move(edit));
+  emit robotSent();
 }
 
 // Before the goal, if no place before that is selected: the path goes on ending there.

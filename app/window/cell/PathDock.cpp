@@ -30,6 +30,7 @@ PathDock::PathDock(const WindowContext& parts, CellPaths& paths, QObject* parent
   connect(&paths, &CellPaths::pathChanged, this, [this] {
     if (m_isOpen && m_shown != m_paths.checked()) prepare();
   });
+  connect(&paths, &CellPaths::robotSent, this, &PathDock::close);
   connect(&paths, &CellPaths::collisionChosen, this,
           [this](std::size_t number) { goToCollision(m_paths.path()->name, number); });
 }

@@ -385,6 +385,13 @@ class CellPlanningWindowTest : public QObject {
     driver.click("quickActions/undo");
     QCOMPARE(angle("joint.joint_1"), -60.0);
     QVERIFY(driver.settle());
+    // Where it is sent it is seen, also where it stands already.
+    driver.choose("pathDockToggle");
+    QTRY_COMPARE(angle("joint.joint_1"), 60.0);
+    driver.tree()->setCurrentItem(driver.configurations()->child(1));
+    driver.choose("goToConfiguration");
+    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
+    QCOMPARE(angle("joint.joint_1"), -60.0);
   }
 };
 
