@@ -71,7 +71,7 @@ class BodyPlacingTest : public QObject {
  private:
   static RobotCellSnapshot cellWithoutBodies(ArmCell& cell) {
     RobotCellSnapshot content = cell.content();
-    content.bodies = {};
+    content.bodies = BodySet();
     return content;
   }
 
