@@ -9,7 +9,8 @@ namespace handwheel {
 
 double targetError(const ExerciseStock& exercise, const TurnedProfile& part) {
   const TurningTask& task = *exercise.task;
-  return deviationFrom(*task.target, part, 0.0, {}, {task.lathe.chuckHeight, task.stock.length}).largest();
+  const AxisRange range = rangeOfTarget(*task.target, part, 0.0, task.lathe.chuckHeight);
+  return deviationFrom(*task.target, part, 0.0, {}, range).largest();
 }
 
 std::shared_ptr<const WorkpieceSnapshot> turnedWorkIn(const SnapshotPointer& content) {

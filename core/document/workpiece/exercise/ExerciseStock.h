@@ -13,7 +13,8 @@ struct ExerciseStock {
   std::shared_ptr<const TurningTask> task;  // with the target, if there is one
 };
 
-// How far a part is from the target of the task at most, above the chuck, mm. The task must have one.
+// How far a part is from the target of the task at most, mm: above the chuck, and above the bar behind the target. The
+// task must have one.
 double targetError(const ExerciseStock& exercise, const TurnedProfile& part);
 
 // The stock of an exercise document's value; none for other documents, and exercises about other work.
