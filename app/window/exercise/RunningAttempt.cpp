@@ -250,13 +250,18 @@ void RunningAttempt::measure() {
   Work* const measured = current();
   if (!measured) return;
   measured->tab->document.settle();
-  start(m_parts.jobs, tr("Measuring"), *measured, true);
+  startMeasuring(*measured);
+}
+
+void RunningAttempt::startMeasuring(const Work& measured) {
+  start(m_parts.jobs, tr("Measuring"), measured, true);
 }
 
 // A step is ticked as soon as the part is so; the sizes stay for those who ask.
 void RunningAttempt::check() {
-  const Work* const work = current();
+  Work* const work = current();
   if (!work) return;
+  ++work->changes;
   m_lesson->setOutdated();
   const std::vector<ExerciseStep>& steps = work->exercise->exercise.steps;
   const auto waits = [](const ExerciseStep& step) { return !step.criteria.empty(); };
@@ -267,11 +272,16 @@ void RunningAttempt::start(JobRunner& jobs, const QString& name, const Work& mea
   Job job;
   job.name = name;
   job.owner = measured.tab;
-  job.work = [this, showsSizes, tab = measured.tab, exercise = measured.exercise,
+  job.work = [this, showsSizes, tab = measured.tab, exercise = measured.exercise, changes = measured.changes,
               work = measured.tab->document.snapshot(), attempt = measured.attempt](Progress progress) -> Job::Finish {
     auto marking = std::make_shared<Marking>(markWork(*exercise, *work, attempt, progress));
     if (progress.cancelled()) return {};
-    return [this, showsSizes, tab, exercise, marking] { take(tab, *exercise, *marking, showsSizes); };
+    return [this, showsSizes, tab, exercise, changes, marking] {
+      const Work* const now = find(tab);
+      // The part is another one by now: checks were started again with that change, and so is what was asked for.
+      if (now && now->changes != changes) return showsSizes ? startMeasuring(*now) : void();
+      take(tab, *exercise, *marking, showsSizes);
+    };
   };
   jobs.start(std::move(job));
 }

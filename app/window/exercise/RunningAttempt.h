@@ -43,6 +43,7 @@ class RunningAttempt : public QObject {
     Attempt attempt;
     std::shared_ptr<const ExerciseSnapshot> origin;  // that it was begun from in this window; null: from a file
     double secondsInFile = 0.0;
+    int changes = 0;  // of the document, that were seen: tells what was measured before one
   };
   Work* find(const DocumentTab* tab);
   Work* current() { return m_works.empty() || !m_isCurrent ? nullptr : &m_works.back(); }
@@ -59,6 +60,7 @@ class RunningAttempt : public QObject {
   void setDone(Work& work, std::size_t step, bool isDone);
   void tick();
   void measure();
+  void startMeasuring(const Work& measured);
   void check();
   void start(JobRunner& jobs, const QString& name, const Work& measured, bool showsSizes);
   void take(const DocumentTab* tab, const ExerciseSnapshot& exercise, const Marking& marking, bool showsSizes);

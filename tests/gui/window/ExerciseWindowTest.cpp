@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowTestMain.h"
 #include "document/exercise/ExerciseDocument.h"
+#include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/exercise/TurningTask.h"
 #include "haptics/TurningWindow.h"
 #include "window/documents/DocumentTab.h"
@@ -109,6 +111,17 @@ class ExerciseWindowTest : public QObject {
     partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/measure")->click();
     QVERIFY(driver.settle());
     QTRY_VERIFY(sizes->isEnabled() && !sizes->text().contains("changed since"));
+    // What is cut while it is measured is measured, too: ⌀30 up to the shoulder at Z 50, at 0.25 mm per revolution.
+    auto& work = static_cast<WorkpieceDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
+    TurningPass pass;
+    pass.noseRadius = 0.8;
+    pass.path = {{15.8, 82.0}, {15.8, 50.8}};
+    pass.times = {0.0, 31.2 / (0.25 * 800.0 / 60.0)};
+    const auto part = withPass(work.workpiece(), pass, 0.05);
+    partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/measure")->click();
+    work.commit("Turn", std::make_unique<TurnedPartEdit>(part));
+    QVERIFY(driver.settle());
+    QTRY_VERIFY2(sizes->isEnabled() && sizes->text().contains(QStringLiteral("✓ ⌀30 ±0.5")), qPrintable(sizes->text()));
 
     QVERIFY(!partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->isEnabled());
   }
