@@ -80,6 +80,7 @@ ExerciseEditor::ExerciseEditor(QWidget* parent)
   auto* task = new QVBoxLayout(m_taskPage);
   task->setContentsMargins(0, 0, 8, 8);
   task->addWidget(m_task, 1);
+  m_task->keepPlaceForRemarks();
   const auto present = [this]() -> Document* { return m_document; };
   connectEdits(*m_task, present, this);
   m_criteria = makeRows(QStringLiteral("criteria"), tr("Add what is marked"), [this](QToolButton* add) {
@@ -103,6 +104,7 @@ ExerciseEditor::ExerciseEditor(QWidget* parent)
       m_steps.list->setCurrentRow(m_steps.list->count() - 1);
     });
   });
+  m_criteria.properties->keepPlaceForRemarks();
   connect(m_criteria.remove, &QToolButton::clicked, this, [this] {
     const int row = m_criteria.list->currentRow();
     if (!m_document || row < 0) return;

@@ -12,6 +12,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
+#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
@@ -84,6 +85,37 @@ class ExerciseEditorTest : public QObject {
     menu->findChild<QMenu*>("criteria/sizes")->actions().first()->trigger();
     QTRY_COMPARE(list->count(), before + 1);
     QCOMPARE(list->currentRow(), before);
+  }
+
+  // A warning of one field moves no other, and goes with its cause.
+  void warningsMoveNoField() {
+    WindowDriver driver;
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    driver.find<QTabWidget>("exerciseEditor")->setCurrentIndex(1);
+    driver.find<QListWidget>("criteria")->setCurrentRow(0);
+    auto* const page = driver.find<QListWidget>("criteria")->parentWidget();
+    const auto* const remarks = page->findChild<QLabel*>("propertyRemarks");
+    QVERIFY(remarks && remarks->text().isEmpty());
+    Document& exercise = driver.window().findChild<DocumentTabs*>()->current()->document;
+    const auto places = [&] {
+      QTest::qWait(20);  // until they are laid out
+      QList<int> heights;
+      for (const char* const id : {"at1", "lower", "points", "slack", "hidden"}) {
+        auto* row = page->findChild<QWidget*>(QStringLiteral("property/criterion.d36.") + QLatin1String(id));
+        heights << (row ? row->mapTo(page, QPoint(0, 0)).y() : -1);
+      }
+      return heights;
+    };
+    const QList<int> before = places();
+    QVERIFY(!before.contains(-1));
+    for (const char* const limit : {"criterion.d36.lower", "criterion.d36.upper"})
+      QVERIFY(exercise.setProperty(limit, std::string()));
+    QTRY_VERIFY2(remarks->text().contains("they cannot be scored without a limit"), qPrintable(remarks->text()));
+    QCOMPARE(places(), before);
+    driver.click("quickActions/undo");
+    QTRY_VERIFY(remarks->text().isEmpty());
+    QCOMPARE(places(), before);
   }
 
   // The marks of a step are checked in a list, and its hints are rows of another; each change is one undo step.

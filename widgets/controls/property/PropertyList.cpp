@@ -17,7 +17,10 @@ namespace handwheel {
 
 namespace {
 constexpr int kUsualWidth = 256;
-}
+constexpr int kRemarkLines = 3;    // for which there is room below a form
+constexpr int kRemarkMargin = 4;   // pixels, around them
+constexpr int kRemarkIndent = 12;  // pixels, as of the fields
+}  // namespace
 
 PropertyList::PropertyList(QWidget* parent)
     : QScrollArea(parent), m_page(new QWidget(this)), m_column(new QVBoxLayout(m_page)), m_empty(new QLabel(m_page)) {
@@ -41,6 +44,7 @@ void PropertyList::setProperties(const std::vector<Property>& properties) {
   if (!same) return rebuild();
   for (std::size_t i = 0; i < m_rows.size(); ++i) m_rows[i]->showProperty(m_properties[i], m_unit);
   foldRows();
+  showRemarks();
 }
 
 void PropertyList::setFolding(const std::map<std::string, bool>& open) {
@@ -101,6 +105,7 @@ void PropertyList::rebuild() {
     row->deleteLater();
   }
   foldRows();
+  showRemarks();
   chainTab();
   updateGeometry();
   // The page is short until it is laid out anew, which scrolls it up.
@@ -139,8 +144,38 @@ void PropertyList::setEmptyText(const QString& text) {
   m_empty->setText(text);
 }
 
+void PropertyList::keepPlaceForRemarks() {
+  m_remarks = new QLabel(this);
+  m_remarks->setObjectName(QStringLiteral("propertyRemarks"));
+  m_remarks->setProperty("bad", true);
+  m_remarks->setTextFormat(Qt::PlainText);
+  m_remarks->setWordWrap(true);
+  m_remarks->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  m_remarks->setContentsMargins(kRemarkIndent, kRemarkMargin, kRemarkIndent, kRemarkMargin);
+  m_remarks->setFixedHeight(kRemarkLines * m_remarks->fontMetrics().lineSpacing() + 2 * kRemarkMargin);
+  setViewportMargins(0, 0, 0, m_remarks->height());
+}
+
+// What was refused first, for somebody is typing it. All of it is in the tool tip, should it be long.
+void PropertyList::showRemarks() {
+  if (!m_remarks) return;
+  QStringList refused, others;
+  for (const PropertyRow* row : m_rows) {
+    const QString remark = row->namedRemark();
+    if (!remark.isEmpty()) (row->isRefused() ? refused : others) << remark;
+  }
+  const QString text = (refused + others).join(QLatin1Char('\n'));
+  m_remarks->setText(text);
+  m_remarks->setToolTip(text.isEmpty() ? text : QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped()));
+}
+
+void PropertyList::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  if (m_remarks) m_remarks->setGeometry(0, height() - m_remarks->height(), width(), m_remarks->height());
+}
+
 QSize PropertyList::sizeHint() const {
-  return {kUsualWidth, m_page->heightForWidth(kUsualWidth)};
+  return {kUsualWidth, m_page->heightForWidth(kUsualWidth) + (m_remarks ? m_remarks->height() : 0)};
 }
 
 PropertyRow* PropertyList::addRow(const Property& property) {
@@ -150,6 +185,9 @@ PropertyRow* PropertyList::addRow(const Property& property) {
   });
   connect(row, &PropertyRow::typed, this,
           [this, id = property.id](const PropertyValue& value) { emit typed(id, value); });
+  if (!m_remarks) return row;
+  row->showRemarkOutside();
+  connect(row, &PropertyRow::remarkChanged, this, &PropertyList::showRemarks);
   return row;
 }
 

@@ -33,12 +33,18 @@ class PropertyList : public QScrollArea {
   // Says at its field why the document has not taken a value. Nothing happens when it is not shown any more.
   void refuse(const std::string& id, const PropertyValue& entered, const QString& reason);
   void setEmptyText(const QString& text);  // shown when there are no properties
+  // Remarks on values stand in a place below the form that is kept for them, else below their field: no field moves
+  // when one comes or goes. To be called before setProperties().
+  void keepPlaceForRemarks();
 
   QSize sizeHint() const override;
 
  signals:
   void edited(const std::string& id, const handwheel::PropertyValue& value, bool stillDragging);
   void typed(const std::string& id, const handwheel::PropertyValue& value);  // a number, before it is entered
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   bool fit(const std::vector<Property>& properties) const;
@@ -48,10 +54,12 @@ class PropertyList : public QScrollArea {
   void addHeading(const Property& property);  // above it: its group
   QWidget* makeHeading(const std::string& group, const QString& text);
   void foldRows();
+  void showRemarks();
 
   QWidget* m_page;
   QVBoxLayout* m_column;
   QLabel* m_empty;
+  QLabel* m_remarks = nullptr;  // null: they stand below their fields
   std::vector<PropertyRow*> m_rows;
   std::vector<QWidget*> m_headings;
   std::map<std::string, bool> m_openAtFirst, m_isOpen;  // by the group

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QStyle>
 #include <QVBoxLayout>
 
 namespace handwheel {
@@ -79,9 +80,28 @@ void PropertyRow::forgetRefusal() {
   showRemark();
 }
 
+void PropertyRow::showRemarkOutside() {
+  m_isRemarkOutside = true;
+  showRemark();
+}
+
+QString PropertyRow::namedRemark() const {
+  return remark().isEmpty() ? QString() : tr("%1: %2").arg(m_label->text(), remark());
+}
+
 void PropertyRow::showRemark() {
-  m_problem->setText(m_refusal.isEmpty() ? m_remark : m_refusal);
-  m_problem->setVisible(!m_problem->text().isEmpty());
+  const bool isChanged = m_problem->text() != remark();
+  m_problem->setText(remark());
+  m_problem->setVisible(!m_isRemarkOutside && !remark().isEmpty());
+  if (m_isRemarkOutside) markBad(*m_label, !remark().isEmpty());
+  if (isChanged) emit remarkChanged();
+}
+
+void PropertyRow::markBad(QWidget& widget, bool isBad) {
+  if (widget.property("bad").toBool() == isBad) return;
+  widget.setProperty("bad", isBad);
+  widget.style()->unpolish(&widget);
+  widget.style()->polish(&widget);
 }
 
 PropertyRow::Kind PropertyRow::kindOf(const Property& property) {

@@ -25,10 +25,17 @@ class PropertyRow : public QWidget {
   // Says why the document has not taken a value. A text stays in the field, to be corrected, or until Esc restores the
   // former one.
   void refuse(const PropertyValue& entered, const QString& reason);
+  // The remark on the value is shown by who shows the row, so that the row is always as high: here, only its label
+  // looks bad.
+  void showRemarkOutside();
+  // "Points: they cannot be scored without a limit"; empty: there is nothing to remark.
+  QString namedRemark() const;
+  bool isRefused() const { return !m_refusal.isEmpty(); }
 
  signals:
   void edited(const PropertyValue& value, bool stillDragging);
   void typed(const PropertyValue& value);  // before it is entered
+  void remarkChanged();
 
  protected:
   // How label and editor share the width of a line.
@@ -51,8 +58,11 @@ class PropertyRow : public QWidget {
     return false;
   }
   void forgetRefusal();
+  // To what is not as it should be, or back. Styles are by properties, which are looked at once.
+  static void markBad(QWidget& widget, bool isBad);
 
  private:
+  const QString& remark() const { return m_refusal.isEmpty() ? m_remark : m_refusal; }
   void showRemark();
 
   std::string m_id;
@@ -60,6 +70,7 @@ class PropertyRow : public QWidget {
   QString m_remark;   // on the value
   QString m_refusal;  // of the value that was entered last
   bool m_isKept = false;
+  bool m_isRemarkOutside = false;
   QLabel* m_label;
   QLabel* m_problem;
 };

@@ -18,7 +18,6 @@
 #include <QPlainTextEdit>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWheelEvent>
@@ -132,11 +131,8 @@ void NumberRow::showValue(const Property& property, LengthUnit unit) {
 void NumberRow::showNearness(double share) {
   const std::pair<QLabel*, bool> limits[] = {{m_lower, share < kNearLimit}, {m_upper, share > 1.0 - kNearLimit}};
   for (const auto& [label, isNear] : limits) {
-    if (label->property("bad").toBool() == isNear) continue;
-    label->setProperty("bad", isNear);
     label->setProperty("muted", !isNear);
-    label->style()->unpolish(label);
-    label->style()->polish(label);
+    markBad(*label, isNear);
   }
 }
 
