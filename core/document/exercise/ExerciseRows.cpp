@@ -18,9 +18,16 @@ void moveRow(std::vector<Row>& rows, std::size_t row, bool isUp) {
 // Of the nominal value, or within the limits: a target may lie in the middle of a tolerance zone.
 bool isMarkedBy(const MarkingCriterion& size, const MarkingCriterion& c) {
   constexpr double kSame = 1e-3;
-  if (c.figure != size.figure || c.arguments.size() != size.arguments.size()) return false;
+  if (!size.nominal || c.figure != size.figure || c.arguments.size() != size.arguments.size()) return false;
   const bool isNominal = c.nominal && std::abs(*c.nominal - *size.nominal) <= kSame;
   return isNominal || (c.lower && c.upper && *c.lower <= *size.nominal && *size.nominal <= *c.upper);
+}
+
+// What has no nominal value is a deviation along a range: it is marked where most of that is.
+bool isRangeMarkedBy(const MarkingCriterion& size, const MarkingCriterion& c) {
+  if (size.nominal || c.figure != size.figure || size.arguments.size() != 2 || c.arguments.size() != 2) return false;
+  const double from = std::max(size.arguments[0], c.arguments[0]), to = std::min(size.arguments[1], c.arguments[1]);
+  return to - from > 0.5 * (size.arguments[1] - size.arguments[0]);
 }
 
 // Of the places of two criteria of one figure.
@@ -56,6 +63,7 @@ ExerciseSnapshot withCriteria(ExerciseSnapshot exercise, std::vector<MarkingCrit
 std::vector<MarkingCriterion> unmarkedSizes(const ExerciseSnapshot& exercise) {
   std::vector<MarkingCriterion> sizes = exercise.subject->targetSizes(*exercise.task);
   for (const MarkingCriterion& marked : exercise.exercise.criteria) {
+    std::erase_if(sizes, [&](const MarkingCriterion& size) { return isRangeMarkedBy(size, marked); });
     auto nearest = sizes.end();
     for (auto size = sizes.begin(); size != sizes.end(); ++size) {
       if (!isMarkedBy(*size, marked)) continue;

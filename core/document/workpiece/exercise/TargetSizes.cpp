@@ -6,8 +6,10 @@
 #include "document/workpiece/exercise/DrawingTolerance.h"
 #include "machining/target/ProfileFeatures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace handwheel {
 
@@ -19,6 +21,8 @@ constexpr double kShortArc = 1.0;       // mm: its radius is measured from five 
 constexpr double kMargin = 0.1;         // of the length: so far from the ends of a surface it is measured,
 constexpr double kLargestMargin = 1.0;  // mm, at most
 constexpr double kBeside = 1e-4;        // mm, above and below a face
+constexpr double kShortestCurve = 3.0;  // mm: shorter ones are fillets of many lines
+constexpr double kStraight = 4.0;  // by the pieces beside it: a cylinder of that length is one, also within a curve
 
 struct GeneralTolerance {
   double upTo, deviation;
@@ -45,20 +49,37 @@ class TargetSizes {
   explicit TargetSizes(const TurningTask& task) : m_task(task), m_target(*task.target) {}
 
   std::vector<MarkingCriterion> find() {
-    const std::vector<ProfileFeature> features = featuresOf(m_target, kFeature);
-    for (const ProfileFeature& feature : features) {
+    const std::vector<ProfileFeature> pieces = featuresOf(m_target, kFeature);
+    for (const ProfileFeature& feature : pieces) {
       if (feature.kind == ProfileFeature::Kind::FlatFace && isTop(feature)) m_top = feature;
     }
-    for (const ProfileFeature& feature : features) {
-      if (feature.kind == ProfileFeature::Kind::FlatFace)
+    // Each curve stands for as many of the pieces as are between its ends.
+    std::size_t piece = 0;
+    for (const ProfileFeature& feature : withCurves(pieces)) {
+      const std::size_t first = piece++;
+      if (feature.kind == ProfileFeature::Kind::FlatFace) {
         addFace(feature);
-      else
+      } else if (feature.kind == ProfileFeature::Kind::Curve) {
+        while (!isLastPiece(feature, pieces[piece - 1])) ++piece;
+        addCurve(feature, std::span(pieces).subspan(first, piece - first));
+      } else {
         addSurface(feature);
+      }
     }
+    addForms();
     return std::move(m_found);
   }
 
  private:
+  // Along the axis, with the largest radius there.
+  struct Form {
+    double from, to, radius;
+  };
+
+  static bool isLastPiece(const ProfileFeature& curve, const ProfileFeature& piece) {
+    return curve.isInner ? piece.low == curve.low : piece.high == curve.high;
+  }
+
   bool isTop(const ProfileFeature& face) const { return m_target.upperEnd() - face.low.y() <= kFeature; }
 
   void addSurface(const ProfileFeature& f) {
@@ -78,6 +99,39 @@ class TargetSizes {
     } else if (f.kind == ProfileFeature::Kind::Taper && !f.isInner) {
       c.figure = "taper";
       add(std::move(c), "∠", f.value * 180.0 / std::numbers::pi, deviationOf(kAngleLimits, (f.high - f.low).norm()));
+    }
+  }
+
+  // Its form, and the cylinders in it, as the stem of a glass: these are longer than lines that a curve is made of.
+  void addCurve(const ProfileFeature& curve, std::span<const ProfileFeature> pieces) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const ProfileFeature& f = pieces[i];
+      largest = std::max({largest, f.low.x(), f.high.x()});
+      if (f.kind != ProfileFeature::Kind::Cylinder || i == 0 || i + 1 == pieces.size()) continue;
+      if (f.length() >= kStraight * std::max(pieces[i - 1].length(), pieces[i + 1].length())) addSurface(f);
+    }
+    const double from = std::max(curve.low.y(), m_task.lathe.chuckHeight);
+    if (curve.high.y() - from >= kShortestCurve) m_forms.push_back({from, curve.high.y(), largest});
+  }
+
+  // The deviation of a form is measured outside and inside: curves over each other are one. Half of the general
+  // tolerance of its diameter is what the surface may be off.
+  void addForms() {
+    std::sort(m_forms.begin(), m_forms.end(), [](const Form& a, const Form& b) { return a.from < b.from; });
+    for (std::size_t i = 0; i < m_forms.size();) {
+      Form form = m_forms[i];
+      for (++i; i < m_forms.size() && m_forms[i].from < form.to; ++i)
+        form = {form.from, std::max(form.to, m_forms[i].to), std::max(form.radius, m_forms[i].radius)};
+      const double margin = std::min(kMargin * (form.to - form.from), kLargestMargin);
+      MarkingCriterion c;
+      c.figure = "profile";
+      c.arguments = {form.from + margin, form.to - margin};
+      c.lower = 0.0;
+      c.upper = 0.5 * deviationOf(kLengthLimits, 2.0 * form.radius);
+      c.name = "⌒ ±" + roundedText(*c.upper, 3);
+      c.points = 1.0;
+      m_found.push_back(std::move(c));
     }
   }
 
@@ -109,6 +163,7 @@ class TargetSizes {
   const TurningTask& m_task;
   const TargetProfile& m_target;
   std::optional<ProfileFeature> m_top;
+  std::vector<Form> m_forms;
   std::vector<MarkingCriterion> m_found;
 };
 

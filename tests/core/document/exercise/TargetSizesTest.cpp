@@ -5,6 +5,7 @@
 #include "TestClass.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 using namespace handwheel;
@@ -25,6 +26,10 @@ const MarkingCriterion* sizeOf(const std::vector<MarkingCriterion>& sizes, const
   for (const MarkingCriterion& c : sizes)
     if (c.figure == figure && std::abs(*c.nominal - nominal) < 1e-9) return &c;
   return nullptr;
+}
+
+std::ptrdiff_t countOf(const std::vector<MarkingCriterion>& sizes, const char* figure) {
+  return std::count_if(sizes.begin(), sizes.end(), [&](const MarkingCriterion& c) { return c.figure == figure; });
 }
 
 }  // namespace
@@ -60,6 +65,60 @@ class TargetSizesTest : public QObject {
     QVERIFY(sizeOf(sizes, "diameter", 24.0) && sizeOf(sizes, "bore", 16.0) && sizeOf(sizes, "depth", 20.0));
     QVERIFY(sizeOf(sizes, "length", 40.0) && sizeOf(sizes, "length", 35.0));
     QCOMPARE(sizeOf(sizes, "depth", 20.0)->arguments, std::vector<double>({4.0, 80.0, 14.0, 100.0}));
+  }
+
+  // A stem of 8 mm with a bowl of 100 lines on it, half a wave to ⌀38, that is then bored along another one.
+  void aCurveIsOneForm() {
+    const auto waveTo = [](double low, double high, int i) {
+      const double t = i / 100.0;
+      return ProfilePoint(low + (high - low) * 0.5 * (1.0 - std::cos(M_PI * t)), 60.0 + 40.0 * t);
+    };
+    std::vector<ProfilePoint> points = {{0, 0}, {20, 0}, {20, 30}, {4, 30}};
+    for (int i = 0; i <= 100; ++i) points.push_back(waveTo(4.0, 19.0, i));
+    points.emplace_back(0.0, 100.0);
+    const auto sizes = sizesOfTarget(taskWith(points));
+    points.pop_back();
+    QVERIFY(sizeOf(sizes, "diameter", 8.0));
+    QVERIFY(sizeOf(sizes, "length", 70.0));
+    QCOMPARE(sizes.size(), std::size_t(3));
+    QCOMPARE(sizes.back().figure, std::string("profile"));
+    QVERIFY(std::abs(sizes.back().arguments[0] - 61.0) < 1.0 && std::abs(sizes.back().arguments[1] - 99.0) < 1.0);
+    QVERIFY(!sizes.back().nominal && *sizes.back().lower == 0.0);
+    QVERIFY(std::abs(*sizes.back().upper - 0.15) < 1e-9);  // ⌀30 to 120: ±0.3, which is 0.15 of the radius
+
+    // The form is measured outside and inside: the curve of a bore over the other one is in it.
+    for (int i = 100; i >= 20; --i) points.push_back(waveTo(0.0, 16.0, i));
+    points.emplace_back(0.0, waveTo(0.0, 16.0, 20).y());
+    const auto hollow = sizesOfTarget(taskWith(points));
+    QVERIFY(countOf(hollow, "profile") == 1);
+    QVERIFY(countOf(hollow, "taper") == 0);
+  }
+
+  // A cylinder of 9 mm in a curve is as real as one between faces.
+  void aStemInACurve() {
+    const auto bent = [](double z) { return 4.0 + 0.05 * z * z; };  // mm, z from the end of the stem
+    std::vector<ProfilePoint> points = {{0, 0}, {20, 0}, {20, 50}};
+    for (int i = 40; i >= 0; --i) points.emplace_back(bent(0.25 * i), 60.0 - 0.25 * i);
+    for (int i = 0; i <= 40; ++i) points.emplace_back(bent(0.25 * i), 69.0 + 0.25 * i);
+    points.emplace_back(0.0, 79.0);
+    const auto sizes = sizesOfTarget(taskWith(points));
+    QVERIFY(sizeOf(sizes, "diameter", 8.0));
+    QCOMPARE(sizeOf(sizes, "diameter", 8.0)->arguments.size(), std::size_t(2));
+    QVERIFY(countOf(sizes, "profile") == 1);
+    QVERIFY(countOf(sizes, "taper") == 0);
+    QVERIFY(sizes.back().arguments[0] < 52.0 && sizes.back().arguments[1] > 77.0);
+  }
+
+  // A fillet of many lines is none of what is marked.
+  void aFilletOfLines() {
+    std::vector<ProfilePoint> points = {{0, 0}, {20, 0}, {20, 60}};
+    for (int i = 0; i <= 20; ++i)
+      points.emplace_back(16.2 - 1.2 * std::sin(M_PI * i / 40.0), 61.2 - 1.2 * std::cos(M_PI * i / 40.0));
+    points.emplace_back(15.0, 100.0);
+    points.emplace_back(0.0, 100.0);
+    const auto sizes = sizesOfTarget(taskWith(points));
+    QVERIFY(sizeOf(sizes, "diameter", 30.0));
+    for (const MarkingCriterion& c : sizes) QVERIFY2(c.figure == "diameter" || c.figure == "length", c.figure.c_str());
   }
 
   // Held in the chuck: not measured there.
