@@ -336,6 +336,26 @@ class ExerciseTest : public QObject {
     QVERIFY2(std::abs(outside[0]["roughness_um"].get<double>() - 0.45) < 1e-4, ran.out);
   }
 
+  // Where an exercise is to be done by hand no program cuts its bar, nor work that was begun on it.
+  void noProgramWhereItIsToBeDoneByHand() {
+    const Bench bench;
+    QFile file(kShaftExercise);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    nlohmann::json byHand = nlohmann::json::parse(file.readAll().toStdString());
+    byHand["task"]["programs"] = false;
+    bench.put("hand.exercise.json", QByteArray::fromStdString(byHand.dump()));
+    bench.put("p.ngc", "G21 G18 G7 S500 M3\nF100\nG0 X44 Z2\nG0 X36\nG1 Z-30\nM2\n");
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,20,0,125\n65,20,0,60\n");
+    QCOMPARE(bench.run({"exercise", "hand.exercise.json", "--stock", "-o", "bar.handwheel"}).code, 0);
+    for (const char* const work : {"hand.exercise.json", "bar.handwheel"}) {
+      const Ran refused = bench.run({"turn", work, "--program", "p.ngc", "-o", "x.handwheel"});
+      QCOMPARE(refused.code, 1);
+      QVERIFY2(refused.err.contains(work) && refused.err.contains("done by hand"), refused.err);
+      QVERIFY(!bench.names().contains("x.handwheel"));
+    }
+    QCOMPARE(bench.run({"turn", "bar.handwheel", "--recording", "p.csv", "-o", "x.handwheel"}).code, 0);
+  }
+
   // One point is told as one.
   void aSinglePoint() {
     const Bench bench;

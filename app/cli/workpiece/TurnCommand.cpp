@@ -19,6 +19,7 @@
 #include "document/workpiece/FinishReport.h"
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/exercise/AssignedTask.h"
 #include "document/workpiece/exercise/ExerciseStock.h"
 #include "machining/force/WorkMaterials.h"
 #include "text/NoteText.h"
@@ -116,6 +117,15 @@ int replay(const WorkpieceSnapshot& workpiece, bool asJson) {
   return code == kExitDone && !isSame ? kExitSomethingLeft : code;
 }
 
+// Why a program may not cut the work, which an exercise or a workpiece that belongs to one is; empty: it may.
+std::string refusalOfProgram(const TurnRequest& request, const OpenedFile& file,
+                             const std::optional<ExerciseStock>& exercise) {
+  if (request.program.empty()) return {};
+  const auto task = exercise ? exercise->task : assignedTask(file.file.assigned);
+  if (!task || task->areProgramsAllowed) return {};
+  return request.input + ": this exercise is to be done by hand. It does not allow programs to cut.";
+}
+
 // The speed of a lathe, r/min, unless the words tell one. 0 is none that cuts.
 void useSpindle(double speed, const Arguments& arguments, TurnRequest& request) {
   if (speed > 0.0 && !arguments.has("spindle")) request.spindle = speed;
@@ -145,6 +155,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   reportLosses(file.file);
   if (request.isReplay) return replay(*given, request.asJson);
 
+  if (const std::string refusal = refusalOfProgram(request, file, exercise); !refusal.empty()) return refuse(refusal);
   if (const std::string refusal = refusalToReplace(request.output, file.file); !refusal.empty()) return refuse(refusal);
   std::vector<std::filesystem::path> inputs{request.program, request.recording, request.tools, request.target};
   if (exercise) inputs.emplace_back(request.input);  // a workpiece would take the place of the exercise
