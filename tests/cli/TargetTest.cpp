@@ -65,6 +65,16 @@ class TargetTest : public QObject {
     QCOMPARE(json["dimensions"].size(), std::size_t{5});
   }
 
+  // Each end is where the other one was.
+  void isTurnedEndForEnd() {
+    const Bench bench;
+    bench.put("shaft.svg", kShaftDrawing);
+    const Ran ran = bench.run({"target", "shaft.svg", "--turn-target"});
+    QVERIFY2(ran.code == 0, ran.err);
+    QVERIFY2(ran.out.contains("cylinder Ø24, Z 0 to 50, length 50"), ran.out);
+    QVERIFY2(ran.out.contains("cylinder Ø40, Z 50 to 80, length 30"), ran.out);
+  }
+
   // To every format and back, with the same dimensions.
   void convertsDrawings() {
     const Bench bench;

@@ -27,6 +27,7 @@ struct TargetRequest {
   std::filesystem::path input, part, output;
   UnturnedFaces others = UnturnedFaces::Refuse;
   std::optional<double> allowance;  // mm
+  bool isTurned = false;            // end for end
   bool asJson = false;
 };
 
@@ -63,8 +64,9 @@ Result<WrittenFile> writeOutcome(const TargetRequest& request, const OpenedFile&
 Result<TargetOutcome> carryOut(const TargetRequest& request, const DocumentKinds& kinds, Progress progress) {
   const std::string overwrites = refusalToOverwrite(request.output, {request.input});
   if (!request.output.empty() && !overwrites.empty()) return TargetOutcome{{}, {}, 0.0, {}, {}, overwrites};
-  const Result<ImportedTarget> imported = importTarget(request.input, request.others, progress.part(0.0, 0.4));
+  Result<ImportedTarget> imported = importTarget(request.input, request.others, progress.part(0.0, 0.4));
   if (!imported) return imported.error();
+  if (request.isTurned) imported->profile = imported->profile.turnedEndForEnd();
   OpenedFile file = DocumentKinds::blank(*kinds.withId("workpiece"));
   WorkpieceSnapshot workpiece = barFor(*imported, request.allowance.value_or(kUsualAllowance));
   const bool hasPart = !request.part.empty();
@@ -143,6 +145,7 @@ Command targetCommand() {
            {
                {"of", 0, "PART", "A workpiece to measure, or to give the target to"},
                {"facing", 0, "MM", "Allowance for facing at the free end of the bar"},
+               {"turn-target", 0, "", "Turn the target end for end: the end at the chuck becomes the free one"},
                {"output", 'o', "OUT", "The drawing or document to write"},
                {"ignore-unturned", 0, "", "Leave out faces that are not of revolution, for example holes across"},
                {"json", 0, "", "Report as JSON"},
@@ -157,6 +160,7 @@ int runTarget(const Arguments& arguments, const DocumentKinds& kinds) {
   request.part = arguments.valueOf("of");
   request.output = arguments.valueOf("output");
   request.others = arguments.has("ignore-unturned") ? UnturnedFaces::Ignore : UnturnedFaces::Refuse;
+  request.isTurned = arguments.has("turn-target");
   request.asJson = arguments.has("json");
   if (arguments.has("facing")) {
     double facing = 0.0;

@@ -14,7 +14,7 @@
 #include "window/documents/FileDialogs.h"
 #include "window/exercise/ExerciseUi.h"
 #include "window/exercise/RoundTargetDialog.h"
-#include "window/exercise/TargetPlaceView.h"
+#include "window/kinds/TargetPlaceView.h"
 
 #include <QFile>
 #include <QFileDialog>

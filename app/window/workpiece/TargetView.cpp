@@ -5,6 +5,7 @@
 #include "controls/property/PropertyDialog.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/target/DeviationDisplay.h"
+#include "document/workpiece/target/SectionPicture.h"
 #include "document/workpiece/target/TargetEdit.h"
 #include "document/workpiece/target/TargetPlace.h"
 #include "document/workpiece/target/TargetReport.h"
@@ -17,6 +18,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
+#include "window/kinds/TargetPlaceView.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -98,6 +100,7 @@ TargetView::TargetView(const WindowContext& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
       m_import(tr("Import &target…"), this),
+      m_turn(tr("Turn the target &end for end"), this),
       m_remove(tr("&Remove target"), this),
       m_outline(tr("&Target in the view"), this),
       m_colours(tr("&Deviation in colours"), this),
@@ -112,6 +115,7 @@ TargetView::TargetView(const WindowContext& parts, QObject* parent)
   parts.viewport.addLayer(m_layer);
   connect(&m_outline, &QAction::toggled, this, &TargetView::showOutline);
   m_import.setObjectName(QStringLiteral("importTarget"));
+  m_turn.setObjectName(QStringLiteral("turnWorkpieceTarget"));
   m_remove.setObjectName(QStringLiteral("removeTarget"));
   m_colours.setObjectName(QStringLiteral("targetDeviation"));
   m_colours.setCheckable(true);
@@ -119,9 +123,11 @@ TargetView::TargetView(const WindowContext& parts, QObject* parent)
   m_roughness.setCheckable(true);
   setActionToolTip(m_roughness, tr("Show how rough the part is, from feed and nose of its last cuts"));
   setActionToolTip(m_import, tr("Import the target shape of the part from STEP, DXF, SVG or a workpiece"));
+  setActionToolTip(m_turn, tr("Make the end at the chuck the free one, whose face is finished"));
   setActionToolTip(m_remove, tr("Do not compare the part with a target"));
   setActionToolTip(m_colours, tr("Show where the part is larger or smaller than the target"));
   connect(&m_import, &QAction::triggered, this, &TargetView::askForFile);
+  connect(&m_turn, &QAction::triggered, this, &TargetView::turn);
   connect(&m_remove, &QAction::triggered, this,
           [this] { m_document->document.commit(tr("Remove target"), std::make_unique<TargetEdit>(nullptr)); });
   connect(&m_colours, &QAction::toggled, this, [this] { choose(m_colours, m_roughness); });
@@ -168,7 +174,8 @@ void TargetView::setDocument(DocumentTab* document) {
 void TargetView::refresh() {
   const WorkpieceDocument* const owner = workpiece();
   const bool hasTarget = owner && owner->workpiece().target;
-  m_remove.setEnabled(hasTarget && !m_document->document.file().assigned);
+  for (QAction* const change : {&m_turn, &m_remove})
+    change->setEnabled(hasTarget && !m_document->document.file().assigned);
   m_outline.setEnabled(hasTarget);
   m_colours.setEnabled(hasTarget);
   showOutline();
@@ -250,22 +257,38 @@ void TargetView::askForPlace(DocumentTab* document, const ImportedTarget& import
   const StockCylinder stock = static_cast<const WorkpieceDocument&>(document->document).workpiece().stock;
   // Of this dialog: there may be another one behind it.
   const auto proposed = std::make_shared<std::shared_ptr<const WorkpieceTarget>>(placedTarget(imported, stock));
-  propose(document, *proposed);
+  const auto intro = [proposed] {
+    return tr("The finished face of the part is zero of the drawing and of programs. The bar goes beyond it by what is "
+              "left "
+              "for facing. It can be changed later in the panel Stock.") +
+           QLatin1Char('\n') + noteText(endsNote((*proposed)->profile));
+  };
+  auto* view = new TargetPlaceView;
+  const auto show = [this, document, proposed, stock, view] {
+    propose(document, *proposed);
+    view->setPicture(targetInBar(stock, (*proposed)->profile));
+  };
+  const auto change = [proposed, show](TargetProfile profile) {
+    *proposed = std::make_shared<const WorkpieceTarget>(WorkpieceTarget{std::move(profile), (*proposed)->source});
+    show();
+  };
+  show();
   auto* dialog = new PropertyDialog(
-      {tr("Where the target lies"),
-       tr("The finished face of the part is zero of the drawing and of programs. The bar goes beyond it by what is "
-          "left "
-          "for facing. It can be changed later in the panel Stock."),
-       tr("&Import")},
+      {tr("Where the target lies"), intro(), tr("&Import")},
       [proposed, stock] { return placeProperties((*proposed)->profile, stock); },
-      [this, document, proposed, stock](const std::string&, const PropertyValue& value) -> Status {
+      [proposed, stock, change](const std::string&, const PropertyValue& value) -> Status {
         Result<TargetProfile> placed = withPlace((*proposed)->profile, stock, value);
         if (!placed) return placed.error();
-        *proposed = std::make_shared<const WorkpieceTarget>(WorkpieceTarget{std::move(*placed), (*proposed)->source});
-        propose(document, *proposed);
+        change(std::move(*placed));
         return Done{};
       },
       m_parts.window);
+  dialog->addView(view);
+  connect(view, &TargetPlaceView::turned, dialog, [proposed, change, intro, dialog] {
+    change((*proposed)->profile.turnedEndForEnd());
+    dialog->setIntro(intro());
+    dialog->refresh();
+  });
   dialog->setObjectName(QStringLiteral("targetPlaceDialog"));
   dialog->setModal(true);
   dialog->setLengthUnit(document->document.displayUnit());
@@ -275,6 +298,14 @@ void TargetView::askForPlace(DocumentTab* document, const ImportedTarget& import
     showOutline();
   });
   dialog->open();
+}
+
+void TargetView::turn() {
+  const std::shared_ptr<const WorkpieceTarget> target = workpiece() ? workpiece()->workpiece().target : nullptr;
+  if (!target) return;
+  const WorkpieceTarget turned{target->profile.turnedEndForEnd(), target->source};
+  m_document->document.commit(tr("Turn the target end for end"),
+                              std::make_unique<TargetEdit>(std::make_shared<const WorkpieceTarget>(turned)));
 }
 
 void TargetView::propose(DocumentTab* document, std::shared_ptr<const WorkpieceTarget> target) {

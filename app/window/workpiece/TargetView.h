@@ -28,7 +28,7 @@ class TargetView : public QObject {
 
   void setDocument(DocumentTab* document);
   void setVisible(bool isVisible);  // with the document
-  QList<QAction*> actions() { return {&m_import, &m_remove, &m_outline, &m_colours, &m_roughness}; }
+  QList<QAction*> actions() { return {&m_import, &m_turn, &m_remove, &m_outline, &m_colours, &m_roughness}; }
   QWidget* panel() { return m_panel; }
   // The workpiece in the colours of its deviation or its roughness; none where they are not shown.
   std::optional<DisplayModel> display(const WorkpieceSnapshot& workpiece) const;
@@ -45,6 +45,7 @@ class TargetView : public QObject {
   const WorkpieceDocument* workpiece() const;
   void askForFile();
   void askForPlace(DocumentTab* document, const ImportedTarget& imported, const QString& path);
+  void turn();
   void propose(DocumentTab* document, std::shared_ptr<const WorkpieceTarget> target);
   void take(DocumentTab* document, const std::shared_ptr<const WorkpieceTarget>& target, const ImportedTarget& imported,
             const QString& path);
@@ -54,7 +55,7 @@ class TargetView : public QObject {
   void showOutline();
 
   WindowContext m_parts;
-  QAction m_import, m_remove, m_outline, m_colours, m_roughness;
+  QAction m_import, m_turn, m_remove, m_outline, m_colours, m_roughness;
   QPointer<TargetPanel> m_panel;
   DocumentTab* m_document = nullptr;
   JobRunner m_measuring;

@@ -3,8 +3,8 @@
 #include "document/workpiece/exercise/TurningDetails.h"
 
 #include "base/NumberText.h"
-#include "document/workpiece/exercise/SectionPicture.h"
 #include "document/workpiece/exercise/TurningMeasurements.h"
+#include "document/workpiece/target/SectionPicture.h"
 #include "machining/force/ForcePeaks.h"
 #include "machining/measure/CrashTimes.h"
 #include "machining/target/TargetDeviation.h"
@@ -25,17 +25,6 @@ std::vector<ProfilePoint> lineOf(const TurnedProfile& profile, TurningSide side)
   for (std::size_t i = 0; i < profile.size(); ++i) {
     const double r = side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
     if (profile.hasMaterial(i) && (side == TurningSide::Outside || r > 0.0)) line.emplace_back(r, profile.z(i));
-  }
-  return line;
-}
-
-// The outline of a target, arcs as lines.
-std::vector<ProfilePoint> lineOf(const TargetProfile& target) {
-  constexpr int kOfArc = 32;
-  std::vector<ProfilePoint> line{target.segments().front().from};
-  for (const ProfileSegment& s : target.segments()) {
-    const int pieces = s.isArc() ? kOfArc : 1;
-    for (int k = 1; k <= pieces; ++k) line.push_back(s.at(static_cast<double>(k) / pieces));
   }
   return line;
 }
@@ -75,7 +64,7 @@ ReportCurve shapeCurve(const TurningTask& task, const TurnedProfile& profile) {
     curve.series.push_back(
         seriesOf(QT_TRANSLATE_NOOP("Figure", "Bore"), chainThinned(lineOf(profile, TurningSide::Bore), kSeen)));
   if (!task.target) return curve;
-  curve.series.push_back(seriesOf(QT_TRANSLATE_NOOP("Figure", "Target"), lineOf(*task.target)));
+  curve.series.push_back(seriesOf(QT_TRANSLATE_NOOP("Figure", "Target"), halfSectionOf(*task.target)));
   return curve;
 }
 
@@ -113,7 +102,7 @@ ReportCurve pathCurve(const TurningTask& task, const WorkpieceSnapshot& workpiec
 ReportPicture pictureOf(const TurningTask& task, const TurnedProfile& profile) {
   if (!task.target) return {sectionPicture(profile, {}), {QT_TRANSLATE_NOOP("Note", "The part in section.")}};
   return {
-      sectionPicture(profile, lineOf(*task.target)),
+      sectionPicture(profile, halfSectionOf(*task.target)),
       {QT_TRANSLATE_NOOP("Note",
                          "The part in section, with the outline of the target. Blue: material left over the target. "
                          "Red: cut too deep. The bar behind the part is grey.")}};
@@ -229,12 +218,6 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
           QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a power of %1 kW, where the lathe has %2 kW."), 3);
   details.seconds = part.review()->seconds();
   return details;
-}
-
-QImage targetInBar(const TurningTask& task) {
-  constexpr double kBarSamples = 500.0;  // of the bar, which alone is drawn by them
-  if (!task.target) return {};
-  return sectionPicture(TurnedProfile(task.stock, task.stock.length / kBarSamples), lineOf(*task.target));
 }
 
 }  // namespace handwheel

@@ -12,7 +12,4 @@ namespace handwheel {
 // O(samples + points of the passes).
 ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& work, Progress progress);
 
-// The target in section in its bar, as sectionPicture() has it; null without a target.
-QImage targetInBar(const TurningTask& task);
-
 }  // namespace handwheel

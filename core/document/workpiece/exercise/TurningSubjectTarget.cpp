@@ -4,8 +4,8 @@
 // The targets of exercises of turning: from work, from a file, in round sizes.
 #include "base/NumberText.h"
 #include "document/exercise/ExerciseErrors.h"
-#include "document/workpiece/exercise/TurningDetails.h"
 #include "document/workpiece/exercise/TurningSubject.h"
+#include "document/workpiece/target/SectionPicture.h"
 #include "document/workpiece/target/TargetImport.h"
 #include "document/workpiece/target/TargetPlace.h"
 #include "machining/refit/SampledProfile.h"
@@ -63,19 +63,12 @@ std::vector<Note> TurningSubject::placeNotes(const ExerciseTask& task) const {
 
 std::optional<Note> TurningSubject::endsNote(const ExerciseTask& task) const {
   const auto& target = static_cast<const TurningTask&>(task).target;
-  if (!target) return std::nullopt;
-  const auto diameter = [&](double z) {
-    const auto extent = target->extentAt(z);
-    return roundedText(extent ? std::round(2e3 * extent->outer) / 1e3 : 0.0, 6);
-  };
-  return Note{QT_TRANSLATE_NOOP("Note",
-                                "The end of ⌀%1 mm is the free one, whose face is finished; the end of ⌀%2 mm is "
-                                "towards the chuck."),
-              {diameter(target->upperEnd()), diameter(target->lowerEnd())}};
+  return target ? std::optional(handwheel::endsNote(*target)) : std::nullopt;
 }
 
 QImage TurningSubject::placePicture(const ExerciseTask& task) const {
-  return targetInBar(static_cast<const TurningTask&>(task));
+  const auto& turning = static_cast<const TurningTask&>(task);
+  return turning.target ? targetInBar(turning.stock, *turning.target) : QImage();
 }
 
 Result<TaskPointer> TurningSubject::withTurnedTarget(const ExerciseTask& task) const {

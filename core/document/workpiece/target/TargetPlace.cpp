@@ -81,6 +81,17 @@ std::vector<Property> placeProperties(const TargetProfile& target, const StockCy
                      shown(target.lowerEnd() - stock.position))};
 }
 
+Note endsNote(const TargetProfile& target) {
+  const auto diameter = [&](double z) {
+    const auto extent = target.extentAt(z);
+    return roundedText(extent ? std::round(2e3 * extent->outer) / 1e3 : 0.0, 6);
+  };
+  return {QT_TRANSLATE_NOOP("Note",
+                            "The end of ⌀%1 mm is the free one, whose face is finished; the end of ⌀%2 mm is "
+                            "towards the chuck."),
+          {diameter(target.upperEnd()), diameter(target.lowerEnd())}};
+}
+
 Result<TargetProfile> withPlace(const TargetProfile& target, const StockCylinder& stock, const PropertyValue& value) {
   const auto* const number = std::get_if<double>(&value);
   if (!number) return Error{ErrorCode::ElementMalformed, {kAllowanceId, "a number was expected"}, {}, {}};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
+#include "document/Note.h"
 #include "document/Property.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 
@@ -29,6 +30,8 @@ double programAllowance(const WorkpieceSnapshot& workpiece);
 // The allowance, which can be changed, with a remark where the target does not fit into the bar; where the finished
 // face is, and what is left at the chuck's end.
 std::vector<Property> placeProperties(const TargetProfile& target, const StockCylinder& stock);
+// Which end of the target is the free one of the bar, in words: both are named by their diameters.
+Note endsNote(const TargetProfile& target);
 // The target with another value of the allowance. Errors: ElementMalformed, ValueOutOfRange.
 Result<TargetProfile> withPlace(const TargetProfile& target, const StockCylinder& stock, const PropertyValue& value);
 

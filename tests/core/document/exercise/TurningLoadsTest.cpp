@@ -5,9 +5,9 @@
 #include "document/exercise/ExerciseProperties.h"
 #include "document/exercise/ExerciseRows.h"
 #include "document/workpiece/TurnedPartEdit.h"
-#include "document/workpiece/exercise/SectionPicture.h"
 #include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/exercise/TurningTask.h"
+#include "document/workpiece/target/SectionPicture.h"
 #include "document/workpiece/target/TargetPlace.h"
 
 #include <QtTest>

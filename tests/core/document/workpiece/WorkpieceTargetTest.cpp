@@ -7,6 +7,7 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "document/workpiece/target/DrawingExport.h"
+#include "document/workpiece/target/SectionPicture.h"
 #include "document/workpiece/target/TargetBlobs.h"
 #include "document/workpiece/target/TargetEdit.h"
 #include "document/workpiece/target/TargetPlace.h"
@@ -16,6 +17,7 @@
 
 #include <QFile>
 #include <QGuiApplication>
+#include <QImage>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <cmath>
@@ -181,6 +183,18 @@ class WorkpieceTargetTest : public QObject {
     // A bar that is hardly longer has what it has, and a shorter one nothing.
     QVERIFY(std::abs(usualAllowance(steppedShaft(), {50.0, 80.25, 0.0}) - 0.25) < 1e-9);
     QCOMPARE(usualAllowance(steppedShaft(), {50.0, 70.0, 0.0}), 0.0);
+  }
+
+  // ⌀24 is the upper end of the shaft and ⌀40 the lower one, and the other way round after it is turned. The picture is
+  // that of the target in its bar, wherever the bar is.
+  void endForEnd() {
+    const TargetProfile shaft = steppedShaft(), turned = shaft.turnedEndForEnd();
+    QCOMPARE(endsNote(shaft).arguments, std::vector<std::string>({"24", "40"}));
+    QCOMPARE(endsNote(turned).arguments, std::vector<std::string>({"40", "24"}));
+    const QImage picture = targetInBar({50.0, 100.0, 0.0}, shaft);
+    QVERIFY(!picture.isNull());
+    QVERIFY(picture == targetInBar({50.0, 100.0, 16.0}, shaft.moved(16.0)));
+    QVERIFY(picture != targetInBar({50.0, 100.0, 0.0}, turned));
   }
 
   // What is left for facing can be changed, undone and saved; where it does not fit, that is said.

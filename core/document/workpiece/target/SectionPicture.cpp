@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/workpiece/exercise/SectionPicture.h"
+#include "document/workpiece/target/SectionPicture.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -74,6 +74,21 @@ QImage sectionPicture(const TurnedProfile& part, std::span<const ProfilePoint> t
   // A byte for each pixel: a class has many parts.
   return picture.convertToFormat(
       QImage::Format_Indexed8, {qRgb(255, 255, 255), kInBoth.rgb(), kLeftOver.rgb(), kCutTooDeep.rgb(), qRgb(0, 0, 0)});
+}
+
+std::vector<ProfilePoint> halfSectionOf(const TargetProfile& target) {
+  constexpr int kOfArc = 32;
+  std::vector<ProfilePoint> line{target.segments().front().from};
+  for (const ProfileSegment& s : target.segments()) {
+    const int pieces = s.isArc() ? kOfArc : 1;
+    for (int k = 1; k <= pieces; ++k) line.push_back(s.at(static_cast<double>(k) / pieces));
+  }
+  return line;
+}
+
+QImage targetInBar(const StockCylinder& stock, const TargetProfile& target) {
+  constexpr double kBarSamples = 500.0;  // of the bar, which alone is drawn by them
+  return sectionPicture(TurnedProfile(stock, stock.length / kBarSamples), halfSectionOf(target.moved(-stock.position)));
 }
 
 }  // namespace handwheel

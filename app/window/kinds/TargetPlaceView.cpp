@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/exercise/TargetPlaceView.h"
+#include "window/kinds/TargetPlaceView.h"
 
 #include <QGridLayout>
 #include <QLabel>

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "machining/TurnedProfile.h"
+#include "machining/target/TargetProfile.h"
 
 #include <QImage>
 #include <span>
+#include <vector>
 
 namespace handwheel {
 
@@ -15,5 +17,11 @@ namespace handwheel {
 // the outline of the target is black. target: its half section as a polygon of (r, z), mm; empty: there is none, and
 // all of the part is grey. Any thread; O(samples).
 QImage sectionPicture(const TurnedProfile& part, std::span<const ProfilePoint> target);
+
+// The outline of a target as such a polygon, arcs as lines.
+std::vector<ProfilePoint> halfSectionOf(const TargetProfile& target);
+
+// A target in section in its bar, whose place is in the coordinates of the target.
+QImage targetInBar(const StockCylinder& stock, const TargetProfile& target);
 
 }  // namespace handwheel
