@@ -30,7 +30,7 @@ namespace handwheel {
 
 namespace {
 
-std::shared_ptr<const RobotCellSnapshot> contentOf(const Document& document) {
+std::shared_ptr<const RobotCellSnapshot> snapshotOfCell(const Document& document) {
   return std::static_pointer_cast<const RobotCellSnapshot>(document.snapshot());
 }
 
@@ -127,7 +127,7 @@ void CellRobots::choose(const std::string& name) {
 void CellRobots::remove(const std::string& name) {
   const auto number = m_document ? armNumber(cell().robot(), name) : std::nullopt;
   if (!number) return;
-  Result<RobotCellSnapshot> changed = withRobotRemoved(*contentOf(cell()), *number);
+  Result<RobotCellSnapshot> changed = withRobotRemoved(*snapshotOfCell(cell()), *number);
   if (!changed) return report(cell(), changed.error());
   const auto before = cell().plans();
   const std::size_t configurations = before->configurations.size() - changed->plans->configurations.size();
@@ -197,7 +197,7 @@ void CellRobots::add(const QString& what, Reading reading) {
 
 void CellRobots::addTo(DocumentTab& tab, const std::shared_ptr<const RobotCellSnapshot>& robot) {
   auto& document = static_cast<RobotCellDocument&>(tab.document);
-  const auto now = contentOf(document);
+  const auto now = snapshotOfCell(document);
   Result<RobotCellSnapshot> changed = withRobotAdded(*now, {robot, {}, freePlace(*now, *robot)});
   if (!changed) return report(document, changed.error());
   const QString text = tr("Add the robot %1").arg(QString::fromStdString(changed->robot->arms.back().name));
