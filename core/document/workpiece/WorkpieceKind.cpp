@@ -77,7 +77,11 @@ Result<WrittenFile> exportSection(const WorkpieceSnapshot& workpiece, const std:
   title.tolerance = workpiece.chord;
   if (workpiece.part && workpiece.part->threads())
     title.threads = drawnThreads(workpiece.part->profile, *workpiece.part->threads(), workpiece.stock.position);
-  return exportDrawing(*section, title, path, progress);
+  Result<WrittenFile> drawn = exportDrawing(*section, title, path, progress);
+  if (!drawn) return drawn;
+  const std::vector<Note> notes = sectionNotes(workpiece);
+  drawn->notes.insert(drawn->notes.begin(), notes.begin(), notes.end());
+  return drawn;
 }
 
 }  // namespace

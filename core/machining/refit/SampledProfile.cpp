@@ -14,13 +14,12 @@ namespace {
 
 constexpr double kExactCurve = 1e-6;  // mm, of the lines and arcs of a curve
 
-}  // namespace
-
-Result<TargetProfile> sectionOf(const TurnedProfile& part, double tolerance) {
+// Of the samples from `first` to before `end`, two at least.
+Result<TargetProfile> sectionBetween(const TurnedProfile& part, std::size_t first, std::size_t end, double tolerance) {
   std::vector<ProfilePoint> outside, inside;
-  for (std::size_t i = 0; i < part.size(); ++i) outside.emplace_back(part.radius(i), part.z(i));
+  for (std::size_t i = first; i < end; ++i) outside.emplace_back(part.radius(i), part.z(i));
   std::vector<ProfileSegment> outline = refitted(outside, tolerance, part.spacing());
-  for (std::size_t i = part.size(); i-- > 0;) inside.emplace_back(part.inner(i), part.z(i));
+  for (std::size_t i = end; i-- > first;) inside.emplace_back(part.inner(i), part.z(i));
   const bool isBored = std::any_of(inside.begin(), inside.end(), [](const ProfilePoint& p) { return p.x() > 0.0; });
   if (isBored) {
     const auto bore = refitted(inside, tolerance, part.spacing());
@@ -29,6 +28,20 @@ Result<TargetProfile> sectionOf(const TurnedProfile& part, double tolerance) {
     outline.push_back({outline.back().to, outline.front().from, 0.0});
   }
   return TargetProfile::make(std::move(outline));
+}
+
+}  // namespace
+
+Result<TargetProfile> sectionOf(const TurnedProfile& part, double tolerance) {
+  return sectionBetween(part, 0, part.size(), tolerance);
+}
+
+Result<TargetProfile> sectionOfEndPiece(const TurnedProfile& part, double tolerance) {
+  std::size_t end = part.size();
+  while (end > 0 && !part.hasMaterial(end - 1)) --end;
+  std::size_t first = end;
+  while (first > 0 && part.hasMaterial(first - 1)) --first;
+  return end - first < 2 ? sectionOf(part, tolerance) : sectionBetween(part, first, end, tolerance);
 }
 
 Result<TargetProfile> sectionOf(const ProfileCurve& curve, double tolerance) {

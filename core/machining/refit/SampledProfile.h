@@ -14,6 +14,10 @@ namespace handwheel {
 // only what lies between the axis and the samples. O(samples log samples). Errors: those of TargetProfile::make().
 Result<TargetProfile> sectionOf(const TurnedProfile& part, double tolerance);
 
+// The same of the piece at the free end of a part that was parted off: what is behind it is left over. It keeps its
+// place, above z = 0.
+Result<TargetProfile> sectionOfEndPiece(const TurnedProfile& part, double tolerance);
+
 // The same of a curve from the lower end of a solid part to the upper. Its lines and arcs are found.
 Result<TargetProfile> sectionOf(const ProfileCurve& curve, double tolerance);
 

@@ -61,7 +61,7 @@ Result<ImportedTarget> fromWorkpiece(std::string_view bytes, Progress progress) 
   if (workpiece.target) return ImportedTarget{workpiece.target->profile, {}, {}, true};
   Result<TargetProfile> section = sectionOf(workpiece);
   if (!section) return section.error();
-  return ImportedTarget{std::move(section.value()), {}, {}, true};
+  return ImportedTarget{std::move(section.value()), {}, sectionNotes(workpiece), true};
 }
 
 // 3MF is an archive, as our own.
@@ -134,8 +134,15 @@ Result<TargetProfile> sectionOf(const WorkpieceSnapshot& workpiece) {
     const double r = 0.5 * stock.diameter;
     return TargetProfile::make({{{r, stock.position}, {r, stock.position + stock.length}, 0.0}});
   }
-  Result<TargetProfile> section = sectionOf(workpiece.part->profile, 0.5 * workpiece.chord);
+  const TurnedProfile& part = workpiece.part->profile;
+  const double tolerance = 0.5 * workpiece.chord;
+  Result<TargetProfile> section = part.pieces() > 1 ? sectionOfEndPiece(part, tolerance) : sectionOf(part, tolerance);
   return section ? Result<TargetProfile>(section->moved(stock.position)) : section;
+}
+
+std::vector<Note> sectionNotes(const WorkpieceSnapshot& workpiece) {
+  if (!workpiece.part || workpiece.part->profile.pieces() < 2) return {};
+  return {Note{QT_TRANSLATE_NOOP("Note", "The part is parted off: only the piece at its free end counts."), {}, true}};
 }
 
 }  // namespace handwheel

@@ -35,7 +35,10 @@ std::vector<std::string> targetEndings();
 std::shared_ptr<const WorkpieceTarget> placedTarget(const ImportedTarget& imported, const StockCylinder& stock,
                                                     std::optional<double> allowance = {});
 
-// The section of a workpiece where it stands: of what was cut, or of the bar. Errors: those of TargetProfile::make().
+// The section of a workpiece where it stands: of what was cut, of the piece at its free end where that is parted off,
+// or of the bar. Errors: those of TargetProfile::make().
 Result<TargetProfile> sectionOf(const WorkpieceSnapshot& workpiece);
+// What is to be said of that section: that it is of one piece of several.
+std::vector<Note> sectionNotes(const WorkpieceSnapshot& workpiece);
 
 }  // namespace handwheel

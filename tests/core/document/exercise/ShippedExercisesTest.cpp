@@ -269,6 +269,10 @@ class ShippedExercisesTest : public QObject {
     }
     QVERIFY(glass.inner(at(55.0)) == 0.0 && glass.radius(at(55.0)) < 4.2);
     QVERIFY(glass.radius(at(31.0)) > 25.0);
+    // Its foot ends at Z 30: there it is parted off, and the bar behind it is no part of the target.
+    QCOMPARE(glass.pieces(), std::size_t{2});
+    QVERIFY(glass.hasMaterial(at(30.1)) && !glass.hasMaterial(at(29.0)) && glass.hasMaterial(at(28.0)));
+    QCOMPARE(static_cast<const TurningTask&>(*exercise->task).target->lowerEnd(), 30.0);
   }
 };
 

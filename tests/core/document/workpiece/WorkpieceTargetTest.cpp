@@ -4,6 +4,7 @@
 
 #include "TestClass.h"
 #include "document/DocumentErrors.h"
+#include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "document/workpiece/target/DrawingExport.h"
@@ -195,6 +196,24 @@ class WorkpieceTargetTest : public QObject {
     QVERIFY(!picture.isNull());
     QVERIFY(picture == targetInBar({50.0, 100.0, 16.0}, shaft.moved(16.0)));
     QVERIFY(picture != targetInBar({50.0, 100.0, 0.0}, turned));
+  }
+
+  // A tool of 2 mm goes in to the axis at Z 50 of a bar of 100 mm: what is free of the chuck is above Z 51.
+  void aPartedPart() {
+    WorkpieceSnapshot workpiece;
+    QVERIFY(sectionNotes(workpiece).empty());
+    TurningPass pass;
+    pass.noseRadius = 1.0;
+    pass.path = {{30.0, 50.0}, {0.0, 50.0}};
+    pass.times = {0.0, 60.0};
+    workpiece.part = withPass(workpiece, pass, 0.05);
+    QVERIFY(workpiece.part && workpiece.part->profile.pieces() == 2);
+    const auto section = sectionOf(workpiece);
+    QVERIFY(section.hasValue());
+    QVERIFY(section->lowerEnd() > 50.9 && section->lowerEnd() < 51.1);
+    QVERIFY(std::abs(section->upperEnd() - 100.0) < 1e-9);
+    QCOMPARE(sectionNotes(workpiece).size(), std::size_t{1});
+    QVERIFY(sectionNotes(workpiece).front().isLoss);
   }
 
   // What is left for facing can be changed, undone and saved; where it does not fit, that is said.
