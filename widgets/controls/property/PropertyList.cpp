@@ -171,7 +171,9 @@ void PropertyList::showRemarks() {
 
 void PropertyList::resizeEvent(QResizeEvent* event) {
   QScrollArea::resizeEvent(event);
-  if (m_remarks) m_remarks->setGeometry(0, height() - m_remarks->height(), width(), m_remarks->height());
+  if (!m_remarks) return;
+  const QRect above = viewport()->geometry();  // which leaves a scroll bar alone
+  m_remarks->setGeometry(above.left(), height() - m_remarks->height(), above.width(), m_remarks->height());
 }
 
 QSize PropertyList::sizeHint() const {
