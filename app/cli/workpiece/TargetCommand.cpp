@@ -83,6 +83,7 @@ Result<TargetOutcome> carryOut(const TargetRequest& request, const DocumentKinds
               : std::make_shared<const WorkpieceTarget>(WorkpieceTarget{imported->profile, imported->source});
   TargetOutcome outcome{
       workpiece.target, imported->notes, allowanceOf(workpiece.target->profile, workpiece.stock), {}, file.file, {}};
+  if (request.isTurned) outcome.notes.push_back(endsNote(workpiece.target->profile));
   if (hasPart) outcome.deviation = deviationOf(workpiece, progress.part(0.5, 0.7));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (request.output.empty()) return outcome;

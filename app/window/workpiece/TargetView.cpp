@@ -272,7 +272,6 @@ void TargetView::askForPlace(DocumentTab* document, const ImportedTarget& import
     *proposed = std::make_shared<const WorkpieceTarget>(WorkpieceTarget{std::move(profile), (*proposed)->source});
     show();
   };
-  show();
   auto* dialog = new PropertyDialog(
       {tr("Where the target lies"), intro(), tr("&Import")},
       [proposed, stock] { return placeProperties((*proposed)->profile, stock); },
@@ -284,6 +283,7 @@ void TargetView::askForPlace(DocumentTab* document, const ImportedTarget& import
       },
       m_parts.window);
   dialog->addView(view);
+  show();  // once the view is in the dialog, for by itself it would be a window
   connect(view, &TargetPlaceView::turned, dialog, [proposed, change, intro, dialog] {
     change((*proposed)->profile.turnedEndForEnd());
     dialog->setIntro(intro());

@@ -58,7 +58,7 @@ class PropertyRow : public QWidget {
     return false;
   }
   void forgetRefusal();
-  // To what is not as it should be, or back. Styles are by properties, which are looked at once.
+  // Gives a widget the look of what is not as it should be, or takes that back.
   static void markBad(QWidget& widget, bool isBad);
 
  private:
