@@ -63,10 +63,19 @@ QString placeText(const MarkingCriterion& c, const MeasurementType& type, double
                   : places.join(QStringLiteral(", "));
 }
 
+// "⌀30 ±0.15" does not say "±0.1".
+bool saysTolerance(const QString& name, const QString& tolerance) {
+  for (qsizetype at = name.indexOf(tolerance); at >= 0; at = name.indexOf(tolerance, at + 1)) {
+    const qsizetype end = at + tolerance.size();
+    if (end == name.size() || !name[end].isLetterOrNumber()) return true;
+  }
+  return false;
+}
+
 // "⌀30", and "h10" behind it where the name does not say that already.
 QString nameWithTolerance(const MarkingCriterion& c) {
   const QString name = QString::fromStdString(c.name), tolerance = QString::fromStdString(c.tolerance);
-  return tolerance.isEmpty() || name.contains(tolerance) ? name : name + QLatin1Char(' ') + tolerance;
+  return tolerance.isEmpty() || saysTolerance(name, tolerance) ? name : name + QLatin1Char(' ') + tolerance;
 }
 
 // "⌀30 h10: 29.916 … 30 mm", and where it is measured.

@@ -61,6 +61,24 @@ class ExerciseEditorTest : public QObject {
     QVERIFY2(sizes.contains(QStringLiteral("h10: 24.916 … 25 mm")), qPrintable(sizes));
   }
 
+  // A name says a tolerance that is in it as it stands, and not one that it begins with.
+  void tolerancesInNames() {
+    WindowDriver driver;
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    Document& exercise = driver.window().findChild<DocumentTabs*>()->current()->document;
+    QVERIFY(exercise.setProperty("criterion.d36.tolerance", std::string("±0.1")));
+    QVERIFY(exercise.setProperty("criterion.d36.name", std::string("⌀36 ±0.15")));
+    QVERIFY(exercise.setProperty("criterion.d28.tolerance", std::string("±0.1")));
+    QVERIFY(exercise.setProperty("criterion.d28.name", std::string("⌀28 ±0.1")));
+    driver.choose("studentCopy");
+    QVERIFY(driver.settle());
+    QString sizes;
+    for (const QLabel* const each : driver.window().findChildren<QLabel*>("lesson/sizes")) sizes += each->text();
+    QVERIFY2(sizes.contains(QStringLiteral("⌀36 ±0.15 ±0.1: 35.9 … 36.1 mm")), qPrintable(sizes));
+    QVERIFY2(sizes.contains(QStringLiteral("⌀28 ±0.1: 27.9 … 28.1 mm")), qPrintable(sizes));
+  }
+
   // All sizes of the target that are not marked yet by one entry of the menu, in one undo step.
   void theSizesOfTheTarget() {
     WindowDriver driver;
