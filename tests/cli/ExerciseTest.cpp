@@ -356,6 +356,36 @@ class ExerciseTest : public QObject {
     QCOMPARE(bench.run({"turn", "bar.handwheel", "--recording", "p.csv", "-o", "x.handwheel"}).code, 0);
   }
 
+  // Names of 14 letters head two columns of the table of a class, but not six: a page of A4 has no room for 84 letters
+  // beside what stands there for each student.
+  void namesAsHeadings() {
+    const Bench bench;
+    QFile file(kShaftExercise);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    nlohmann::json exercise = nlohmann::json::parse(file.readAll().toStdString());
+    nlohmann::json criterion = exercise["criteria"][0];
+    criterion["name"] = "Shoulderlength";
+    exercise["criteria"] = nlohmann::json::array();
+    for (nlohmann::json& step : exercise["steps"]) step["criteria"] = nlohmann::json::array();
+    for (const std::size_t count : {std::size_t{2}, std::size_t{6}}) {
+      while (exercise["criteria"].size() < count) {
+        criterion["id"] = "c" + std::to_string(exercise["criteria"].size());
+        exercise["criteria"].push_back(criterion);
+      }
+      bench.put("named.exercise.json", QByteArray::fromStdString(exercise.dump()));
+      QCOMPARE(bench.run({"exercise", "named.exercise.json", "--solution", "-o", "work.handwheel"}).code, 0);
+      QCOMPARE(bench
+                   .run({"exercise", "named.exercise.json", "--hand-in", "work.handwheel", "--name", "Ada", "-o",
+                         "ada.handwheel"})
+                   .code,
+               0);
+      QCOMPARE(bench.run({"mark", "named.exercise.json", "ada.handwheel", "--report", "r.html"}).code, 0);
+      const QByteArray html = bench.content("r.html");
+      QCOMPARE(html.contains("nowrap\">Shoulderlength</th>"), count == 2);
+      QCOMPARE(html.contains("The numbered columns"), count == 6);
+    }
+  }
+
   // One point is told as one.
   void aSinglePoint() {
     const Bench bench;

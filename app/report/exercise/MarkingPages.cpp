@@ -54,13 +54,19 @@ std::string cellsOf(const std::vector<std::string>& cells, const char* element) 
   return html + "</tr>\n";
 }
 
-// Whether the columns of the class can be headed by the names of the criteria.
+// Whether the columns of the class can be headed by the names of the criteria. They are as wide as the longest words of
+// these, which have to stand beside each other on a page of A4.
 bool areNamesShort(const std::vector<MarkingCriterion>& criteria) {
-  constexpr std::size_t kMostNamed = 8;
-  constexpr qsizetype kLongestName = 14;  // signs
-  return criteria.size() <= kMostNamed && std::all_of(criteria.begin(), criteria.end(), [](const MarkingCriterion& c) {
-           return !c.name.empty() && QString::fromStdString(c.name).size() <= kLongestName;
-         });
+  constexpr qsizetype kLongestName = 14, kRoom = 48;  // signs
+  qsizetype width = 0;
+  for (const MarkingCriterion& c : criteria) {
+    const QString name = QString::fromStdString(c.name);
+    if (name.isEmpty() || name.size() > kLongestName) return false;
+    qsizetype longest = 0;
+    for (const QString& word : name.split(QLatin1Char(' '))) longest = std::max(longest, word.size());
+    width += longest + 1;
+  }
+  return width <= kRoom;
 }
 
 // The class on one page: the criteria are named where there is room, else numbered, and named below. More of them than
