@@ -18,12 +18,6 @@ double FaceGrid::Range::count() const {
   return n;
 }
 
-bool FaceGrid::Range::contains(const Cell& cell) const {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (cell[k] < low[k] || cell[k] > high[k]) return false;
-  return true;
-}
-
 int FaceGrid::levelOf(const Box& box) {
   const double size = box.sizes().maxCoeff();
   const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
@@ -31,46 +25,85 @@ int FaceGrid::levelOf(const Box& box) {
   return std::ilogb(std::max(size, least)) + 1;
 }
 
-FaceGrid::Range FaceGrid::rangeOf(const Box& box, int level) {
-  Range range{};
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    // A box that is asked for may reach beyond all cells of a fine level.
-    constexpr double kMost = 0x1p62;
-    const auto cell = [&](double x) {
-      return static_cast<std::int64_t>(std::clamp(std::floor(std::ldexp(x, -level)), -kMost, kMost));
-    };
-    range.low[static_cast<std::size_t>(k)] = cell(box.min()[k]);
-    range.high[static_cast<std::size_t>(k)] = cell(box.max()[k]);
+FaceGrid::Cell FaceGrid::cellOf(const Vec3& p, int level) {
+  // A box that is asked for may reach beyond all cells of a fine level.
+  constexpr double kMost = 0x1p62;
+  Cell cell{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double number = std::floor(std::ldexp(p[static_cast<Eigen::Index>(k)], -level));
+    cell[k] = static_cast<std::int64_t>(std::clamp(number, -kMost, kMost));
   }
+  return cell;
+}
+
+FaceGrid::Range FaceGrid::rangeOf(const Box& box, int level) {
+  Range range{cellOf(box.min(), level), cellOf(box.max(), level)};
+  for (std::int64_t& k : range.low) --k;  // a face may begin in the cell before
   return range;
+}
+
+FaceGrid::Cell FaceGrid::wholeOf(const Cell& part) {
+  return {part[0] >> 1, part[1] >> 1, part[2] >> 1};
+}
+
+FaceGrid::Cell FaceGrid::partOf(const Cell& whole, unsigned child) {
+  return {2 * whole[0] + (child & 1), 2 * whole[1] + (child >> 1 & 1), 2 * whole[2] + (child >> 2 & 1)};
+}
+
+std::uint8_t FaceGrid::bitOf(const Cell& part) {
+  return static_cast<std::uint8_t>(1u << ((part[0] & 1) | (part[1] & 1) << 1 | (part[2] & 1) << 2));
+}
+
+// Makes a level the largest if none is as large.
+void FaceGrid::raiseTo(int level) {
+  if (m_levels.empty()) m_levels[level];
+  for (int top = m_levels.rbegin()->first; top < level; ++top) {
+    Cells& above = m_levels[top + 1];
+    for (const auto& [cell, node] : m_levels[top]) above[wholeOf(cell)].children |= bitOf(cell);
+  }
+}
+
+// Marks a new cell in those that it is a part of.
+void FaceGrid::tellAbove(int level, Cell cell) {
+  bool isNew = true;
+  for (const int top = m_levels.rbegin()->first; isNew && level < top; ++level) {
+    const std::uint8_t bit = bitOf(cell);
+    cell = wholeOf(cell);
+    const auto [above, wasMissing] = m_levels[level + 1].try_emplace(cell);
+    above->second.children |= bit;
+    isNew = wasMissing;
+  }
 }
 
 void FaceGrid::add(Face f, const Box& box) {
   const int level = levelOf(box);
-  Cells& cells = m_levels[level];
-  rangeOf(box, level).forEach([&](const Cell& cell) {
-    cells[cell].push_back(f);
-    return true;
-  });
+  raiseTo(level);
+  const Cell cell = cellOf(box.min(), level);
+  const auto [place, isNew] = m_levels[level].try_emplace(cell);
+  place->second.faces.push_back(f);
+  if (isNew) tellAbove(level, cell);
 }
 
 void FaceGrid::remove(Face f, const Box& box) {
   const int level = levelOf(box);
-  const auto cells = m_levels.find(level);
+  auto cells = m_levels.find(level);
   if (cells == m_levels.end()) return;
-  rangeOf(box, level).forEach([&](const Cell& cell) {
-    const auto found = cells->second.find(cell);
-    if (found == cells->second.end()) return true;
-    std::vector<Face>& faces = found->second;
-    const auto place = std::find(faces.begin(), faces.end(), f);
-    if (place != faces.end()) {
-      *place = faces.back();
-      faces.pop_back();
-    }
-    if (faces.empty()) cells->second.erase(found);
-    return true;
-  });
-  if (cells->second.empty()) m_levels.erase(cells);
+  Cell cell = cellOf(box.min(), level);
+  auto found = cells->second.find(cell);
+  if (found == cells->second.end()) return;
+  std::vector<Face>& faces = found->second.faces;
+  const auto place = std::find(faces.begin(), faces.end(), f);
+  if (place == faces.end()) return;
+  *place = faces.back();
+  faces.pop_back();
+  while (found->second.faces.empty() && found->second.children == 0) {
+    cells->second.erase(found);
+    if (++cells == m_levels.end()) return;
+    const auto others = static_cast<std::uint8_t>(~bitOf(cell));
+    cell = wholeOf(cell);
+    found = cells->second.find(cell);
+    found->second.children &= others;
+  }
 }
 
 }  // namespace handwheel

@@ -5,40 +5,40 @@
 #include "mesh/structure/HalfEdgeMesh.h"
 
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <unordered_map>
 #include <vector>
 
 namespace handwheel {
 
-// A hierarchical spatial hash of face boxes, with insertion and removal. There is a grid for each power of two in size
-// (Eitz and Gu, "Hierarchical spatial hashing for real-time collision detection", 2007): a box lies in at most eight
-// cells of the one whose cells are as large as it is.
+// A loose octree of face boxes, with insertion and removal. There is a level for each power of two in size: a box lies
+// in the level whose cells are just larger than it is, in the cell of its lowest corner, and so reaches into the next
+// cell at most (Ulrich, "Loose octrees", 2000). Cells without faces in or below them are not there.
 class FaceGrid {
  public:
   // Boxes are finite; one that is removed is the one that was added.
   void add(Face f, const Box& box);
   void remove(Face f, const Box& box);
 
-  // Calls visit(face) for each face whose cells the box meets, perhaps more than once, until it returns false. Returns
-  // false when a visit did.
+  // Calls visit(face) once for each face near the box, at least for those whose boxes meet it, until it returns false.
+  // Returns false when a visit did.
   template <class Visit>
   bool forEachNear(const Box& box, Visit visit) const {
-    for (const auto& [level, cells] : m_levels) {
-      const Range range = rangeOf(box, level);
-      if (range.count() > static_cast<double>(cells.size())) {
-        for (const auto& [cell, faces] : cells) {
-          if (range.contains(cell) && !visitAll(faces, visit)) return false;
-        }
-        continue;
+    if (m_levels.empty()) return true;
+    const auto top = std::prev(m_levels.end());
+    const Range range = rangeOf(box, top->first);
+    Walk<Visit> walk{box, visit, {range}};
+    if (range.count() > static_cast<double>(top->second.size())) {
+      for (const auto& [cell, node] : top->second) {
+        if (range.contains(cell) && !walk.down(top, 0, cell, node)) return false;
       }
-      const bool goesOn = range.forEach([&, &cells = cells](const Cell& cell) {
-        const auto found = cells.find(cell);
-        return found == cells.end() || visitAll(found->second, visit);
-      });
-      if (!goesOn) return false;
+      return true;
     }
-    return true;
+    return range.forEach([&](const Cell& cell) {
+      const auto found = top->second.find(cell);
+      return found == top->second.end() || walk.down(top, 0, cell, found->second);
+    });
   }
 
  private:
@@ -50,12 +50,21 @@ class FaceGrid {
       return h;
     }
   };
-  using Cells = std::unordered_map<Cell, std::vector<Face>, Hash>;
+  struct Node {
+    std::vector<Face> faces;    // that lie in its level
+    std::uint8_t children = 0;  // a bit for each of its eight parts that is there
+  };
+  using Cells = std::unordered_map<Cell, Node, Hash>;
+  using Levels = std::map<int, Cells>;
 
   struct Range {
     Cell low, high;
     double count() const;
-    bool contains(const Cell& cell) const;
+    bool contains(const Cell& cell) const {
+      for (std::size_t k = 0; k < 3; ++k)
+        if (cell[k] < low[k] || cell[k] > high[k]) return false;
+      return true;
+    }
     template <class Visit>
     bool forEach(Visit visit) const {
       for (std::int64_t x = low[0]; x <= high[0]; ++x)
@@ -66,16 +75,43 @@ class FaceGrid {
     }
   };
 
+  // One search, from the largest cells down.
   template <class Visit>
-  static bool visitAll(const std::vector<Face>& faces, Visit visit) {
-    for (const Face f : faces)
-      if (!visit(f)) return false;
-    return true;
-  }
-  static int levelOf(const Box& box);
-  static Range rangeOf(const Box& box, int level);
+  struct Walk {
+    const Box& box;
+    Visit& visit;
+    std::vector<Range> ranges;  // of the levels from the top, as far down as the search has come
 
-  std::map<int, Cells> m_levels;  // by the exponent of the size of their cells; none without faces
+    bool down(Levels::const_iterator level, std::size_t depth, const Cell& cell, const Node& node) {
+      for (const Face f : node.faces)
+        if (!visit(f)) return false;
+      if (node.children == 0) return true;
+      const auto below = std::prev(level);
+      if (ranges.size() == depth + 1) ranges.push_back(rangeOf(box, below->first));
+      const Range range = ranges[depth + 1];
+      for (unsigned child = 0; child < 8; ++child) {
+        if ((node.children >> child & 1u) == 0) continue;
+        const Cell part = partOf(cell, child);
+        if (range.contains(part) && !down(below, depth + 1, part, below->second.find(part)->second)) return false;
+      }
+      return true;
+    }
+  };
+
+  static int levelOf(const Box& box);
+  static Cell cellOf(const Vec3& p, int level);
+  // The cells of a level in which faces near the box can begin.
+  static Range rangeOf(const Box& box, int level);
+  static Cell wholeOf(const Cell& part);
+  static Cell partOf(const Cell& whole, unsigned child);
+  static std::uint8_t bitOf(const Cell& part);
+
+  void raiseTo(int level);
+  void tellAbove(int level, Cell cell);
+
+  // By the exponent of the size of their cells. The cells that are parts of others are there in all levels up to the
+  // largest.
+  Levels m_levels;
 };
 
 }  // namespace handwheel
