@@ -11,9 +11,9 @@
 // Folders of files to repair, and a batch under way.
 namespace handwheel {
 
-// An open tube that keeps the program busy for a second or more.
+// An open tube that keeps the program busy for a second or more, also on a fast machine.
 inline QByteArray largeTube() {
-  const int n = 500;
+  const int n = 300;
   const auto at = [n](int x, int y) {
     const double u = 2 * M_PI * x / n;
     return std::array<double, 3>{std::cos(u), std::sin(u), 0.01 * y};
