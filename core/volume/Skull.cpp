@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 namespace {
@@ -24,34 +25,59 @@ struct Ellipsoid {
 };
 
 const Ellipsoid kFace{{0.0, 50.0, -50.0}, {56.0, 38.0, 46.0}};
-// What is taken out of vault and face, besides the room within the inner table.
-const Ellipsoid kOpenings[] = {{{-30.0, 84.0, -44.0}, {18.0, 24.0, 16.0}},  // orbits
-                               {{30.0, 84.0, -44.0}, {18.0, 24.0, 16.0}},
-                               {{0.0, 88.0, -68.0}, {11.0, 22.0, 14.0}},    // of the nose
-                               {{0.0, -18.0, -66.0}, {15.0, 18.0, 16.0}}};  // the great foramen
+
+// Bone is within one of the first, and in none of the second, which are taken out of them.
+struct SkullBodies {
+  std::vector<Ellipsoid> solid{{Vec3::Zero(), Skull::kOuter}, kFace};
+  std::vector<Ellipsoid> hollow{{Vec3::Zero(), Skull::kInner},               // the room within the inner table
+                                {{-30.0, 84.0, -44.0}, {18.0, 24.0, 16.0}},  // orbits
+                                {{30.0, 84.0, -44.0}, {18.0, 24.0, 16.0}},
+                                {{0.0, 88.0, -68.0}, {11.0, 22.0, 14.0}},    // the opening of the nose
+                                {{0.0, -18.0, -66.0}, {15.0, 18.0, 16.0}}};  // the great foramen
+
+  // The depth of the bone, from what it is without all of them.
+  double depthAt(const Vec3& p, double depth) const {
+    for (const Ellipsoid& body : solid) depth = std::max(depth, body.depth(p));
+    for (const Ellipsoid& body : hollow) depth = std::min(depth, -body.depth(p));
+    return depth;
+  }
+};
+
+const SkullBodies& allBodies() {
+  static const SkullBodies all;
+  return all;
+}
 
 constexpr double kSkullDepths = DepthWindow::kMargin;  // voxels from the surface that depths reach
-// Voxels from the middle of a block to its farthest samples; three times as depths are of first order only.
+// Voxels from the middle of a block to its farthest samples; three times as depths are of first order only, of
+// ellipsoids of which no axis is longer than two of another.
 constexpr double kFarInBlock = 3.0 * 6.1;
 
 SparseVolume::Content blockAt(const SparseVolume& skull, const VoxelIndex& block) {
   const VoxelIndex first = VolumeBlock::kSize * block;
-  const double middle = Skull::depthAt(skull.origin() + skull.voxel() * (first.cast<double>() + Vec3::Constant(3.5)));
-  if (std::abs(middle) > skull.voxel() * (kSkullDepths + kFarInBlock)) return {nullptr, middle > 0.0};
+  const Vec3 middle = skull.origin() + skull.voxel() * (first.cast<double>() + Vec3::Constant(3.5));
+  const double far = skull.voxel() * (kSkullDepths + kFarInBlock);
+  const double depth = Skull::depthAt(middle);
+  if (std::abs(depth) > far) return {nullptr, depth > 0.0};
+  // Of one body or two the surface is near; what the others say is beyond the depths of all samples.
+  SkullBodies near = allBodies();
+  const auto isWithin = [&](const Ellipsoid& body) { return body.depth(middle) > far; };
+  const auto isFarFrom = [&](const Ellipsoid& body) { return body.depth(middle) < -far; };
+  const double without = std::any_of(near.solid.begin(), near.solid.end(), isWithin) ? far : -far;
+  std::erase_if(near.solid, [&](const Ellipsoid& body) { return without > 0.0 || isFarFrom(body); });
+  std::erase_if(near.hollow, isFarFrom);
   auto samples = std::make_shared<VolumeBlock>();
-  for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i)
-    samples->depths[static_cast<std::size_t>(i)] =
-        depthSample(Skull::depthAt(skull.centre(first + VoxelIndex(i & 7, i >> 3 & 7, i >> 6))) / skull.voxel());
+  for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
+    const Vec3 p = skull.centre(first + VoxelIndex(i & 7, i >> 3 & 7, i >> 6));
+    samples->depths[static_cast<std::size_t>(i)] = depthSample(near.depthAt(p, without) / skull.voxel());
+  }
   return contentOf(std::move(samples));
 }
 
 }  // namespace
 
 double Skull::depthAt(const Vec3& p) {
-  static const Ellipsoid kVault{Vec3::Zero(), kOuter}, kRoom{Vec3::Zero(), kInner};
-  double depth = std::min(std::max(kVault.depth(p), kFace.depth(p)), -kRoom.depth(p));
-  for (const Ellipsoid& opening : kOpenings) depth = std::min(depth, -opening.depth(p));
-  return depth;
+  return allBodies().depthAt(p, -std::numeric_limits<double>::infinity());
 }
 
 SparseVolume skullOfVoxels(double voxel) {
