@@ -74,7 +74,8 @@ Result<HybridPart> HybridPart::of(const TriangleSoup& soup, double voxel, Progre
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};  // then what was closed may be half of it
   if (!(prepared->enclosed() > 0.0)) return prepared->nothingInside();
   HybridPart part;
-  part.m_triangles = TriangleHierarchy(prepared->closed.points, prepared->closed.triangles, progress.part(0.5, 1.0));
+  part.m_triangles = std::make_shared<const TriangleHierarchy>(prepared->closed.points, prepared->closed.triangles,
+                                                               progress.part(0.5, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   part.m_left = part.m_before = prepared->grid;
   part.m_extent = Box(Vec3::Zero(), VolumeBlock::kSize * prepared->blocks().cast<double>());
@@ -87,13 +88,43 @@ bool HybridPart::isExact() const {
 }
 
 void HybridPart::make(std::span<const VoxelIndex> tiles) {
-  Eigen::AlignedBox3i kept;
+  Eigen::AlignedBox3i kept = m_held;
   for (const VoxelIndex& tile : tiles) {
     kept.extend(VoxelIndex(tile - VoxelIndex::Ones()));
     kept.extend(VoxelIndex(tile + VoxelIndex::Ones()));
   }
   if (kept.min() != m_kept.min() || kept.max() != m_kept.max()) giveBackBut(kept);
   add(tiles);
+}
+
+void HybridPart::makeAlso(std::span<const VoxelIndex> tiles) {
+  const Eigen::AlignedBox3i all = tilesIn(m_extent);
+  std::vector<VoxelIndex> ofPart;
+  for (const VoxelIndex& tile : tiles)
+    if (all.contains(tile)) ofPart.push_back(tile);
+  add(ofPart);
+}
+
+bool HybridPart::hold(const Box& place) {
+  Eigen::AlignedBox3i held;
+  if (!place.isEmpty() && place.min().allFinite() && place.max().allFinite()) {
+    const Vec3 origin = m_before.origin();
+    const Box voxels((place.min() - origin) / m_before.voxel(), (place.max() - origin) / m_before.voxel());
+    held = tilesIn(voxels.intersection(m_extent));
+  }
+  if (held.min() == m_held.min() && held.max() == m_held.max()) return false;
+  m_held = held;
+  std::vector<VoxelIndex> tiles;
+  for (int z = held.min().z(); z <= held.max().z(); ++z)
+    for (int y = held.min().y(); y <= held.max().y(); ++y)
+      for (int x = held.min().x(); x <= held.max().x(); ++x) tiles.emplace_back(x, y, z);
+  add(tiles);
+  return true;
+}
+
+Eigen::AlignedBox3i HybridPart::tilesIn(const Box& voxels) const {
+  if (voxels.isEmpty()) return {};
+  return {hybridTile(voxels.min()), hybridTile(voxels.max())};
 }
 
 void HybridPart::keep(std::span<const VoxelIndex> blocks) {
@@ -201,7 +232,7 @@ HybridPart::Tile HybridPart::madeTile(const VoxelIndex& tile) const {
 // In the order of their numbers, so that a tile is the same to the last bit as among all others.
 TriangleSoup HybridPart::trianglesIn(const Box& box) const {
   std::vector<std::uint32_t> numbers;
-  m_triangles.forEachInBox(box, [&](std::uint32_t triangle) {
+  m_triangles->forEachInBox(box, [&](std::uint32_t triangle) {
     numbers.push_back(triangle);
     return true;
   });
@@ -209,7 +240,7 @@ TriangleSoup HybridPart::trianglesIn(const Box& box) const {
   TriangleSoup soup;
   for (const std::uint32_t number : numbers) {
     const auto n = static_cast<std::uint32_t>(soup.points.size());
-    for (const Vec3& p : m_triangles.corners(number)) soup.points.push_back(p);
+    for (const Vec3& p : m_triangles->corners(number)) soup.points.push_back(p);
     soup.triangles.push_back({n, n + 1, n + 2});
   }
   return soup;

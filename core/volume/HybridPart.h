@@ -21,7 +21,7 @@ namespace handwheel {
 // A part of triangles that has voxels only where they are needed. It is the hybrid model of He 2008, 5.2.1. Voxels are
 // made in tiles of 32³, each block as volumeOfSurface() makes it, to the last bit. Tiles far from those that were asked
 // for last are given back, but for the blocks that were cut. So the memory for voxels is that around a tool and of what
-// it has cut, whatever the size of the part. One thread at a time.
+// it has cut, whatever the size of the part. One thread at a time. A copy shares the triangles and the blocks.
 class HybridPart {
  public:
   static constexpr int kTile = 32;  // voxels along an edge
@@ -45,9 +45,14 @@ class HybridPart {
   // What holds the part, voxels.
   const Box& extent() const { return m_extent; }
 
-  // Makes these tiles, by their numbers along the axes, and gives back those that are not beside their bounding box.
-  // On all threads of the arena.
+  // Makes these tiles, by their numbers along the axes, and gives back those that are not beside their bounding box,
+  // nor held. On all threads of the arena.
   void make(std::span<const VoxelIndex> tiles);
+  // Makes these, as far as they meet the part, and gives nothing back.
+  void makeAlso(std::span<const VoxelIndex> tiles);
+  // Makes the tiles of the part that this box meets, mm, and holds them until it is told another; an empty box: none.
+  // Returns whether these are others than before.
+  bool hold(const Box& place);
   // Blocks of left() that were changed: they are kept.
   void keep(std::span<const VoxelIndex> blocks);
   std::vector<VoxelIndex> cutBlocks() const;  // all that were kept, in one order
@@ -69,6 +74,7 @@ class HybridPart {
 
   HybridPart() = default;
   void add(std::span<const VoxelIndex> tiles);
+  Eigen::AlignedBox3i tilesIn(const Box& voxels) const;
   void giveBackBut(const Eigen::AlignedBox3i& kept);
   void giveBack(const VoxelIndex& tile);
   void makeRows(const VoxelIndex& tile);
@@ -76,13 +82,14 @@ class HybridPart {
   TriangleSoup trianglesIn(const Box& box) const;
   void count();
 
-  TriangleHierarchy m_triangles;  // voxels
+  std::shared_ptr<const TriangleHierarchy> m_triangles;  // voxels
   Box m_extent;
   SparseVolume m_left, m_before;  // the same blocks but for those that were cut
   std::set<Key> m_tiles;          // that are made
   std::set<Key> m_cut;            // blocks
   std::size_t m_originals = 0;    // blocks with samples that only m_before has
   Eigen::AlignedBox3i m_kept;     // tiles, the last that were not given back
+  Eigen::AlignedBox3i m_held;     // tiles
   // Crossings of the rows of tiles, by z and y.
   std::map<std::array<int, 2>, std::shared_ptr<const ScanlineCrossings>> m_rows;
   bool m_isSimple = true;

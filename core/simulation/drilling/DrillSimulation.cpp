@@ -12,6 +12,8 @@
 namespace handwheel {
 namespace {
 
+constexpr double kHeldNear = 24.0;  // voxels around the foremost point of the tool that a hand holds
+
 std::shared_ptr<const DrillState> beginning(const ClayState& begin) {
   auto state = std::make_shared<DrillState>();
   state->volume = begin.volume;
@@ -20,7 +22,20 @@ std::shared_ptr<const DrillState> beginning(const ClayState& begin) {
   return state;
 }
 
+std::shared_ptr<const DrillState> beginning(const HybridPart& part) {
+  auto state = std::make_shared<DrillState>();
+  state->volume = part.left();
+  state->surface = VolumeSurface(part.left(), {}, HybridPart::kTile);
+  state->isExact = part.isExact();
+  return state;
+}
+
 }  // namespace
+
+Box boxOfTile(const DrillState& state, const VolumeSurface::Key& tile) {
+  const VoxelIndex first = HybridPart::kTile * VoxelIndex(tile[2], tile[1], tile[0]);
+  return {state.volume.centre(first), state.volume.centre(first + VoxelIndex::Constant(HybridPart::kTile))};
+}
 
 bool isBesidePath(const DrillState& state) {
   if (state.moments.empty() || !state.plan) return false;
@@ -39,9 +54,19 @@ DrillSimulation::DrillSimulation(const std::shared_ptr<const ClayState>& begin, 
       m_feed(std::move(feed)),
       m_channel(std::move(channel)) {}
 
+DrillSimulation::DrillSimulation(HybridPart part, const DrillSetup& setup, std::optional<DrillFeed> feed,
+                                 std::shared_ptr<ClayChannel> channel)
+    : m_state(beginning(part)),
+      m_part(std::move(part)),
+      m_setup(setup),
+      m_run(*m_part, setup),
+      m_feed(std::move(feed)),
+      m_channel(std::move(channel)) {}
+
 void DrillSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   m_load = {};
   m_hasTicks = false;
+  if (m_part && !m_feed && !inputs.empty()) holdNear(inputs.back());
   for (const SimulationInput& input : inputs) {
     if (input.gesture == 0) continue;
     if (m_feed) {
@@ -125,7 +150,7 @@ void DrillSimulation::watchLoad(const DrillTick& tick, const Vec3& axis) {
   m_passage.length += way.norm();
   m_passage.seconds += tick.time - before->time;
   m_passage.removed += tick.removed;
-  if (!(m_passage.length > kLeastWay * m_volume.voxel() && m_passage.seconds > 0.0)) return;
+  if (!(m_passage.length > kLeastWay * m_state->volume.voxel() && m_passage.seconds > 0.0)) return;
   const Passage gone = std::exchange(m_passage, {});
   const double feed = gone.length / gone.seconds;
   const DrillLoad load = drillLoad(m_setup.material, m_setup.tool, gone.removed, gone.seconds, feed, m_setup.spindle);
@@ -136,12 +161,48 @@ void DrillSimulation::watchLoad(const DrillTick& tick, const Vec3& axis) {
   m_felt->torque = -std::copysign(load.torque / load.thrust, m_setup.spindle) * axis;
 }
 
+// Ahead of the hand, which waits for nobody. What it does not get to is given back.
+void DrillSimulation::holdNear(const SimulationInput& hand) {
+  const Vec3 foremost = hand.proxy - m_setup.tool.reach() * (hand.tip.orientation * Vec3::UnitZ());
+  if (hand.isEnd || !foremost.allFinite()) return;
+  const Vec3 near = Vec3::Constant(kHeldNear * m_part->left().voxel());
+  if (!m_part->hold(Box(foremost - near, foremost + near))) return;
+  m_part->make({});
+  auto state = std::make_shared<DrillState>(*m_state);
+  state->volume = m_part->left();
+  state->isExact = m_part->isExact();
+  m_state = std::move(state);
+  m_isWritten = false;
+}
+
+// Whole tiles, as the triangles are hidden by tiles. Normals at their sides need the samples beside them.
+void DrillSimulation::showTiles(DrillState& state, std::span<const VoxelIndex> changed) {
+  std::vector<VolumeSurface::Key> touched = state.surface.piecesOf(changed, false);
+  m_tiles.insert(touched.begin(), touched.end());
+  touched = state.surface.piecesOf(changed, true);
+  std::erase_if(touched, [this](const VolumeSurface::Key& tile) { return !m_tiles.contains(tile); });
+  std::set<VolumeSurface::Key> needed;
+  for (const VolumeSurface::Key& tile : touched)
+    for (int k = 0; k < 27; ++k) needed.insert({tile[0] + k / 9 - 1, tile[1] + k / 3 % 3 - 1, tile[2] + k % 3 - 1});
+  std::vector<VoxelIndex> tiles;
+  for (const VolumeSurface::Key& tile : needed) tiles.emplace_back(tile[2], tile[1], tile[0]);
+  m_part->makeAlso(tiles);
+  state.surface.make(m_part->left(), touched);
+  state.tiles.assign(m_tiles.begin(), m_tiles.end());
+  state.isExact = m_part->isExact();
+}
+
 void DrillSimulation::publish() {
   const std::vector<VoxelIndex> changed = m_run.takeChangedBlocks();
   for (const VoxelIndex& block : changed) m_changed.insert({block.x(), block.y(), block.z()});
   auto state = std::make_shared<DrillState>(*m_state);
-  state->volume = m_volume;
-  state->surface.update(m_volume, changed);
+  if (m_part) {
+    showTiles(*state, changed);
+    state->volume = m_part->left();
+  } else {
+    state->surface.update(m_volume, changed);
+    state->volume = m_volume;
+  }
   state->changedBlocks = m_changed.size();
   state->thrust = m_load.thrust;
   state->torque = m_load.torque;

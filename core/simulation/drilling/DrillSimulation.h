@@ -3,6 +3,7 @@
 #pragma once
 
 #include "simulation/clay/ClaySimulation.h"
+#include "volume/HybridPart.h"
 #include "volume/drilling/DrillMonitor.h"
 #include "volume/drilling/DrillRecord.h"
 
@@ -20,7 +21,14 @@ struct DrillState : ClayState {
   DrillStatistics figures;                  // by the plan
   PagedArray<DrillMoment> moments;          // of the hole
   PagedArray<DrillPose> poses;              // that it can be drilled by again
+  // Of a part of triangles: where its surface is that of the voxels, as it may have been cut. The triangles have it
+  // elsewhere. Cubes of HybridPart::kTile voxels from the origin of the volume, which are pieces of the surface.
+  std::vector<VolumeSurface::Key> tiles;
+  bool isExact = true;  // of such a part: HybridPart::isExact()
 };
+
+// The cells of one of the tiles of a state, mm.
+Box boxOfTile(const DrillState& state, const VolumeSurface::Key& tile);
 
 // Whether the drill takes something beside its planned path at this moment.
 bool isBesidePath(const DrillState& state);
@@ -36,18 +44,24 @@ struct DrillFeed {
 };
 
 // The simulation of drilling: the volume loses what the head passes in a gesture. What that takes is told to the servo
-// loop, whose hand is held back by it.
+// loop, whose hand is held back by it. A part of triangles has voxels only near the head, and near the tip of a device,
+// which feels them.
 class DrillSimulation : public Simulation {
  public:
   // feed: none for a device, whose tip is the centre of the head and whose stylus is the shank. plan: none: straight on
   // from where the hole is begun.
   DrillSimulation(const std::shared_ptr<const ClayState>& begin, const DrillSetup& setup, std::optional<DrillFeed> feed,
                   std::shared_ptr<ClayChannel> channel, std::optional<DrillPlan> plan = {});
+  // The same of a part of triangles of which nothing was cut.
+  DrillSimulation(HybridPart part, const DrillSetup& setup, std::optional<DrillFeed> feed,
+                  std::shared_ptr<ClayChannel> channel);
 
   void step(double dt, std::span<const SimulationInput> inputs) override;
   // Holds the feed where it is, the spindle turning, or lets it go on. A device feeds by itself.
   void holdFeed(bool isHeld) { m_isHeld = isHeld; }
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
+  // As it was cut; null where it began with a volume.
+  const HybridPart* part() const { return m_part ? &*m_part : nullptr; }
 
  private:
   // A way of the head: what counts for the force of a hand.
@@ -65,10 +79,13 @@ class DrillSimulation : public Simulation {
   double targetOfPhase() const;
   void goTo(const Vec3& place, const Vec3& axis);
   void watchLoad(const DrillTick& tick, const Vec3& axis);
+  void holdNear(const SimulationInput& hand);
+  void showTiles(DrillState& state, std::span<const VoxelIndex> changed);
   void publish();
 
   std::shared_ptr<const DrillState> m_state;
-  SparseVolume m_volume;
+  SparseVolume m_volume;             // none of a part
+  std::optional<HybridPart> m_part;  // none of a volume
   DrillSetup m_setup;
   DrillRun m_run;
   std::optional<DrillPlan> m_plan;
@@ -91,6 +108,7 @@ class DrillSimulation : public Simulation {
   Passage m_passage;                   // since the load was computed
   std::optional<DrillingLoad> m_felt;  // none: not yet
   std::set<std::array<int, 3>> m_changed;
+  std::set<VolumeSurface::Key> m_tiles;  // of the state
 };
 
 }  // namespace handwheel

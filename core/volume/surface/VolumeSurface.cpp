@@ -126,7 +126,22 @@ VolumeSurface::VolumeSurface(const SparseVolume& volume, Progress progress, int 
   const PieceGrid grid(pieceCells);
   std::set<Key> pieces;
   for (const VoxelIndex& block : blocksWithCells(volume)) pieces.insert(grid.pieceOf(block));
-  const std::vector<Key> keys(pieces.begin(), pieces.end());
+  make(volume, std::vector<Key>(pieces.begin(), pieces.end()), progress);
+}
+
+std::vector<VolumeSurface::Key> VolumeSurface::piecesOf(std::span<const VoxelIndex> blocks, bool withNormals) const {
+  const PieceGrid grid(m_pieceCells);
+  std::set<Key> pieces;
+  const int last = withNormals ? 1 : 0;
+  for (const VoxelIndex& block : blocks)
+    for (int z = -1; z <= last; ++z)
+      for (int y = -1; y <= last; ++y)
+        for (int x = -1; x <= last; ++x) pieces.insert(grid.pieceOf(block + VoxelIndex(x, y, z)));
+  return {pieces.begin(), pieces.end()};
+}
+
+void VolumeSurface::make(const SparseVolume& volume, std::span<const Key> keys, Progress progress) {
+  const PieceGrid grid(m_pieceCells);
   std::vector<Piece> made(keys.size());
   std::atomic<std::size_t> done{0};
   tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace handwheel {
 
@@ -51,6 +52,12 @@ class VolumeSurface {
   // Makes anew what has to do with these blocks, after they have changed. On all threads of the arena; O(changed
   // blocks), and a copy of the pieces that they are in.
   void update(const SparseVolume& volume, std::span<const VoxelIndex> changedBlocks);
+
+  // The pieces that have cells with a sample of one of these blocks at a corner. withNormals: also those where they
+  // only give a normal.
+  std::vector<Key> piecesOf(std::span<const VoxelIndex> blocks, bool withNormals) const;
+  // Makes these pieces anew as a whole, and leaves the others as they are. On all threads of the arena.
+  void make(const SparseVolume& volume, std::span<const Key> pieces, Progress progress = {});
 
  private:
   void set(const Key& key, Piece piece);

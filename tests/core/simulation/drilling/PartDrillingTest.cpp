@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "simulation/drilling/DrillSimulation.h"
+#include "volume/SurfaceToVolume.h"
+#include "volume/VolumeReader.h"
+
+#include <QtTest>
+#include <cmath>
+#include <limits>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr double kPartEdge = 8.0, kPartVoxel = 0.25;  // mm
+constexpr double kPartStep = 1.0 / 60.0;              // s
+
+// A cube whose top is at z = 0, around the z axis.
+TriangleSoup drilledCube(double edge = kPartEdge) {
+  return moved(cube(edge), Vec3(-0.5 * edge, -0.5 * edge, -edge));
+}
+
+DrillSetup ballOfSixteenVoxels() {
+  DrillSetup setup;
+  setup.tool.diameter = 16.0 * kPartVoxel;
+  return setup;
+}
+
+std::shared_ptr<const DrillState> stateNow(const DrillSimulation& simulation) {
+  return std::static_pointer_cast<const DrillState>(simulation.state());
+}
+
+SimulationInput tipAt(const Vec3& place, double time, std::uint32_t gesture) {
+  SimulationInput input;
+  input.tip.position = input.proxy = place;
+  input.tip.time = time;
+  input.gesture = gesture;
+  return input;
+}
+
+// Fed down from above a place of the top.
+void feedFor(DrillSimulation& simulation, int steps) {
+  const SimulationInput pressed = tipAt({0.013, -0.021, 2.5}, 0.0, 1);
+  simulation.step(kPartStep, {&pressed, 1});
+  for (int i = 1; i < steps; ++i) simulation.step(kPartStep, {});
+}
+
+}  // namespace
+
+// Drilling of a part of triangles that gets voxels near the head alone.
+class PartDrillingTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Fed through a cube, step by step as in a volume of all of it: thrust, torque, what is removed, the breakthrough.
+  // The hole is a cylinder. What is shown of the tiles that were cut is the surface of the whole volume there, to the
+  // last point, and nothing is shown elsewhere.
+  void asInTheWholeVolume() {
+    const DrillFeed feed{Vec3::UnitZ(), 25.0};
+    auto begin = std::make_shared<ClayState>();
+    begin->volume = volumeOfSurface(drilledCube(), kPartVoxel)->volume;
+    begin->surface = VolumeSurface(begin->volume);
+    DrillSimulation whole(begin, ballOfSixteenVoxels(), feed, std::make_shared<ClayChannel>());
+    DrillSimulation part(*HybridPart::of(drilledCube(), kPartVoxel), ballOfSixteenVoxels(), feed,
+                         std::make_shared<ClayChannel>());
+    QVERIFY(whole.part() == nullptr && part.part() != nullptr);
+    QVERIFY(stateNow(part)->tiles.empty() && stateNow(part)->volume.isEmpty());
+    feedFor(whole, 40);
+    feedFor(part, 40);
+    const auto a = stateNow(whole), b = stateNow(part);
+    QVERIFY(b->isExact);
+    QVERIFY(std::abs(a->removed - b->removed) < 1e-9 * a->removed);
+    QVERIFY(std::abs(a->maxThrust - b->maxThrust) < 1e-9 * a->maxThrust);
+    QVERIFY(std::abs(a->maxTorque - b->maxTorque) < 1e-9 * a->maxTorque);
+    QVERIFY(a->breakthrough && a->breakthrough == b->breakthrough);
+    QCOMPARE(b->changedBlocks, a->changedBlocks);
+    QCOMPARE(b->poses.size(), a->poses.size());
+    const double radius = 8.0 * kPartVoxel, exact = M_PI * radius * radius * kPartEdge;
+    QVERIFY2(std::abs(b->removed / exact - 1.0) < 0.01, QByteArray::number(b->removed / exact));
+
+    const VolumeSurface all(a->volume, {}, HybridPart::kTile);
+    QVERIFY(!b->tiles.empty());
+    std::size_t shown = 0;
+    for (const VolumeSurface::Key& tile : b->tiles) {
+      const auto expected = all.pieces().find(tile), made = b->surface.pieces().find(tile);
+      QCOMPARE(made == b->surface.pieces().end(), expected == all.pieces().end());
+      if (made == b->surface.pieces().end()) continue;
+      ++shown;
+      QCOMPARE(made->second->origin, expected->second->origin);
+      QCOMPARE(made->second->fine.points, expected->second->fine.points);
+      QCOMPARE(made->second->fine.normals, expected->second->fine.normals);
+      QCOMPARE(made->second->fine.corners, expected->second->fine.corners);
+      const Box box = boxOfTile(*b, tile);
+      const Vec3 slack = Vec3::Constant(1e-5);
+      QVERIFY(Box(box.min() - slack, box.max() + slack).contains(made->second->box));
+    }
+    QCOMPARE(b->surface.pieces().size(), shown);
+    // A tile has 32 cells along each axis.
+    QVERIFY((boxOfTile(*b, b->tiles.front()).sizes() - Vec3::Constant(32.0 * kPartVoxel)).norm() < 1e-9);
+  }
+
+  // Of a part of 80 mm only what is near the hole is shown and kept.
+  void onlyNearTheDrill() {
+    DrillSimulation simulation(*HybridPart::of(drilledCube(80.0), kPartVoxel), ballOfSixteenVoxels(),
+                               DrillFeed{Vec3::UnitZ(), 12.0}, std::make_shared<ClayChannel>());
+    feedFor(simulation, 40);
+    const auto state = stateNow(simulation);
+    QVERIFY(state->removed > 10.0 && !state->breakthrough);
+    const double far = 2.0 * HybridPart::kTile * kPartVoxel;  // no head of 4 mm reaches a tile whose middle is there
+    for (const VolumeSurface::Key& tile : state->tiles) {
+      const Vec3 middle = boxOfTile(*state, tile).center();
+      QVERIFY(std::abs(middle.x()) < far && std::abs(middle.y()) < far && middle.z() > -20.0);
+    }
+    QVERIFY(state->volume.blockCount() < 2000);  // all of it takes the area by that of a block, 9,600, and more
+  }
+
+  // A hand feels the part before it cuts: voxels are there where its tool is, also when it comes fast, and given back
+  // when it goes. They are those of the whole volume.
+  void felt() {
+    const SparseVolume whole = volumeOfSurface(drilledCube(), kPartVoxel)->volume;
+    const auto channel = std::make_shared<ClayChannel>();
+    DrillSimulation simulation(*HybridPart::of(drilledCube(), kPartVoxel), ballOfSixteenVoxels(), std::nullopt,
+                               channel);
+    const double radius = 8.0 * kPartVoxel;
+    const auto at = [&](const Vec3& foremost) {
+      const SimulationInput input = tipAt(foremost + radius * Vec3::UnitZ(), 0.0, 0);
+      simulation.step(kPartStep, {&input, 1});
+      return stateNow(simulation);
+    };
+    QVERIFY(at({0.0, 0.0, 60.0})->volume.isEmpty());
+    const auto near = at({1.0, 2.0, 0.2});
+    for (const Vec3& place : {Vec3(1.0, 2.0, 0.2), Vec3(1.3, 2.1, -0.4), Vec3(0.2, 1.7, -3.0)})
+      QCOMPARE(VolumeReader(near->volume).depthAt(place).depth, VolumeReader(whole).depthAt(place).depth);
+    QVERIFY(VolumeReader(near->volume).depthAt({1.0, 2.0, -1.0}).depth > 0.0);
+    QCOMPARE(near->changedBlocks, std::size_t{0});
+    QVERIFY(near->tiles.empty());
+    QCOMPARE(channel->patch.read().state.get(), static_cast<const ClayState*>(near.get()));
+    QCOMPARE(at({1.01, 2.01, 0.2}).get(), near.get());  // nothing new
+    QVERIFY(at({0.0, 0.0, 60.0})->volume.isEmpty());
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    QVERIFY(at({kNan, 0.0, 0.0})->volume.isEmpty());
+  }
+
+  // By the hand as by DrillRun in such a part, with a hole that stays when the hand has gone.
+  void byTheHandInAPart() {
+    DrillSimulation simulation(*HybridPart::of(drilledCube(), kPartVoxel), ballOfSixteenVoxels(), std::nullopt,
+                               std::make_shared<ClayChannel>());
+    HybridPart part = *HybridPart::of(drilledCube(), kPartVoxel);
+    DrillRun run(part, ballOfSixteenVoxels());
+    for (int i = 0; i < 150; ++i) {
+      const Vec3 place(0.3, -0.2, 2.5 - 0.03 * i);
+      const SimulationInput input = tipAt(place, 0.001 * i, 1);
+      simulation.step(kPartStep, {&input, 1});
+      move(run, DrillPose::of(place, Vec3::UnitZ(), 0.001 * i));
+    }
+    QVERIFY(run.removed() > 1.0);
+    QVERIFY(std::abs(stateNow(simulation)->removed - run.removed()) < 1e-9);
+    QVERIFY(simulation.part()->cutBlocks() == part.cutBlocks());
+    const SimulationInput away = tipAt({0.0, 0.0, 90.0}, 1.0, 0);
+    simulation.step(kPartStep, {&away, 1});
+    QVERIFY(simulation.part()->cutBlocks() == part.cutBlocks());
+    QVERIFY(VolumeReader(stateNow(simulation)->volume).depthAt({0.3, -0.2, -1.0}).depth < 0.0);
+  }
+};
+
+HANDWHEEL_TEST(PartDrillingTest)
+#include "PartDrillingTest.moc"
