@@ -59,8 +59,8 @@ DrillView::DrillView(const WindowContext& parts, QObject* parent) : QObject(pare
   connect(&m_sounding, &QTimer::timeout, this, &DrillView::sound);
 }
 
-const DrillingTool* DrillView::tool() const {
-  return dynamic_cast<const DrillingTool*>(m_parts.tools.runner().tool());
+const HandDrill* DrillView::tool() const {
+  return dynamic_cast<const HandDrill*>(m_parts.tools.runner().tool());
 }
 
 void DrillView::makeDock() {
@@ -100,7 +100,7 @@ void DrillView::makeDock() {
 }
 
 void DrillView::follow() {
-  const DrillingTool* const now = tool();
+  const HandDrill* const now = tool();
   const bool isRunning = now != nullptr;
   if (std::exchange(m_isRunning, isRunning) != isRunning) {
     if (isRunning) makeDock();
@@ -120,7 +120,7 @@ void DrillView::follow() {
 }
 
 // The words at once, the plots some ten times in a second and at the end.
-void DrillView::show(const DrillingTool& tool, const DrillState& hole) {
+void DrillView::show(const HandDrill& tool, const DrillState& hole) {
   warn(tool, hole);
   const QString verdict = drillVerdict(hole);
   const ThemeColours colours = themeColours(currentTheme());
@@ -128,7 +128,7 @@ void DrillView::show(const DrillingTool& tool, const DrillState& hole) {
   m_verdict->setStyleSheet(verdict.isEmpty() ? QString() : QStringLiteral("color: %1").arg(colour.name()));
   m_verdict->setText(!verdict.isEmpty() ? verdict
                      : tool.isLive()    ? tr("Drilling…")
-                                        : tr("Hold the button on the volume to drill"));
+                                        : tr("Hold the button on the part to drill"));
   const QLocale locale;
   if (!hole.moments.empty()) {
     const DrillMoment& moment = hole.moments[hole.moments.size() - 1];
@@ -151,10 +151,10 @@ void DrillView::plot(const DrillSetup& setup, const DrillState& hole) {
 }
 
 // Each once in a hole, and only in an exercise, where it costs marks.
-void DrillView::warn(const DrillingTool& tool, const DrillState& hole) {
+void DrillView::warn(const HandDrill& tool, const DrillState& hole) {
   if (hole.moments.size() < m_said.moments) m_said = {};
   m_said.moments = hole.moments.size();
-  if (!tool.task()) return;
+  if (!tool.isWorkOnExercise()) return;
   if (hole.figures.forbidden > 0.0 && !std::exchange(m_said.forbidden, true))
     emit message({Message::Weight::Error, tr("The attempt has failed"), tr("The drill entered the forbidden region."),
                   tr("Undo the hole to try again; stop at the breakthrough.")});
@@ -170,7 +170,7 @@ void DrillView::warn(const DrillingTool& tool, const DrillState& hole) {
 
 // Only while it drills: the sound fades out by itself. The louder the larger the thrust.
 void DrillView::sound() {
-  const DrillingTool* const now = tool();
+  const HandDrill* const now = tool();
   if (!now || !now->isLive()) return;
   const auto hole = now->hole();
   const DrillSetup setup = now->setup();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tools/volume/DrillingTool.h"
+#include "tools/carving/HandDrill.h"
 #include "window/kinds/KindUi.h"
 
 #include <QElapsedTimer>
@@ -17,7 +17,7 @@ namespace handwheel {
 class PlotWidget;
 
 // The presentation of the Drill tool in the window. It has the dock with thrust and torque over time, the warnings of
-// an exercise, and the sound. Window thread.
+// an exercise, and the sound. It follows whatever tool drills, in meshes, too. Window thread.
 class DrillView : public QObject {
   Q_OBJECT
 
@@ -31,11 +31,11 @@ class DrillView : public QObject {
   void message(const handwheel::Message& message);
 
  private:
-  const DrillingTool* tool() const;
+  const HandDrill* tool() const;
   void makeDock();
-  void show(const DrillingTool& tool, const DrillState& hole);
+  void show(const HandDrill& tool, const DrillState& hole);
   void plot(const DrillSetup& setup, const DrillState& hole);
-  void warn(const DrillingTool& tool, const DrillState& hole);
+  void warn(const HandDrill& tool, const DrillState& hole);
   void sound();
 
   // What was said of the present hole.

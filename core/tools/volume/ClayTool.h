@@ -6,8 +6,8 @@
 #include "simulation/SimulatedGesture.h"
 #include "tools/ToolKey.h"
 #include "tools/ToolProperty.h"
+#include "tools/carving/VolumeTool.h"
 #include "tools/volume/ClayStamps.h"
-#include "tools/volume/VolumeTool.h"
 
 namespace handwheel {
 

@@ -4,8 +4,8 @@
 
 #include "document/volume/VolumeDocument.h"
 #include "tools/ToolKey.h"
+#include "tools/carving/VolumeTool.h"
 #include "tools/volume/VolumeChanges.h"
-#include "tools/volume/VolumeTool.h"
 
 #include <functional>
 #include <vector>

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulation/drilling/DrillSimulation.h"
+#include "tools/ToolProperty.h"
+#include "volume/drilling/DrillTools.h"
+
+#include <string_view>
+#include <vector>
+
+namespace handwheel {
+
+// The settings of drilling by hand: head, material, spindle and feed. voxel: mm, of those that are cut, which limits
+// the head; 0: they are made after it.
+class DrillSettings {
+ public:
+  explicit DrillSettings(double voxel) { setHead(0, voxel); }
+  // As an exercise has them. material: id of a DrillMaterial; spindle: r/min; feed: mm/s.
+  DrillSettings(const DrillTool& head, std::string_view material, double spindle, double feed);
+
+  const DrillTool& head() const { return m_head; }
+  DrillSetup setup() const;
+  // Of a drill that is fed by the program, out of a surface by `out`, of length 1.
+  DrillFeed feedOutOf(const Vec3& out) const;
+
+  std::vector<Property> properties(double voxel) const;
+  // Whether it is the id of a setting, and the value one for it.
+  bool set(std::string_view id, const PropertyValue& value, double voxel);
+
+  // The outline of the head on a surface with this normal: the circle that it cuts, and its axis.
+  std::vector<std::vector<Vec3>> outlineAt(const Vec3& place, const Vec3& normal) const;
+
+ private:
+  void setHead(std::size_t type, double voxel);
+
+  DrillTool m_head = drillTools().front().tool;
+  std::size_t m_material = 0;  // of drillMaterials()
+  double m_rpm = 1000.0;       // r/min
+  double m_speed = 1.0;        // mm/s, of the feed
+  double m_peck = 0.0;         // mm, as that of DrillFeed
+};
+
+}  // namespace handwheel
