@@ -7,11 +7,14 @@
 
 namespace handwheel {
 
+struct ClayState;
+
 // What a tool previews on the mesh of a document.
 struct MeshPreview : KindPreview {
   FaceSelection highlighted;                       // faces under the pointer or about to be selected
   FaceSelection selected;                          // faces that are selected now
   std::shared_ptr<const PreviewMesh> previewMesh;  // null: the document's mesh
+  std::shared_ptr<const ClayState> voxels;         // whose surface is shown beside it; null: nothing
 };
 
 // The part of a preview that is on the mesh; empty when there is none.

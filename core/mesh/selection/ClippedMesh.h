@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/search/FaceHierarchy.h"
+#include "mesh/selection/PreviewMesh.h"
+
+#include <span>
+
+namespace handwheel {
+
+// A mesh without what of it is in any of these boxes, for the display. Faces that reach into one are replaced by
+// pieces, which have vertices and numbers of their own and no neighbours; the others keep their numbers. Boxes do not
+// overlap but at their sides. O(log n) for each box beside the faces that meet it.
+PreviewMesh clippedMesh(const FaceHierarchy& faces, std::span<const Box> boxes);
+
+}  // namespace handwheel

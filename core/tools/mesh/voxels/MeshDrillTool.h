@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/search/FaceHierarchy.h"
+#include "mesh/selection/PreviewMesh.h"
+#include "tools/carving/HandDrill.h"
+#include "tools/mesh/MeshServices.h"
+#include "tools/mesh/voxels/MeshDrillChange.h"
+
+namespace handwheel {
+
+class MeshDocument;
+
+// Tool that drills a mesh by hand. Voxels are made near the drill as it moves, and at the end of a gesture the hole is
+// taken from the triangles in one step, by a job. It needs a closed, manifold mesh without self-intersections: for
+// others, and where voxels near the drill cannot be certain, it says why and offers to make a volume.
+class MeshDrillTool : public HandDrill {
+ public:
+  // Called when somebody tried to drill what cannot be. reason: English, context "Tool".
+  using OfferVolume = std::function<void(const char* reason)>;
+
+  // The document must outlive all calls but the destructor's.
+  MeshDrillTool(
+      MeshDocument& document, MeshServices services, const SimulationServices& simulation,
+      OfferVolume offer = [](const char*) {});
+
+  bool isDue() const override;
+  ToolReply resume() override;
+  ToolPreview preview() const override;
+  std::vector<Property> settings() const override;
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  void documentChanged() override;
+
+ private:
+  // What a job makes of the mesh for the present voxel.
+  struct Prepared {
+    std::shared_ptr<const HybridPart> part;      // null: it cannot be drilled
+    std::shared_ptr<const FaceHierarchy> faces;  // null as well
+    const char* refusal = nullptr;               // why; English, context "Tool"
+  };
+  // What a hole was begun in.
+  struct Origin {
+    HalfEdgeMesh mesh;
+    std::shared_ptr<const HybridPart> part;  // of which nothing is cut
+  };
+  // A hole on its way into the triangles.
+  struct Pending {
+    std::shared_ptr<const DrillState> state;
+    std::shared_ptr<const DrillRecord> record;
+    std::shared_ptr<MeshHoleOutcome> outcome;
+    Origin origin;
+  };
+
+  static Prepared prepared(const HalfEdgeMesh& mesh, double voxel, NumberType numbers, Progress progress);
+  void prepare();
+  MeshHole holeOf(const DrillSimulation& drilled, std::shared_ptr<const DrillRecord> record) const;
+  void ended(const MeshHoleOutcome& outcome);
+
+  double voxelOfPart() const override { return 0.0; }
+  std::optional<SurfacePlace> placeAt(const Ray& ray) const override;
+  bool isMaterialAlong(const Vec3& from, const Vec3& way) const override;
+  double slack() const override { return 2.0 * m_voxel; }
+  const DrillRecord* holeBefore() const override { return m_record.get(); }
+  std::unique_ptr<DrillSimulation> simulation(const std::optional<DrillFeed>& feed) const override;
+  std::shared_ptr<const KindPreview> previewOf(const std::shared_ptr<const DrillState>& state) const override;
+  const char* obstacle() const override;
+  void refuse() override;
+  void take(const DrillSimulation& drilled, std::shared_ptr<const DrillRecord> record) override;
+
+  MeshDocument& m_document;
+  MeshServices m_services;
+  OfferVolume m_offer;
+  double m_voxel;                               // mm
+  Prepared m_prepared;                          // of the present mesh; empty while a job makes it
+  std::shared_ptr<const int> m_job;             // null when none is running; its result holds on to this
+  std::optional<Pending> m_pending;             // until it is in the triangles, or is not
+  std::shared_ptr<const DrillRecord> m_record;  // of the hole drilled last, while it is there; null: none
+  Origin m_origin;                              // of that hole
+  std::shared_ptr<const int> m_alive = std::make_shared<const int>();
+  // The mesh without what the tiles of a state hide, made for the tiles that were asked for last.
+  mutable std::vector<VolumeSurface::Key> m_hiddenTiles;
+  mutable std::shared_ptr<const PreviewMesh> m_hidden;
+};
+
+}  // namespace handwheel
