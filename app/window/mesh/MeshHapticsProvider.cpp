@@ -4,6 +4,7 @@
 
 #include "haptics/snap/LoopSnapField.h"
 #include "haptics/snap/SnapFidelity.h"
+#include "tools/carving/VolumeTool.h"
 #include "tools/mesh/BoundarySnapFeatures.h"
 #include "tools/mesh/MeshSurface.h"
 #include "tools/mesh/NearFeatures.h"
@@ -45,6 +46,7 @@ MeshHapticsProvider::MeshHapticsProvider(const WindowContext& parts, QObject* pa
       m_scene(parts.touch),
       m_tools(parts.tools),
       m_fidelity(parts.fidelity),
+      m_voxels(parts.touch),
       m_making(JobRunner::Policy::Latest, parts.pool),
       m_gathering(JobRunner::Policy::Latest, parts.pool),
       m_asCurves(parts.haptics.touch().hasBoundaryCurves) {
@@ -85,6 +87,7 @@ void MeshHapticsProvider::rebuild(bool isEdit) {
     m_scene.setSurface({}, false);
     dropSnapTargets();
   }
+  followVoxels();
   if (!isFelt()) return;
   followTool();
   Job job;
@@ -105,7 +108,20 @@ bool MeshHapticsProvider::isFelt() const {
   return m_document && m_document->visible && m_isOpen;
 }
 
+// The triangles know nothing of a hole while it is drilled: what is felt is voxels alone, made around the hand.
+void MeshHapticsProvider::followVoxels() {
+  const auto* const tool = isFelt() ? dynamic_cast<const VolumeTool*>(m_tools.runner().tool()) : nullptr;
+  m_voxels.set(tool ? tool->channel() : nullptr, tool ? tool->feelAtDevice() : ClayFeel());
+  const bool isOfVoxels = tool != nullptr;
+  if (std::exchange(m_isOfVoxels, isOfVoxels) == isOfVoxels) return;
+  if (isOfVoxels)
+    m_scene.setSurface({}, false);
+  else if (m_surface)
+    setSurface(false);
+}
+
 void MeshHapticsProvider::followTool() {
+  followVoxels();
   const Tool* const tool = m_tools.runner().tool();
   const bool mayDraw = isFelt() && m_session.touch().isSnapping;
   const SnapTargets wanted = mayDraw && tool ? tool->snapTargets() : SnapTargets();
@@ -190,6 +206,7 @@ void MeshHapticsProvider::edited(const std::vector<Face>& touched) {
 
 void MeshHapticsProvider::setSurface(bool isEdit) {
   noteSteps();
+  if (m_isOfVoxels) return;
   m_scene.setSurface(*m_surface, isEdit, [this] { return describe(); });
 }
 

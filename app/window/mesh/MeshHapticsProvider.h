@@ -6,6 +6,7 @@
 #include "mesh/structure/HalfEdgeMesh.h"
 #include "tools/Tool.h"
 #include "window/JobRunner.h"
+#include "window/haptics/ClayTouch.h"
 #include "window/mesh/OperationsBase.h"
 
 #include <QJsonObject>
@@ -23,6 +24,7 @@ struct WindowContext;
 // Provides the contact surface and the snap features of the current mesh. The surface is built on a worker when a
 // device is opened or another mesh is shown, and updated after each edit in time proportional to the edit. The snap
 // features are those of the active tool, and only those near the tip are considered. Nothing is kept without a device.
+// A tool that works on voxels is felt by these instead of the surface.
 class MeshHapticsProvider : public QObject {
   Q_OBJECT
 
@@ -38,6 +40,7 @@ class MeshHapticsProvider : public QObject {
   void followSession();
   void rebuild(bool isEdit);
   void followTool();
+  void followVoxels();
   void followTouch();
   void followTip();
   void dropSnapTargets();
@@ -53,8 +56,10 @@ class MeshHapticsProvider : public QObject {
   HapticSceneBuilder& m_scene;
   ToolHost& m_tools;
   FidelityChoice& m_fidelity;
-  JobRunner m_making;     // the surface
-  JobRunner m_gathering;  // snap features
+  ClayTouch m_voxels;
+  bool m_isOfVoxels = false;  // what is felt is that of a tool's
+  JobRunner m_making;         // the surface
+  JobRunner m_gathering;      // snap features
   MeshTab* m_document = nullptr;
   std::optional<ContactSurface> m_surface;  // of the present mesh; none while it is being built
   bool m_isOpen = false;                    // state of the session at its last signal

@@ -37,6 +37,17 @@ Message partlyChangedMessage(const MeshDocument& document, const QString& what, 
           .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
 }
 
+Message notDrilledMessage(const MeshDocument& document, const QString& why, std::function<void()> makeVolume) {
+  return {.weight = Message::Weight::Warning,
+          .title = MeshMessagesWords::tr("The mesh cannot be drilled"),
+          .detail = MeshMessagesWords::tr("Why: %1.").arg(why),
+          .advice = MeshMessagesWords::tr("A volume of the part can be drilled in any case."),
+          .actionText = MeshMessagesWords::tr("Make a volume"),
+          .action = std::move(makeVolume),
+          .about = &document,
+          .isOver = [&document, then = document.revision()] { return document.revision() != then; }};
+}
+
 Message changeMessage(const MeshDocument& document, const QString& text, const QString& how) {
   return {.weight = Message::Weight::Info,
           .title = text,

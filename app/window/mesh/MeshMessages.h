@@ -27,6 +27,8 @@ Message partRemovedMessage(const MeshDocument& document, const QString& what, co
 // A deletion left nothing of some connected pieces.
 Message piecesDeletedMessage(const MeshDocument& document, std::size_t pieces, std::size_t faces,
                              std::function<void()> undo);
+// A mesh cannot be drilled. why: a phrase. makeVolume: makes a volume of it, which can.
+Message notDrilledMessage(const MeshDocument& document, const QString& why, std::function<void()> makeVolume);
 // A job failed; nothing was changed. job: its name.
 Message jobFailedMessage(const Document& document, const QString& job, const Error& error);
 // The size of a mesh that was just opened is unlikely in mm; none where it is not. Its action is to be added.

@@ -136,6 +136,10 @@ std::unique_ptr<Tool> MeshTools::volumeRepairTool() {
                                             });
 }
 
+std::unique_ptr<Tool> MeshTools::drillTool(const SimulationServices& simulation, MeshDrillTool::OfferVolume offer) {
+  return std::make_unique<MeshDrillTool>(m_document->document, services(), simulation, std::move(offer));
+}
+
 MeshServices MeshTools::services() {
   MeshServices services;
   services.faces = [this] { return m_layer.faces(); };

@@ -4,6 +4,7 @@
 
 #include "tools/mesh/FillHoleTool.h"
 #include "tools/mesh/MeshServices.h"
+#include "tools/mesh/voxels/MeshDrillTool.h"
 #include "window/JobRunner.h"
 
 namespace handwheel {
@@ -45,6 +46,7 @@ class MeshTools : public QObject {
   std::unique_ptr<Tool> subdivideTool();
   std::unique_ptr<Tool> transformTool();
   std::unique_ptr<Tool> volumeRepairTool();
+  std::unique_ptr<Tool> drillTool(const SimulationServices& simulation, MeshDrillTool::OfferVolume offer);
 
  private:
   const FillHoleTool* runningFillTool() const;

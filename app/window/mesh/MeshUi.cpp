@@ -25,9 +25,12 @@
 #include "tools/mesh/voxels/VolumeRepairTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/MeshLayer.h"
+#include "viewport/surface/VolumeLayer.h"
 #include "window/CommandLines.h"
+#include "window/WindowServices.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
+#include "window/kinds/DrillDescriptor.h"
 #include "window/mesh/DefectScene.h"
 #include "window/mesh/EquivalentCommand.h"
 #include "window/mesh/MeshMessages.h"
@@ -35,8 +38,10 @@
 #include "window/mesh/Suggestions.h"
 #include "window/tools/ToolHost.h"
 
+#include <QCoreApplication>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <utility>
 
 namespace handwheel {
 
@@ -49,6 +54,7 @@ MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
     : m_parts(parts),
       m_kind(kind),
       m_layer(std::make_shared<MeshLayer>()),
+      m_voxelLayer(std::make_shared<VolumeLayer>()),
       m_preview(parts.pool, parts.services, parts.fidelity),
       m_search(parts.pool, parts.services),
       m_jobs(parts.tabs, parts.jobs, parts.log, parts.fidelity),
@@ -69,6 +75,7 @@ MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
       m_touch(parts),
       m_show(parts, m_jobs, this) {
   parts.viewport.addLayer(m_layer);
+  parts.viewport.addLayer(m_voxelLayer);
   m_panels->setMinimumWidth(264);
   m_panels->addWidget(m_panel);
   m_panels->addWidget(m_deviation.panel());
@@ -92,6 +99,7 @@ MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
 
 MeshUi::~MeshUi() {
   setDocument(nullptr);
+  m_parts.viewport.removeLayer(*m_voxelLayer);
   m_parts.viewport.removeLayer(*m_layer);
 }
 
@@ -204,6 +212,7 @@ void MeshUi::setDocument(DocumentTab* document) {
   m_defectActions.setDocument(m_document);  // before the panel chooses none of its rows
   if (m_panel) m_panel->setInspection(m_document ? &m_document->inspection : nullptr);
   m_scene->setDocument(m_document);
+  m_voxelLayer->setVisible(m_document && m_document->visible);
   m_deviation.setDocument(m_document);
   m_section.setDocument(m_document);
   m_touch.setDocument(m_document);
@@ -218,6 +227,7 @@ void MeshUi::setDocument(DocumentTab* document) {
 
 void MeshUi::refreshVisibility() {
   m_scene->refreshVisibility();
+  m_voxelLayer->setVisible(m_document && m_document->visible);
   m_touch.refreshVisibility();
 }
 
@@ -225,6 +235,12 @@ void MeshUi::showPreview(const ToolPreview& preview) {
   const MeshPreview onMesh = meshPreviewOf(preview);
   m_layer->setPreviewMesh(onMesh.previewMesh);
   m_layer->setHighlightedFaces(onMesh.highlighted);
+  if (std::exchange(m_voxels, onMesh.voxels) != onMesh.voxels) {
+    if (m_voxels)
+      m_voxelLayer->setVolume(m_voxels->volume, m_voxels->surface);
+    else
+      m_voxelLayer->setVolume({}, {});
+  }
   m_selectedInTool = onMesh.selected;
   selectFaces();
 }
@@ -296,7 +312,18 @@ std::vector<ToolDescriptor> MeshUi::tools() {
        tr("Drag, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels"),
        QStringLiteral("sculpt"), QKeySequence(Qt::Key_U), [this] { return m_tools.sculptTool(); }, "sculpt",
        SculptTool::keys()},
+      drillToolDescriptor([this] {
+        return m_tools.drillTool({m_parts.servoClock, m_parts.services.simulation()},
+                                 [this, tab = m_document](const char* reason) { offerVolume(tab, reason); });
+      }),
       measureToolDescriptor([this] { return m_tools.measureTool(); })};
+}
+
+void MeshUi::offerVolume(MeshTab* tab, const char* reason) {
+  emit message(notDrilledMessage(tab->document, QCoreApplication::translate("Tool", reason), [this, tab] {
+    m_parts.tabs.setCurrent(tab);
+    if (auto* const copy = m_parts.window->findChild<QAction*>(QStringLiteral("copyAs/volume"))) copy->trigger();
+  }));
 }
 
 std::vector<Hint> MeshUi::hints() {

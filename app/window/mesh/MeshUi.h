@@ -28,6 +28,8 @@ class DefectsPanel;
 class DefectScene;
 class MeshKind;
 class MeshLayer;
+class VolumeLayer;
+struct ClayState;
 
 // The user interface of meshes: defects in panel and viewport, and repair actions.
 class MeshUi : public KindUi {
@@ -70,10 +72,13 @@ class MeshUi : public KindUi {
   void logMark(const MeshTab& open);
   void showFix();
   void selectFaces();
+  void offerVolume(MeshTab* tab, const char* reason);
 
   WindowContext m_parts;
   MeshKind& m_kind;
   std::shared_ptr<MeshLayer> m_layer;
+  std::shared_ptr<VolumeLayer> m_voxelLayer;  // of a tool
+  std::shared_ptr<const ClayState> m_voxels;  // in it; null: nothing
   Selection m_selection;
   HolePreview m_preview;
   SelfIntersectionSearch m_search;

@@ -6,7 +6,6 @@
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "document/volume/exercise/DrillingSubject.h"
-#include "simulation/clay/ClayForce.h"
 #include "theme/Theme.h"
 #include "tools/volume/ClayTool.h"
 #include "tools/volume/DrillingTool.h"
@@ -17,7 +16,7 @@
 #include "window/WindowServices.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
-#include "window/haptics/HapticSceneBuilder.h"
+#include "window/kinds/DrillDescriptor.h"
 #include "window/tools/ToolHost.h"
 #include "window/volume/ClayLayersView.h"
 #include "window/volume/DrillView.h"
@@ -42,7 +41,8 @@ VolumeUi::VolumeUi(const WindowContext& window, VolumeKind& kind)
       m_reshape(new ReshapeActions(window, this)),
       m_remesh(new RemeshAction(window, this)),
       m_stamp(new StampAction(window, this)),
-      m_voxelize(new VoxelizeQuestion(window.window, window.jobs, kind, this)) {
+      m_voxelize(new VoxelizeQuestion(window.window, window.jobs, kind, this)),
+      m_touch(window.touch) {
   connect(m_segmentation, &Segmentation::message, this, &VolumeUi::message);
   connect(m_voxelize, &VoxelizeQuestion::message, this, &KindUi::message);
   setFelt(false);  // through the depths of the volume, not through triangles
@@ -140,20 +140,7 @@ void VolumeUi::followTool() {
   const auto* const tool = dynamic_cast<const VolumeTool*>(parts().tools.runner().tool());
   const bool isFelt = document() && document()->visible;
   const std::shared_ptr<ClayChannel> channel = !isFelt ? nullptr : tool ? tool->channel() : m_still;
-  const ClayFeel feel = tool ? tool->feelAtDevice() : ClayFeel();
-  const bool isSame = channel == m_felt;
-  if (isSame && feel == m_feel) return;
-  m_felt = channel;
-  m_feel = feel;
-  if (!channel) return parts().touch.setSource(kClaySource, {}, false);
-  const auto make = [channel, feel](const TouchContext& context) {
-    ClayFeel inScene = feel;
-    inScene.stiffness = context.mapping.sceneStiffness(context.touch.stiffness);
-    // That of a drill follows from its thrust in the scene, as that of its simulation does.
-    if (feel.spindle == 0.0) inScene.resistance = context.mapping.sceneStiffness(feel.resistance);
-    return std::make_unique<ClayForce>(channel, inScene);
-  };
-  parts().touch.setSource(kClaySource, make, isSame);
+  m_touch.set(channel, tool ? tool->feelAtDevice() : ClayFeel());
 }
 
 QList<QAction*> VolumeUi::menu() {
@@ -221,8 +208,7 @@ std::vector<ToolDescriptor> VolumeUi::tools() {
   };
   return {{QStringLiteral("clayTool"), tr("Shape &clay"), tr("Add, carve, smooth and move clay by hand"),
            QStringLiteral("sculpt"), QKeySequence(Qt::SHIFT | Qt::Key_U), make, "clay", ClayTool::keys()},
-          {QStringLiteral("drillTool"), tr("&Drill"), tr("Drill into the volume, with thrust and torque"),
-           QStringLiteral("drill"), QKeySequence(Qt::SHIFT | Qt::Key_D), drill, "drill", DrillingTool::keys()},
+          drillToolDescriptor(drill),
           m_reshape->tool(),
           measureParts()};
 }

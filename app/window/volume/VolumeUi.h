@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulation/clay/ClayContact.h"
-#include "simulation/clay/ClaySimulation.h"
+#include "window/haptics/ClayTouch.h"
 #include "window/kinds/RigidPartsUi.h"
 
 namespace handwheel {
@@ -67,8 +66,7 @@ class VolumeUi : public RigidPartsUi {
   VoxelizeQuestion* m_voxelize;
   std::shared_ptr<const ClayState> m_live;  // what a tool has made of the document; null: nothing
   std::shared_ptr<ClayChannel> m_still;     // the document as it is
-  std::shared_ptr<ClayChannel> m_felt;      // of the tool, or m_still; null: nothing is
-  ClayFeel m_feel;
+  ClayTouch m_touch;
   // What is displayed of the exercise that the document is work on, and what it was made from.
   mutable std::shared_ptr<const nlohmann::json> m_plannedBy;
   mutable DisplayModel m_planned;

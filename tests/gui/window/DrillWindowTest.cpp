@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshShapes.h"
+#include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 #include "document/exercise/ExerciseSnapshot.h"
 #include "document/volume/VolumeDocument.h"
 #include "document/volume/exercise/DrillingTask.h"
+#include "mesh/structure/TriangleSoup.h"
 #include "plot/PlotWidget.h"
+#include "tools/mesh/voxels/MeshDrillTool.h"
 #include "tools/volume/DrillingTool.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
@@ -14,11 +18,12 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
+#include <cmath>
 
 using namespace handwheel;
 using namespace handwheel::test;
 
-// The exercise of drilling through the window, as a student does it with the mouse.
+// Drilling through the window with the mouse: the exercise, as a student does it, and a mesh from a file.
 class DrillWindowTest : public QObject {
   Q_OBJECT
 
@@ -36,6 +41,38 @@ class DrillWindowTest : public QObject {
     event.ray = {plan.entry - 100.0 * plan.direction + beside * plan.direction.unitOrthogonal(), plan.direction};
     event.modifiers.shift = true;
     runner(driver).pointer(event);
+  }
+  // The same straight above a mesh.
+  static void pointAtMesh(WindowDriver& driver, PointerEvent::Kind kind, double x, double y) {
+    PointerEvent event;
+    event.kind = kind;
+    event.button = PointerButton::First;
+    event.ray = {Vec3(x, y, 300.0), -Vec3::UnitZ()};
+    runner(driver).pointer(event);
+  }
+  static bool isReady(WindowDriver& driver) {
+    return QTest::qWaitFor(
+        [&] { return runner(driver).tool()->actions().front().effect == "drill across the surface"; }, 60'000);
+  }
+  static std::vector<Corners> stlOf(const TriangleSoup& soup) {
+    std::vector<Corners> all;
+    for (const Triangle& t : soup.triangles) {
+      Corners& corners = all.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& p = soup.points[t[k]];
+        corners[k] = {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+      }
+    }
+    return all;
+  }
+  static double volumeOf(const std::vector<Corners>& triangles) {
+    double sum = 0.0;
+    for (const Corners& t : triangles) {
+      Vec3 p[3];
+      for (std::size_t k = 0; k < 3; ++k) p[k] = Vec3(t[k][0], t[k][1], t[k][2]);
+      sum += p[0].dot(p[1].cross(p[2])) / 6.0;
+    }
+    return sum;
   }
   static bool begin(WindowDriver& driver) {
     driver.choose("exercise/skull");
@@ -122,6 +159,67 @@ class DrillWindowTest : public QObject {
     // Undone, the hole and its record are gone.
     volume(driver).history()->undo();
     QVERIFY(volume(driver).volume()->holes.empty());
+  }
+
+  // An STL file: through a plate, the hole is in its triangles by one step, and in the file that is saved.
+  void aMesh() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("plate.stl"));
+    const TriangleSoup plate = box({-15.0, -15.0, -4.0}, {30.0, 30.0, 4.0});
+    writeStl(path, stlOf(plate));
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    driver.find<QAction>("drillTool")->trigger();
+    QVERIFY(driver.settle());
+    QVERIFY(dynamic_cast<const MeshDrillTool*>(runner(driver).tool()));
+    runner(driver).setSetting("diameter", PropertyValue(4.0));
+    runner(driver).setSetting("feed", PropertyValue(20.0));
+    QVERIFY(isReady(driver));
+    pointAtMesh(driver, PointerEvent::Kind::Press, 0.113, -0.271);
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+          const auto hole = static_cast<const MeshDrillTool*>(runner(driver).tool())->hole();
+          return hole && hole->breakthrough && hole->figures.plunge > 4.5;
+        },
+        60'000));
+    pointAtMesh(driver, PointerEvent::Kind::Release, 0.113, -0.271);
+    QVERIFY(driver.find<QDockWidget>("drillDock")->isVisible());
+    QVERIFY(driver.find<QLabel>("drillVerdict")->text().startsWith(QStringLiteral("Breakthrough")));
+    Document& document = driver.window().findChild<DocumentTabs*>()->current()->document;
+    QVERIFY(QTest::qWaitFor([&] { return document.history()->count() == 1; }, 60'000));
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::Hole), 0);
+    document.history()->undo();
+    document.history()->redo();
+    QVERIFY(isReady(driver));
+    driver.choose("saveFileAs");
+    const QString saved = folder.filePath(QStringLiteral("drilled.stl"));
+    QVERIFY(driver.enterFileName("saveDialog", saved));
+    QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isWindowModified(), kPatienceMs);
+    const std::vector<Corners> drilled = readStl(saved);
+    QCOMPARE(openEdges(drilled), 0);
+    const double gone = 3600.0 - volumeOf(drilled), exact = M_PI * 4.0 * 4.0;
+    QVERIFY2(std::abs(gone / exact - 1.0) < 0.01, QByteArray::number(gone / exact));
+  }
+
+  // What has holes has no inside: it says so, and offers to make a volume, which it asks about.
+  void anOpenMesh() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("open.stl"));
+    writeStl(path, torusWithHole());
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    driver.find<QAction>("drillTool")->trigger();
+    QVERIFY(driver.settle());
+    pointAtMesh(driver, PointerEvent::Kind::Press, 30.0, 0.0);
+    auto* const offer = driver.find<QPushButton>("messageAction");
+    QTRY_COMPARE_WITH_TIMEOUT(offer->text(), QStringLiteral("Make a volume"), kPatienceMs);
+    offer->click();
+    QVERIFY(driver.settle());
+    driver.find<QPushButton>("propertiesAccept")->click();
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 2);
+    QVERIFY(volume(driver).volume()->volume.material() > 0.0);
   }
 };
 
