@@ -1617,6 +1617,10 @@
         <source>Choose another name, or close the other tab first.</source>
         <translation>Wählen Sie einen anderen Namen, oder schließen Sie zuerst den anderen Tab.</translation>
     </message>
+    <message>
+        <source>the robot stood elsewhere when the curve of the path &apos;%1&apos; was planned</source>
+        <translation>der Roboter stand woanders, als die Kurve der Bahn „%1“ geplant wurde</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -3655,6 +3659,18 @@
         <source>Cool drilling</source>
         <translation>Kühl gebohrt</translation>
     </message>
+    <message>
+        <source>Part off</source>
+        <translation>Abstechen</translation>
+    </message>
+    <message>
+        <source>Part the glass off below its foot.</source>
+        <translation>Das Glas unterhalb seines Fußes abstechen.</translation>
+    </message>
+    <message>
+        <source>Straight in to the axis, at a small feed.</source>
+        <translation>Gerade bis zur Achse einstechen, mit kleinem Vorschub.</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -4805,6 +4821,22 @@
         <source>%1: check what was removed</source>
         <translation>%1: prüfen, was entfernt wurde</translation>
     </message>
+    <message>
+        <source>The mesh cannot be drilled</source>
+        <translation>Das Netz kann nicht gebohrt werden</translation>
+    </message>
+    <message>
+        <source>Why: %1.</source>
+        <translation>Grund: %1.</translation>
+    </message>
+    <message>
+        <source>A volume of the part can be drilled in any case.</source>
+        <translation>Ein Volumen des Teils kann immer gebohrt werden.</translation>
+    </message>
+    <message>
+        <source>Make a volume</source>
+        <translation>Volumen erzeugen</translation>
+    </message>
 </context>
 <context>
     <name>Navigation</name>
@@ -5407,6 +5439,10 @@
         <source>The end of ⌀%1 mm is the free one, whose face is finished; the end of ⌀%2 mm is towards the chuck.</source>
         <translation>Das Ende mit ⌀%1 mm ist das freie, dessen Stirnfläche bearbeitet wird; das Ende mit ⌀%2 mm liegt zum Futter hin.</translation>
     </message>
+    <message>
+        <source>The part is parted off: only the piece at its free end counts.</source>
+        <translation>Das Teil ist abgestochen: nur das Stück an seinem freien Ende zählt.</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -5605,6 +5641,14 @@
     <message>
         <source>The tool does not come to the target %1 any more: that, or the tool, has moved since.</source>
         <translation>Das Werkzeug kommt nicht mehr zum Ziel %1: dieses oder das Werkzeug wurde seitdem bewegt.</translation>
+    </message>
+    <message>
+        <source>plan again: its robot has moved</source>
+        <translation>neu planen: ihr Roboter wurde bewegt</translation>
+    </message>
+    <message>
+        <source>Its robot stood elsewhere when its curve was planned: the tool does not meet that any more.</source>
+        <translation>Ihr Roboter stand woanders, als ihre Kurve geplant wurde: Das Werkzeug trifft sie nicht mehr.</translation>
     </message>
 </context>
 <context>
@@ -7828,6 +7872,10 @@
         <source>Manipulability</source>
         <translation>Manipulierbarkeit</translation>
     </message>
+    <message>
+        <source>Depth of the hole</source>
+        <translation>Tiefe des Lochs</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -9774,6 +9822,82 @@
         <source>the top layer is off, or weaker than 1</source>
         <translation>die oberste Ebene ist aus oder schwächer als 1</translation>
     </message>
+    <message>
+        <source>the mesh is not closed, or not manifold</source>
+        <translation>das Netz ist nicht geschlossen oder nicht mannigfaltig</translation>
+    </message>
+    <message>
+        <source>triangles of the mesh intersect one another</source>
+        <translation>Dreiecke des Netzes schneiden sich</translation>
+    </message>
+    <message>
+        <source>the hole meets too many triangles</source>
+        <translation>das Loch trifft auf zu viele Dreiecke</translation>
+    </message>
+    <message>
+        <source>the triangles cannot be joined soundly along the hole</source>
+        <translation>die Dreiecke lassen sich am Loch nicht einwandfrei verbinden</translation>
+    </message>
+    <message>
+        <source>nothing would be left of the mesh</source>
+        <translation>vom Netz bliebe nichts übrig</translation>
+    </message>
+    <message>
+        <source>Drill a hole</source>
+        <translation>Loch bohren</translation>
+    </message>
+    <message>
+        <source>the mesh was changed meanwhile</source>
+        <translation>das Netz wurde inzwischen geändert</translation>
+    </message>
+    <message>
+        <source>there are no triangles</source>
+        <translation>es gibt keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>the mesh has holes, so it has no inside: close them first</source>
+        <translation>das Netz hat Löcher und damit kein Inneres: zuerst schließen</translation>
+    </message>
+    <message>
+        <source>the mesh is not manifold: repair it first</source>
+        <translation>das Netz ist nicht mannigfaltig: zuerst reparieren</translation>
+    </message>
+    <message>
+        <source>a body is inside out: turn it over first</source>
+        <translation>ein Körper ist umgestülpt: zuerst wenden</translation>
+    </message>
+    <message>
+        <source>the voxels are too small for a part of this size</source>
+        <translation>die Voxel sind zu klein für ein Teil dieser Größe</translation>
+    </message>
+    <message>
+        <source>the surface encloses nothing</source>
+        <translation>die Oberfläche umschließt nichts</translation>
+    </message>
+    <message>
+        <source>there are coordinates that are not numbers</source>
+        <translation>es gibt Koordinaten, die keine Zahlen sind</translation>
+    </message>
+    <message>
+        <source>bodies overlap here, or a wall is thinner than a voxel: near the drill alone this cannot be drilled</source>
+        <translation>hier überlappen sich Körper, oder eine Wand ist dünner als ein Voxel: nur nahe am Bohrer kann das nicht gebohrt werden</translation>
+    </message>
+    <message>
+        <source>triangles of the mesh intersect one another: resolve that first</source>
+        <translation>Dreiecke des Netzes schneiden sich: zuerst beheben</translation>
+    </message>
+    <message>
+        <source>Preparing to drill</source>
+        <translation>Bohren wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>the hole is being taken from the triangles</source>
+        <translation>das Loch wird aus den Dreiecken geschnitten</translation>
+    </message>
+    <message>
+        <source>the mesh is being prepared for the drill</source>
+        <translation>das Netz wird für den Bohrer vorbereitet</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -10378,6 +10502,22 @@
         <source>Tool centre point at the tip of %1</source>
         <translation>Werkzeugmittelpunkt an der Spitze von %1</translation>
     </message>
+    <message>
+        <source>Place %1 where its file says</source>
+        <translation>%1 dorthin setzen, wo die Datei sagt</translation>
+    </message>
+    <message>
+        <source>%1 was placed beside the others</source>
+        <translation>%1 wurde neben die anderen gestellt</translation>
+    </message>
+    <message>
+        <source>Where its file says, it would be inside something else: it was placed beside the others.</source>
+        <translation>An der Stelle aus der Datei läge es in etwas anderem: Es wurde neben die anderen gestellt.</translation>
+    </message>
+    <message>
+        <source>&amp;Place it where its file says</source>
+        <translation>&amp;Dorthin setzen, wo die Datei sagt</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellCollisions</name>
@@ -10580,13 +10720,6 @@
         <translation>
             <numerusform>%Ln Bewegung, zurückgelesen auf %1 mm genau.</numerusform>
             <numerusform>%Ln Bewegungen, zurückgelesen auf %1 mm genau.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln blend(s) became exact stops, as their zones are not free everywhere.</source>
-        <translation>
-            <numerusform>%Ln Überschleifen wurde zum Genauhalt, da seine Zone nicht überall frei ist.</numerusform>
-            <numerusform>%Ln Überschleifen wurden zu Genauhalten, da ihre Zonen nicht überall frei sind.</numerusform>
         </translation>
     </message>
     <message>
@@ -11113,6 +11246,14 @@
     <message>
         <source>Change the pairs that may touch</source>
         <translation>Paare ändern, die sich berühren dürfen</translation>
+    </message>
+    <message>
+        <source>&amp;Show the first on the time line</source>
+        <translation>Die erste auf der Zeitleiste &amp;zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blend(s) became exact stops, as not every way within their zones is proven free.</source>
+        <translation><numerusform>%Ln Überschleifen wurde zum genauen Halt, da nicht jeder Weg in seiner Zone bewiesen frei ist.</numerusform><numerusform>%Ln Überschleifen wurden zu genauen Halten, da nicht jeder Weg in ihren Zonen bewiesen frei ist.</numerusform></translation>
     </message>
 </context>
 <context>
@@ -11967,10 +12108,6 @@
         <translation>Es wird gebohrt…</translation>
     </message>
     <message>
-        <source>Hold the button on the volume to drill</source>
-        <translation>Zum Bohren die Taste auf dem Volumen halten</translation>
-    </message>
-    <message>
         <source>%1 mm deep, %2 N, %3 N·mm, +%4 K (estimate)</source>
         <translation>%1 mm tief, %2 N, %3 N·mm, +%4 K (Schätzung)</translation>
     </message>
@@ -12013,6 +12150,10 @@
     <message>
         <source>Release the button now: each further millimetre counts.</source>
         <translation>Lassen Sie die Taste jetzt los: Jeder weitere Millimeter zählt.</translation>
+    </message>
+    <message>
+        <source>Hold the button on the part to drill</source>
+        <translation>Zum Bohren die Taste auf dem Teil halten</translation>
     </message>
 </context>
 <context>
@@ -13153,6 +13294,14 @@
     <message>
         <source>Measure distances, angles and walls</source>
         <translation>Abstände, Winkel und Wände messen</translation>
+    </message>
+    <message>
+        <source>&amp;Drill</source>
+        <translation>&amp;Bohren</translation>
+    </message>
+    <message>
+        <source>Drill into the part, with thrust and torque</source>
+        <translation>In das Teil bohren, mit Vorschubkraft und Drehmoment</translation>
     </message>
 </context>
 <context>
@@ -14323,6 +14472,14 @@
         <source>Clearance to keep</source>
         <translation>Einzuhaltender Abstand</translation>
     </message>
+    <message>
+        <source>The straight line to the second place cannot be begun.</source>
+        <translation>Die gerade Strecke zur zweiten Stelle kann nicht begonnen werden.</translation>
+    </message>
+    <message>
+        <source>Too near: %1 to %2</source>
+        <translation>Zu nah: %1 an %2</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PathGuides</name>
@@ -15071,6 +15228,13 @@
     <message>
         <source>This exercise is to be done by hand: it does not allow programs to be made, run, or to cut.</source>
         <translation>Diese Übung ist von Hand zu machen: Programme dürfen nicht erstellt, ausgeführt oder zum Schneiden benutzt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PropertyRow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -15951,6 +16115,10 @@
     <message>
         <source>&amp;Place it beside the others</source>
         <translation>Neben die anderen &amp;stellen</translation>
+    </message>
+    <message>
+        <source>Go to where the path was shown</source>
+        <translation>Dorthin, wo die Bahn gezeigt wurde</translation>
     </message>
 </context>
 <context>
@@ -17016,6 +17184,18 @@
         <source>%1 cannot be used as a target</source>
         <translation>%1 kann nicht als Ziel verwendet werden</translation>
     </message>
+    <message>
+        <source>Turn the target &amp;end for end</source>
+        <translation>Ziel &amp;umdrehen</translation>
+    </message>
+    <message>
+        <source>Make the end at the chuck the free one, whose face is finished</source>
+        <translation>Das Ende am Futter zum freien machen, dessen Planfläche bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>Turn the target end for end</source>
+        <translation>Ziel umdrehen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ThreadDialog</name>
@@ -17521,14 +17701,6 @@
     <message>
         <source>Add, carve, smooth and move clay by hand</source>
         <translation>Ton von Hand auftragen, abtragen, glätten und verschieben</translation>
-    </message>
-    <message>
-        <source>&amp;Drill</source>
-        <translation>&amp;Bohren</translation>
-    </message>
-    <message>
-        <source>Drill into the volume, with thrust and torque</source>
-        <translation>In das Volumen bohren, mit Vorschubkraft und Drehmoment</translation>
     </message>
     <message>
         <source>%1 triangles</source>

@@ -1617,6 +1617,10 @@
         <source>Choose another name, or close the other tab first.</source>
         <translation>请选择其他名称，或先关闭另一个标签页。</translation>
     </message>
+    <message>
+        <source>the robot stood elsewhere when the curve of the path &apos;%1&apos; was planned</source>
+        <translation>规划路径“%1”的曲线时机器人在别处</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -3655,6 +3659,18 @@
         <source>Cool drilling</source>
         <translation>低温钻孔</translation>
     </message>
+    <message>
+        <source>Part off</source>
+        <translation>切断</translation>
+    </message>
+    <message>
+        <source>Part the glass off below its foot.</source>
+        <translation>在杯脚下方把酒杯切断。</translation>
+    </message>
+    <message>
+        <source>Straight in to the axis, at a small feed.</source>
+        <translation>以小进给直切到轴线。</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -4805,6 +4821,22 @@
         <source>%1: check what was removed</source>
         <translation>%1：请检查被移除的部分</translation>
     </message>
+    <message>
+        <source>The mesh cannot be drilled</source>
+        <translation>无法在此网格上钻孔</translation>
+    </message>
+    <message>
+        <source>Why: %1.</source>
+        <translation>原因：%1。</translation>
+    </message>
+    <message>
+        <source>A volume of the part can be drilled in any case.</source>
+        <translation>零件的体素模型总是可以钻孔。</translation>
+    </message>
+    <message>
+        <source>Make a volume</source>
+        <translation>生成体素模型</translation>
+    </message>
 </context>
 <context>
     <name>Navigation</name>
@@ -5407,6 +5439,10 @@
         <source>The end of ⌀%1 mm is the free one, whose face is finished; the end of ⌀%2 mm is towards the chuck.</source>
         <translation>直径 ⌀%1 mm 的一端为自由端，其端面需加工；直径 ⌀%2 mm 的一端朝向卡盘。</translation>
     </message>
+    <message>
+        <source>The part is parted off: only the piece at its free end counts.</source>
+        <translation>零件已被切断：只计算其自由端的那一块。</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -5601,6 +5637,14 @@
     <message>
         <source>The tool does not come to the target %1 any more: that, or the tool, has moved since.</source>
         <translation>工具不再到达目标 %1：目标或工具此后已移动。</translation>
+    </message>
+    <message>
+        <source>plan again: its robot has moved</source>
+        <translation>需重新规划：机器人已移动</translation>
+    </message>
+    <message>
+        <source>Its robot stood elsewhere when its curve was planned: the tool does not meet that any more.</source>
+        <translation>规划其曲线时机器人在别处：刀具已不再到达该曲线。</translation>
     </message>
 </context>
 <context>
@@ -7824,6 +7868,10 @@
         <source>Manipulability</source>
         <translation>可操作度</translation>
     </message>
+    <message>
+        <source>Depth of the hole</source>
+        <translation>孔深</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -9721,6 +9769,82 @@
         <source>the top layer is off, or weaker than 1</source>
         <translation>最上层已关闭或强度小于 1</translation>
     </message>
+    <message>
+        <source>the mesh is not closed, or not manifold</source>
+        <translation>网格不封闭或非流形</translation>
+    </message>
+    <message>
+        <source>triangles of the mesh intersect one another</source>
+        <translation>网格的三角形彼此相交</translation>
+    </message>
+    <message>
+        <source>the hole meets too many triangles</source>
+        <translation>孔涉及的三角形过多</translation>
+    </message>
+    <message>
+        <source>the triangles cannot be joined soundly along the hole</source>
+        <translation>三角形无法沿孔边完好连接</translation>
+    </message>
+    <message>
+        <source>nothing would be left of the mesh</source>
+        <translation>网格将不剩任何部分</translation>
+    </message>
+    <message>
+        <source>Drill a hole</source>
+        <translation>钻孔</translation>
+    </message>
+    <message>
+        <source>the mesh was changed meanwhile</source>
+        <translation>网格在此期间已更改</translation>
+    </message>
+    <message>
+        <source>there are no triangles</source>
+        <translation>没有三角形</translation>
+    </message>
+    <message>
+        <source>the mesh has holes, so it has no inside: close them first</source>
+        <translation>网格有孔洞，因此没有内部：请先封闭</translation>
+    </message>
+    <message>
+        <source>the mesh is not manifold: repair it first</source>
+        <translation>网格非流形：请先修复</translation>
+    </message>
+    <message>
+        <source>a body is inside out: turn it over first</source>
+        <translation>有一个实体内外翻转：请先翻转</translation>
+    </message>
+    <message>
+        <source>the voxels are too small for a part of this size</source>
+        <translation>对于这种尺寸的零件，体素太小</translation>
+    </message>
+    <message>
+        <source>the surface encloses nothing</source>
+        <translation>曲面没有包围任何空间</translation>
+    </message>
+    <message>
+        <source>there are coordinates that are not numbers</source>
+        <translation>有些坐标不是数字</translation>
+    </message>
+    <message>
+        <source>bodies overlap here, or a wall is thinner than a voxel: near the drill alone this cannot be drilled</source>
+        <translation>此处有实体重叠，或壁厚小于一个体素：无法仅在钻头附近钻孔</translation>
+    </message>
+    <message>
+        <source>triangles of the mesh intersect one another: resolve that first</source>
+        <translation>网格的三角形彼此相交：请先解决</translation>
+    </message>
+    <message>
+        <source>Preparing to drill</source>
+        <translation>正在准备钻孔</translation>
+    </message>
+    <message>
+        <source>the hole is being taken from the triangles</source>
+        <translation>正在从三角形中切除孔</translation>
+    </message>
+    <message>
+        <source>the mesh is being prepared for the drill</source>
+        <translation>正在为钻头准备网格</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -10320,6 +10444,22 @@
         <source>Tool centre point at the tip of %1</source>
         <translation>工具中心点在 %1 的尖端</translation>
     </message>
+    <message>
+        <source>Place %1 where its file says</source>
+        <translation>按文件中的位置放置 %1</translation>
+    </message>
+    <message>
+        <source>%1 was placed beside the others</source>
+        <translation>已将 %1 放在其他物体旁边</translation>
+    </message>
+    <message>
+        <source>Where its file says, it would be inside something else: it was placed beside the others.</source>
+        <translation>按文件中的位置，它会在别的物体内部：已放在其他物体旁边。</translation>
+    </message>
+    <message>
+        <source>&amp;Place it where its file says</source>
+        <translation>按文件中的位置放置(&amp;P)</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellCollisions</name>
@@ -10521,12 +10661,6 @@
         <source>%Ln motion(s), read back within %1 mm.</source>
         <translation>
             <numerusform>%Ln 个运动，回读误差在 %1 mm 以内。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln blend(s) became exact stops, as their zones are not free everywhere.</source>
-        <translation>
-            <numerusform>%Ln 处圆滑过渡改为精确停止，因为其区域并非处处无碰撞。</numerusform>
         </translation>
     </message>
     <message>
@@ -11042,6 +11176,14 @@
     <message>
         <source>Change the pairs that may touch</source>
         <translation>更改可接触的成对物体</translation>
+    </message>
+    <message>
+        <source>&amp;Show the first on the time line</source>
+        <translation>在时间线上显示第一个(&amp;S)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blend(s) became exact stops, as not every way within their zones is proven free.</source>
+        <translation><numerusform>%Ln 处圆滑过渡改为精确停止，因为其区域内并非每条路径都已证明无碰撞。</numerusform></translation>
     </message>
 </context>
 <context>
@@ -11893,10 +12035,6 @@
         <translation>正在钻孔…</translation>
     </message>
     <message>
-        <source>Hold the button on the volume to drill</source>
-        <translation>在体素模型上按住按钮以钻孔</translation>
-    </message>
-    <message>
         <source>%1 mm deep, %2 N, %3 N·mm, +%4 K (estimate)</source>
         <translation>深 %1 mm，%2 N，%3 N·mm，+%4 K（估计值）</translation>
     </message>
@@ -11939,6 +12077,10 @@
     <message>
         <source>Release the button now: each further millimetre counts.</source>
         <translation>请立即松开按键：每多一毫米都会计入。</translation>
+    </message>
+    <message>
+        <source>Hold the button on the part to drill</source>
+        <translation>在零件上按住按钮即可钻孔</translation>
     </message>
 </context>
 <context>
@@ -13063,6 +13205,14 @@
     <message>
         <source>Measure distances, angles and walls</source>
         <translation>测量距离、角度和壁厚</translation>
+    </message>
+    <message>
+        <source>&amp;Drill</source>
+        <translation>钻孔(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Drill into the part, with thrust and torque</source>
+        <translation>在零件上钻孔，带轴向力和扭矩</translation>
     </message>
 </context>
 <context>
@@ -14228,6 +14378,14 @@
         <source>Clearance to keep</source>
         <translation>须保持的间隙</translation>
     </message>
+    <message>
+        <source>The straight line to the second place cannot be begun.</source>
+        <translation>到第二个位置的直线无法开始。</translation>
+    </message>
+    <message>
+        <source>Too near: %1 to %2</source>
+        <translation>过近：%1 与 %2</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PathGuides</name>
@@ -14972,6 +15130,13 @@
     <message>
         <source>This exercise is to be done by hand: it does not allow programs to be made, run, or to cut.</source>
         <translation>本练习须手动完成：不允许编写、运行程序或用程序切削。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PropertyRow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -15841,6 +16006,10 @@
     <message>
         <source>&amp;Place it beside the others</source>
         <translation>放到其他物体旁(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Go to where the path was shown</source>
+        <translation>移到路径显示的位置</translation>
     </message>
 </context>
 <context>
@@ -16897,6 +17066,18 @@
         <source>%1 cannot be used as a target</source>
         <translation>%1 不能用作目标</translation>
     </message>
+    <message>
+        <source>Turn the target &amp;end for end</source>
+        <translation>将目标掉头(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Make the end at the chuck the free one, whose face is finished</source>
+        <translation>使卡盘一端成为自由端，其端面为已加工面</translation>
+    </message>
+    <message>
+        <source>Turn the target end for end</source>
+        <translation>将目标掉头</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ThreadDialog</name>
@@ -17402,14 +17583,6 @@
     <message>
         <source>Add, carve, smooth and move clay by hand</source>
         <translation>手动添加、挖去、平滑和移动黏土</translation>
-    </message>
-    <message>
-        <source>&amp;Drill</source>
-        <translation>钻孔(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Drill into the volume, with thrust and torque</source>
-        <translation>在体素模型中钻孔，带轴向力和扭矩</translation>
     </message>
     <message>
         <source>%1 triangles</source>
