@@ -54,7 +54,7 @@ MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
     : m_parts(parts),
       m_kind(kind),
       m_layer(std::make_shared<MeshLayer>()),
-      m_voxelLayer(std::make_shared<VolumeLayer>()),
+      m_voxelLayer(std::make_shared<VolumeLayer>(VolumeLayer::Look::Mesh)),
       m_preview(parts.pool, parts.services, parts.fidelity),
       m_search(parts.pool, parts.services),
       m_jobs(parts.tabs, parts.jobs, parts.log, parts.fidelity),

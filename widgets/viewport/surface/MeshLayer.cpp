@@ -166,6 +166,7 @@ void MeshLayer::setPreviewMesh(const std::shared_ptr<const PreviewMesh>& preview
   d->previewMesh = previewMesh;
   blocks.merge(d->previewBlocks());
   d->previewBox = boundsOfTouched(previewMesh.get());
+  d->markHovered();
   d->preparation.show(previewMesh ? previewMesh->mesh : d->mesh, d->origin, blocks);
 }
 

@@ -52,7 +52,8 @@ class MeshLayer::Private {
     if (previewMesh) previewMesh->touched.forEach([&](Face f) { found.insert(f / preparation.blockFaces()); });
     return found;
   }
-  void markHovered() { marks.setHovered(listLoop, hoveredLoop, hoveredFace); }
+  // No face of a mesh that is not shown as it is.
+  void markHovered() { marks.setHovered(listLoop, hoveredLoop, previewMesh ? kNone : hoveredFace); }
 
   MeshLayer& q;
   MeshBlocks blocks;

@@ -71,7 +71,7 @@ std::vector<Vec3> outlineOf(const VolumePiece& piece) {
 
 class VolumeLayer::Private {
  public:
-  explicit Private(LayerProps& of) : props(of) {}
+  Private(LayerProps& of, Look its) : props(of), look(its) {}
 
   struct Shown {
     Piece piece;
@@ -86,8 +86,10 @@ class VolumeLayer::Private {
   void showAll();
   void place(const Shown& shown) const;
   void choose(const Shown& shown) const;
+  void paint(vtkActor* actor) const;
 
   LayerProps& props;
+  Look look;
   SparseVolume volume;
   std::map<Key, Piece> wanted;
   int pieceCells = VolumeSurface::kPieceCells;  // of those
@@ -161,11 +163,15 @@ void VolumeLayer::Private::showAll() {
     present = std::move(made);
     choose(present);
     place(present);
-    SurfaceMaterial material{kClay};
-    material.isSolid = true;
-    applyStyle(present.actor, style, material);
+    paint(present.actor);
   }
   built.clear();
+}
+
+void VolumeLayer::Private::paint(vtkActor* actor) const {
+  SurfaceMaterial material{look == Look::Mesh ? style.colours.front : kClay};
+  material.isSolid = true;
+  applyStyle(actor, style, material);
 }
 
 void VolumeLayer::Private::place(const Shown& of) const {
@@ -178,7 +184,7 @@ void VolumeLayer::Private::choose(const Shown& of) const {
   static_cast<vtkPolyDataMapper*>(of.actor->GetMapper())->SetInputData(isCoarse && hasCoarse ? of.coarse : of.fine);
 }
 
-VolumeLayer::VolumeLayer() : d(std::make_unique<Private>(props())) {}
+VolumeLayer::VolumeLayer(Look look) : d(std::make_unique<Private>(props(), look)) {}
 
 VolumeLayer::~VolumeLayer() = default;
 
@@ -208,9 +214,7 @@ std::vector<Vec3> VolumeLayer::outline() const {
 
 void VolumeLayer::setStyle(const SurfaceStyle& style) {
   d->style = style;
-  SurfaceMaterial material{kClay};
-  material.isSolid = true;
-  for (const auto& [key, shown] : d->shown) applyStyle(shown.actor, style, material);
+  for (const auto& [key, shown] : d->shown) d->paint(shown.actor);
 }
 
 void VolumeLayer::setCoarseShown(bool isReduced) {

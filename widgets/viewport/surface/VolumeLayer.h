@@ -12,7 +12,8 @@ namespace handwheel {
 // on a slow display it is drawn coarse.
 class VolumeLayer : public ViewLayer {
  public:
-  VolumeLayer();
+  enum class Look { Clay, Mesh };  // Mesh: as the triangles beside which it is a part of a mesh
+  explicit VolumeLayer(Look look = Look::Clay);
   ~VolumeLayer() override;
 
   // Shows a volume with its surface; an empty one: nothing. What is protected is dark; null: nothing is. Only pieces
