@@ -375,7 +375,7 @@ class CellPlanningWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(line->isEnabled(), kPatienceMs);
     const auto angle = [&](const char* joint) { return driver.field(joint).split(' ').front().toDouble(); };
     QTRY_COMPARE(angle("joint.joint_1"), 60.0);  // it begins there
-    driver.edit("joint.joint_2", "12");
+    driver.editInPanel("joint.joint_2", "12");
     QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
     QCOMPARE(angle("joint.joint_1"), 60.0);
     QCOMPARE(angle("joint.joint_2"), 12.0);

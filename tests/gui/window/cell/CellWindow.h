@@ -31,13 +31,26 @@ class CellWindow : public WindowDriver {
 
   // The text of a field of the selected body in the panel of the cell; none where it is not listed.
   QString field(const char* property) {
+    const auto* line = lineOf(property);
+    return line ? line->text() : QString();
+  }
+  // As edit(), but in the panel of the cell, which knows what the view shows.
+  void editInPanel(const char* property, const QString& value) {
+    auto* line = lineOf(property);
+    if (!line) qFatal("%s is not in the panel", property);
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, value);
+    QTest::keyClick(line, Qt::Key_Return);
+  }
+  QLineEdit* lineOf(const char* property) {
     const QString name = QStringLiteral("property/") + QString::fromLatin1(property);
-    for (const auto* row : find<QDockWidget>("kindDock")->findChildren<QWidget*>(name)) {
+    for (auto* row : find<QDockWidget>("kindDock")->findChildren<QWidget*>(name)) {
       // One that was hidden is about to be deleted; a new one is shown with the next event.
       const bool isLeaving = row->isHidden() && row->testAttribute(Qt::WA_WState_ExplicitShowHide);
-      if (!isLeaving) return row->findChild<QLineEdit*>()->text();
+      if (!isLeaving) return row->findChild<QLineEdit*>();
     }
-    return {};
+    return nullptr;
   }
 
   // A place in the view where this part is seen; null where it is not.
