@@ -12,6 +12,7 @@
 #include "document/FileBytes.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/PlansEdit.h"
+#include "document/cell/path/Outdating.h"
 #include "document/scene/BodyChanges.h"
 #include "document/scene/BodyErrors.h"
 #include "robot/program/PathFile.h"
@@ -159,6 +160,10 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
   for (const std::string& frame : frames->leftOut)
     complain("warning: there are too many frames in the cell for " + frame + " of the program");
   if (const Status fits = checkCounts(*cell.plans); !fits) return fail(fits.error());
+  if (values.isSet("remove")) {
+    for (const std::string& path : pathsThrough(*cell.plans, values.text("remove")))
+      complain("warning: the path " + path + " keeps the joint values of " + values.text("remove"));
+  }
   if (const int code = saveCell(*file, cell, arguments.valueOf("output")); code != kExitDone) return code;
   return print(configurationsReport(file->opened.kind->describe(cell), *frames, arguments.has("json")));
 }

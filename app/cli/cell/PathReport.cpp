@@ -68,6 +68,8 @@ std::vector<std::string> reasonsOf(const Outdating& outdating) {
     reasons.emplace_back("the tool centre point was changed since the path was planned along its curve");
   for (const std::string& target : outdating.targets)
     reasons.push_back("the tool does not come to the target " + target + " any more: that, or the tool, has moved");
+  for (const std::string& configuration : outdating.configurations)
+    reasons.push_back("the configuration " + configuration + " was changed since the path was planned through it");
   return reasons;
 }
 
@@ -87,6 +89,7 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
   if (outdating.isBaseOther) json["base_moved"] = true;
   if (outdating.isToolOther) json["tool_changed"] = true;
   if (!outdating.targets.empty()) json["targets_moved"] = outdating.targets;
+  if (!outdating.configurations.empty()) json["configurations_changed"] = outdating.configurations;
   if (checked.way.stopsAt) json["stops_at"] = {{"place", *checked.way.stopsAt}, {"share", checked.way.reached}};
   return json;
 }

@@ -103,8 +103,8 @@ Command postCommand() {
                           "RAPID: only name the frame of the cell; another module of the same task has its data"});
   spec.options.push_back(resolutionOption());
   spec.options.push_back({"outdated", 0, "",
-                          "Write it even if its part, its robot or a target has moved, or the tool has changed, since "
-                          "it was planned; a comment of the program says so"});
+                          "Write it even if its part, its robot or a target has moved, or the tool or a configuration "
+                          "has changed, since it was planned; a comment of the program says so"});
   spec.options.push_back({"output", 'o', "OUT", "The file to write"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});

@@ -166,6 +166,7 @@ class CellPaths : public QObject {
   bool choosePath(const std::string& name);
   void exportAs(const QString& file, const PostProcessor& chosen, const ProgramRequest& request);
   void exportProgram(const PostProcessor& post, const QString& file, const ProgramRequest& request);
+  void reportRemoved(const QString& configuration, const std::vector<std::string>& paths);
   void reportNotWritten(const std::string& path);
   // tab: null where it was closed.
   void reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,

@@ -8,6 +8,7 @@
 #include "document/cell/PlaceProperties.h"
 #include "document/cell/PlansEdit.h"
 #include "document/cell/RobotCellDocument.h"
+#include "document/cell/path/Outdating.h"
 #include "document/scene/BodyChanges.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
@@ -242,6 +243,7 @@ void CellPaths::setPlaceHere() {
   place.joints = seenJoints();
   place.isCritical = true;
   place.target.reset();
+  place.configuration.clear();
   commit(tr("Set place %1 of %2").arg(entry.place + 1).arg(QString::fromStdString(entry.name)), std::move(changed));
 }
 
@@ -274,7 +276,8 @@ void CellPaths::removeCurrent() {
   if (entry.kind == Kind::Robot) return m_robots.remove(entry.name);
   if (entry.kind == Kind::Configuration) {
     std::erase_if(changed.configurations, [&](const NamedConfiguration& each) { return each.name == entry.name; });
-    commit(tr("Remove %1").arg(name), std::move(changed));
+    const std::vector<std::string> paths = pathsThrough(changed, entry.name);
+    if (commit(tr("Remove %1").arg(name), std::move(changed)) && !paths.empty()) reportRemoved(name, paths);
   } else if (entry.kind == Kind::Target) {
     commit(tr("Remove %1").arg(name), withoutTarget(std::move(changed), entry.name));
   } else if (entry.kind == Kind::Frame) {
@@ -289,6 +292,26 @@ void CellPaths::removeCurrent() {
   }
 }
 
+// Its paths go on leading to where it was.
+void CellPaths::reportRemoved(const QString& configuration, const std::vector<std::string>& paths) {
+  constexpr std::size_t kMostNamed = 5;
+  QStringList names;
+  for (const std::string& path : paths) {
+    if (names.size() == kMostNamed) {
+      names += QStringLiteral("…");
+      break;
+    }
+    names += QString::fromStdString(path);
+  }
+  Message said{.weight = Message::Weight::Warning,
+               .title = tr("%1 was removed").arg(configuration),
+               .detail = tr("%Ln path(s) keep its joint values: %1.", nullptr, static_cast<int>(paths.size()))
+                             .arg(names.join(QStringLiteral(", "))),
+               .advice = tr("Undo brings it back.")};
+  said.about = &m_document->document;
+  emit message(said);
+}
+
 void CellPaths::rename(const PlanTree::Entry& entry, const QString& name) {
   CellPlans changed = plans();
   const std::string wanted = name.toStdString();
@@ -298,9 +321,7 @@ void CellPaths::rename(const PlanTree::Entry& entry, const QString& name) {
                                                    : changed.path(wanted) != nullptr;
   if (wanted == entry.name || isTaken || !isBodyName(wanted)) return update();
   if (entry.kind == Kind::Configuration) {
-    for (NamedConfiguration& each : changed.configurations) {
-      if (each.name == entry.name) each.name = wanted;
-    }
+    changed = withConfigurationRenamed(std::move(changed), entry.name, wanted);
   } else if (entry.kind == Kind::Target) {
     changed = withTargetRenamed(std::move(changed), entry.name, wanted);
   } else if (entry.kind == Kind::Frame) {

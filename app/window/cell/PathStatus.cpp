@@ -36,6 +36,8 @@ class Words {
         return tr("not verified since the clearance was changed");
       case BasisChange::Targets:
         return tr("not verified since its targets were moved");
+      case BasisChange::Configurations:
+        return tr("not verified since its configurations were changed");
       case BasisChange::Nothing:
         break;
     }
@@ -107,7 +109,9 @@ class Words {
     if (!outdating.part.empty()) return tr("plan again: %1 has moved").arg(QString::fromStdString(outdating.part));
     if (outdating.isBaseOther) return tr("plan again: its robot has moved");
     if (outdating.isToolOther) return tr("plan again: the tool centre point was changed");
-    return tr("plan again: it misses %1").arg(QString::fromStdString(*outdating.targets.begin()));
+    if (!outdating.targets.empty())
+      return tr("plan again: it misses %1").arg(QString::fromStdString(*outdating.targets.begin()));
+    return tr("plan again: %1 was changed").arg(QString::fromStdString(*outdating.configurations.begin()));
   }
   static QString moved(const PathFindings& found, const QString& text) {
     if (found.robotsMoved.empty()) return text;
@@ -165,6 +169,9 @@ QStringList outdatingReasons(const Outdating& outdating) {
     reasons += Words::tr("The tool does not come to the target %1 any more: that, or the tool, has moved since.")
                    .arg(QString::fromStdString(target));
   }
+  for (const std::string& configuration : outdating.configurations)
+    reasons += Words::tr("It leads to %1 as that was stored when the path was planned: it was changed since.")
+                   .arg(QString::fromStdString(configuration));
   return reasons;
 }
 

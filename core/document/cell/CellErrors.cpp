@@ -83,6 +83,11 @@ const ErrorDescription CellError::PathTargetMoved{
     .sentences = {translatable("ErrorText", "the path '%1' leads to where the target '%2' was when it was planned")},
     .advice = {translatable("ErrorText", "Plan it again, or write it as it is; on the command line: --outdated.")}};
 
+const ErrorDescription CellError::PathPlaceChanged{
+    .id = "PathPlaceChanged",
+    .sentences = {translatable("ErrorText", "the path '%1' leads to '%2' as that was stored when it was planned")},
+    .advice = {translatable("ErrorText", "Plan it again, or write it as it is; on the command line: --outdated.")}};
+
 const ErrorDescription CellError::LineCollides{
     .id = "LineCollides",
     .sentences = {translatable("ErrorText", "on the straight line to %1 the robot collides: %2 with %3")},

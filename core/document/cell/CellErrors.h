@@ -22,6 +22,7 @@ extern const ErrorDescription PathOutdated;       // {path, part} the part that 
 extern const ErrorDescription PathBaseMoved;      // {path} its curve was planned with the robot elsewhere
 extern const ErrorDescription PathToolChanged;    // {path} its curve was planned with another tool centre point
 extern const ErrorDescription PathTargetMoved;    // {path, target} the tool does not come to that any more
+extern const ErrorDescription PathPlaceChanged;   // {path, configuration} that is other joint values now
 extern const ErrorDescription LineCollides;       // {place, link, link or body} the straight line to it
 extern const ErrorDescription PartCarried;        // {body} the robot itself carries it
 extern const ErrorDescription TrackMissing;       // {body} no curve is where it was asked for

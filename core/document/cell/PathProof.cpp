@@ -19,8 +19,8 @@ using nlohmann::json;
 const std::string kProofs = "cell/proofs.json";
 constexpr std::uint64_t kMethod = 1;  // of verification and digests; counted on when what is proven changes
 
-constexpr std::array<const char*, 8> kParts = {"robots",  "path", "joints",    "bodies",
-                                               "allowed", "tool", "clearance", "targets"};
+constexpr std::array<const char*, 9> kParts = {"robots", "path",      "joints",  "bodies",        "allowed",
+                                               "tool",   "clearance", "targets", "configurations"};
 
 json toJson(const std::string& path, const PathProof& proof) {
   const PathFindings& found = proof.found;
@@ -38,6 +38,7 @@ json toJson(const std::string& path, const PathProof& proof) {
                  {"base_moved", found.outdating.isBaseOther},
                  {"tool_changed", found.outdating.isToolOther},
                  {"targets_moved", found.outdating.targets},
+                 {"configurations_changed", found.outdating.configurations},
                  {"listed", json::array()},
                  {"basis", json::object()}};
   if (found.measures) {
@@ -95,7 +96,7 @@ std::optional<PathProof> proofFrom(const json& stored) {
   found.hasShapeless = isAt(stored, "shapeless");
   found.robotsMoved = namesAt(stored, "robots_moved");
   found.outdating = {stringAt(stored, "part_moved"), isAt(stored, "base_moved"), isAt(stored, "tool_changed"),
-                     namesAt(stored, "targets_moved")};
+                     namesAt(stored, "targets_moved"), namesAt(stored, "configurations_changed")};
   const auto listed = stored.find("listed");
   for (const json& each : listed != stored.end() && listed->is_array() ? *listed : json::array()) {
     if (each.is_object() && found.listed.size() < PathFindings::kMostListed)

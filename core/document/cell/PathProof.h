@@ -16,10 +16,10 @@ namespace handwheel {
 struct Container;
 
 // The inputs of a path's verification, in the order in which a change is named. Nothing: none of it has changed.
-enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Clearance, Targets };
+enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Clearance, Targets, Configurations };
 
 // A digest of each of these (SHA-256, hexadecimal digits), in order, without Nothing.
-using BasisDigests = std::array<std::string, 8>;
+using BasisDigests = std::array<std::string, 9>;
 
 // Of a path as a whole, as PathMetrics has it.
 struct PathMeasures {

@@ -147,6 +147,7 @@ nlohmann::json describePaths(const RobotCellSnapshot& cell) {
     if (outdating.isBaseOther) list.back()["base_moved"] = true;
     if (outdating.isToolOther) list.back()["tool_changed"] = true;
     if (!outdating.targets.empty()) list.back()["targets_moved"] = outdating.targets;
+    if (!outdating.configurations.empty()) list.back()["configurations_changed"] = outdating.configurations;
   }
   return list;
 }

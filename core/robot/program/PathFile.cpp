@@ -112,6 +112,7 @@ Result<Waypoint> placeFrom(const Json& json, const std::string& element, const R
   place.speed = numberAt(json, "speed", isLinear ? 250.0 : 0.25, 1e-3, isLinear ? 1e5 : 1.0);
   place.blend = numberAt(json, "blend_mm", 0.0, 0.0, 1e4);
   if (const auto target = json.find("target"); target != json.end()) place.target = placeTargetFrom(*target);
+  place.configuration = stringAt(json, "configuration");
   return place;
 }
 
@@ -203,6 +204,7 @@ Json toJson(const RobotModel& robot, const RobotPath& path) {
     if (begin && place.isPlannedFrom(*begin)) places.back()["planned"] = true;
     if (place.target)
       places.back()["target"] = {{"name", place.target->name}, {"in_tool", numbersOfPose(place.target->inTool)}};
+    if (!place.configuration.empty()) places.back()["configuration"] = place.configuration;
     if (!begin || place.isCritical) begin = &place;
   }
   Json json = {{"name", path.name}, {"places", places}};

@@ -46,7 +46,7 @@ bool PlaceTarget::operator==(const PlaceTarget& other) const {
 bool Waypoint::operator==(const Waypoint& other) const {
   return joints.size() == other.joints.size() && joints == other.joints && name == other.name &&
          isCritical == other.isCritical && motion == other.motion && speed == other.speed && blend == other.blend &&
-         target == other.target;
+         target == other.target && configuration == other.configuration;
 }
 
 bool NamedConfiguration::operator==(const NamedConfiguration& other) const {
@@ -127,7 +127,7 @@ std::size_t CellPlans::bytes() const {
   }
   for (const RobotPath& path : paths) {
     for (const Waypoint& place : path.places) {
-      sum += sizeof place + place.name.size() + ofValues(place.joints);
+      sum += sizeof place + place.name.size() + place.configuration.size() + ofValues(place.joints);
       if (place.target) sum += place.target->name.size();
     }
   }

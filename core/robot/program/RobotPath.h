@@ -40,6 +40,8 @@ struct Waypoint {
   // own. As long as they are the same, planning again may keep these motions. Null: it did not. Not compared.
   std::shared_ptr<const std::array<JointValues, 2>> plannedBetween = {};
   std::optional<PlaceTarget> target = {};  // none: it was given as joint values, or set by hand since
+  // The name of the configuration that it was given as; empty: it was given otherwise, or set by hand since.
+  std::string configuration = {};
 
   // Whether the planner made the motions that lead from this critical place to it.
   bool isPlannedFrom(const Waypoint& begin) const;

@@ -82,6 +82,7 @@ void HandGuidingTool::setPlace(const Guidance& pulled) {
     place.joints[pulled.scene->dofs[i]] = values[static_cast<Eigen::Index>(i)];
   place.isCritical = true;
   place.target.reset();
+  place.configuration.clear();
   path.process.reset();
   const QString text = QCoreApplication::translate("HandGuidingTool", "Pull place %1 of %2")
                            .arg(pulled.pulled->place + 1)

@@ -41,6 +41,34 @@ class ConfigurationsTest : public QObject {
     QVERIFY(change("--allow", "box") != 0 && change("--allow", "box,nothing") != 0);
   }
 
+  // A path through a configuration that was removed, which is said, and stored anew with other joints, is outdated:
+  // reports and programs say so.
+  void anOutdatedConfiguration() {
+    const PlannedCell cell;
+    cell.run({"configuration", "irb120", "--add", "home", "--joints", "joint_2=0.2,joint_5=0.6", "-o", "c.handwheel"});
+    cell.run(
+        {"configuration", "c.handwheel", "--add", "side", "--joints", "joint_1=0.8,joint_5=0.6", "-o", "c.handwheel"});
+    const Ran planned =
+        cell.run({"plan", "c.handwheel", "--from", "home", "--to", "side", "--name", "swing", "-o", "c.handwheel"});
+    QVERIFY2(planned.code == 0, planned.err);
+    const QStringList post{"post", "c.handwheel", "swing", "--controller", "rapid", "-o", "swing.mod"};
+    const Ran removed = cell.run({"configuration", "c.handwheel", "--remove", "home", "-o", "c.handwheel"});
+    QVERIFY2(removed.code == 0 && removed.err.contains("swing"), removed.err);
+    QCOMPARE(cell.run(post).code, 0);
+    cell.run(
+        {"configuration", "c.handwheel", "--add", "home", "--joints", "joint_2=0.3,joint_5=0.6", "-o", "c.handwheel"});
+    const auto path = jsonOf(cell.run({"inspect", "c.handwheel", "--json"}).out)["document"]["paths"][0];
+    QVERIFY(path["outdated"].get<bool>());
+    QCOMPARE(path["configurations_changed"][0].get<std::string>(), std::string("home"));
+    const Ran verified = cell.run({"verify", "c.handwheel", "swing"});
+    QVERIFY2(verified.out.contains("home was changed") && verified.out.contains("plan it again"), verified.out);
+    const Ran refused = cell.run(post);
+    QCOMPARE(refused.code, 1);
+    QVERIFY2(refused.err.contains("home") && refused.err.contains("--outdated"), refused.err);
+    QCOMPARE(cell.run(post + QStringList{"--outdated"}).code, 0);
+    QVERIFY2(cell.read("swing.mod").contains("! Outdated: home was changed"), cell.read("swing.mod"));
+  }
+
   // Numbers are given to the ways that can be chosen, in their order; no other number can be.
   void numbersOfSolutions() {
     const PlannedCell cell;

@@ -7,6 +7,9 @@
 #include "document/cell/CellArms.h"
 #include "robot/Kinematics.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace handwheel {
 
 namespace {
@@ -34,6 +37,48 @@ void compareStanding(const PathProcess& process, const Body& part, const Pose& b
 }
 
 }  // namespace
+
+const NamedConfiguration* changedConfiguration(const CellRobot& robot, const CellPlans& plans, std::string_view arm,
+                                               const Waypoint& place) {
+  constexpr double kAngle = 1e-3 * kRadiansPerDegree, kLength = 1e-3;  // rad, mm: as exactly as programs are read back
+  const NamedConfiguration* const known = plans.configuration(place.configuration);
+  const auto number = armNumber(robot, arm);
+  if (!known || !number || armNumber(robot, known->arm) != number) return nullptr;
+  const auto isElsewhere = [&](std::uint32_t dof) {
+    const double most = robot.model.jointOfDof(dof).kind == JointKind::Prismatic ? kLength : kAngle;
+    return !(std::abs(known->joints[dof] - place.joints[dof]) <= most);
+  };
+  const std::vector<std::uint32_t> dofs = dofsOfArm(robot, *number);
+  return std::any_of(dofs.begin(), dofs.end(), isElsewhere) ? known : nullptr;
+}
+
+CellPlans withConfigurationRenamed(CellPlans plans, const std::string& name, const std::string& wanted) {
+  for (NamedConfiguration& each : plans.configurations) {
+    if (each.name == name) each.name = wanted;
+  }
+  for (RobotPath& path : plans.paths) {
+    for (Waypoint& place : path.places) {
+      if (place.configuration != name) continue;
+      place.configuration = wanted;
+      if (place.name == name) place.name = wanted;
+    }
+    for (const char* const end : {"from", "to"}) {
+      if (!path.process) continue;
+      const auto value = path.process->values.find(end);
+      if (value != path.process->values.end() && value->second == PathProcess::Value(name)) value->second = wanted;
+    }
+  }
+  return plans;
+}
+
+std::vector<std::string> pathsThrough(const CellPlans& plans, std::string_view configuration) {
+  std::vector<std::string> names;
+  for (const RobotPath& path : plans.paths) {
+    const auto standsForIt = [&](const Waypoint& place) { return place.configuration == configuration; };
+    if (std::any_of(path.places.begin(), path.places.end(), standsForIt)) names.push_back(path.name);
+  }
+  return names;
+}
 
 bool isSamePlace(const Pose& one, const Pose& other) {
   constexpr double kDistance = 1e-3, kAngle = 1e-3 * kRadiansPerDegree;  // mm, rad
@@ -63,6 +108,7 @@ Outdating outdatingOf(const CellRobot& robot, const CellPlacement& cell, const R
     found.isToolOther = tool && !isSamePlace(toolOf(robot, cell.plans, path.arm), *tool);
   }
   for (const Waypoint& place : path.places) {
+    if (changedConfiguration(robot, cell.plans, path.arm, place)) found.configurations.insert(place.configuration);
     if (!place.target || found.targets.contains(place.target->name)) continue;
     const auto now = targetInTool(robot, cell, path.arm, place.joints, place.target->name);
     if (now && !isSamePlace(*now, place.target->inTool)) found.targets.insert(place.target->name);

@@ -44,7 +44,23 @@ PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path) {
           cell.plans->allowed,
           toolOf(*cell.robot, *cell.plans, path.arm),
           cell.plans->clearanceOf(path),
-          targetsOf(*cell.plans, path)};
+          targetsOf(*cell.plans, path),
+          configurationsOf(*cell.robot, *cell.plans, path)};
+}
+
+std::vector<std::vector<double>> configurationsOf(const CellRobot& robot, const CellPlans& plans,
+                                                  const RobotPath& path) {
+  std::vector<std::vector<double>> all;
+  const auto arm = armNumber(robot, path.arm);
+  const std::vector<std::uint32_t> dofs = arm ? dofsOfArm(robot, *arm) : std::vector<std::uint32_t>();
+  for (const Waypoint& place : path.places) {
+    if (place.configuration.empty()) continue;
+    all.emplace_back();
+    const NamedConfiguration* const known = plans.configuration(place.configuration);
+    if (!known || armNumber(robot, known->arm) != arm) continue;
+    for (const std::uint32_t dof : dofs) all.back().push_back(known->joints[dof]);
+  }
+  return all;
 }
 
 std::vector<std::pair<NamedTarget, NamedFrame>> targetsOf(const CellPlans& plans, const RobotPath& path) {
@@ -68,6 +84,7 @@ BasisChange changeSince(const PathBasis& basis, const RobotCellSnapshot& cell, c
   if (basis.tool.matrix() != toolOf(*cell.robot, *cell.plans, path.arm).matrix()) return BasisChange::Tool;
   if (basis.clearance != cell.plans->clearanceOf(path)) return BasisChange::Clearance;
   if (basis.targets != targetsOf(*cell.plans, path)) return BasisChange::Targets;
+  if (basis.configurations != configurationsOf(*cell.robot, *cell.plans, path)) return BasisChange::Configurations;
   return BasisChange::Nothing;
 }
 

@@ -19,11 +19,16 @@ struct PathBasis {
   double clearance = 0.0;
   // Of its places, in order: the targets that they were planned to and the frames of these, all without their names.
   std::vector<std::pair<NamedTarget, NamedFrame>> targets;
+  std::vector<std::vector<double>> configurations;  // that its places stand for, in order: joints of its robot
 };
 PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path);
 
 // PathBasis::targets. Targets and frames that are missing are empty ones.
 std::vector<std::pair<NamedTarget, NamedFrame>> targetsOf(const CellPlans& plans, const RobotPath& path);
+
+// PathBasis::configurations. One that is missing, or of another robot, has no values.
+std::vector<std::vector<double>> configurationsOf(const CellRobot& robot, const CellPlans& plans,
+                                                  const RobotPath& path);
 
 // The degrees of freedom that paths of a robot set, by its name as in RobotPath::arm.
 std::vector<std::uint32_t> plannedDofs(const CellRobot& robot, std::string_view arm);

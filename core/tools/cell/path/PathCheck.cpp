@@ -219,6 +219,9 @@ std::vector<std::string> remarksOn(const CellScene& scene, const RobotPath& path
   for (const std::string& target : outdating.targets)
     remarks.push_back("Outdated: the tool does not come to the target " + identifierOf(target, kLongestName) +
                       " any more: that, or the tool, has moved since the path was planned.");
+  for (const std::string& configuration : outdating.configurations)
+    remarks.push_back("Outdated: " + identifierOf(configuration, kLongestName) +
+                      " was changed since the path was planned through it.");
   for (const std::string& robot : checked.robotsMoved)
     remarks.push_back("Proven with the robot " + identifierOf(robot, kLongestName) +
                       " where it stood at export: it has moved since the path was made.");

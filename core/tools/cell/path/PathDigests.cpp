@@ -129,6 +129,11 @@ std::string ofPath(const RobotPath& path) {
     digest.add(target->name);
     digest.add(target->inTool);
   }
+  for (std::size_t i = 0; i < path.places.size(); ++i) {
+    if (path.places[i].configuration.empty()) continue;
+    digest.add(std::uint64_t{i});
+    digest.add(path.places[i].configuration);
+  }
   return digest.text();
 }
 
@@ -143,6 +148,18 @@ std::string ofTargets(const CellPlans& plans, const RobotPath& path) {
     digest.add(frame.pose);
     digest.add(std::uint64_t{frame.body});
     digest.add(frame.link);
+  }
+  return digest.text();
+}
+
+// Empty where no place stands for one, as above.
+std::string ofConfigurations(const RobotCellSnapshot& cell, const RobotPath& path) {
+  const auto configurations = configurationsOf(*cell.robot, *cell.plans, path);
+  if (configurations.empty()) return {};
+  Digest digest;
+  for (const std::vector<double>& values : configurations) {
+    digest.add(std::uint64_t{values.size()});
+    for (const double value : values) digest.addNumber(value);
   }
   return digest.text();
 }
@@ -183,7 +200,8 @@ BasisDigests PathDigests::of(const RobotPath& path) const {
           m_allowed,
           ofValue(toolOf(*m_cell->robot, plans, path.arm)),
           ofValue(plans.clearanceOf(path)),
-          ofTargets(plans, path)};
+          ofTargets(plans, path),
+          ofConfigurations(*m_cell, path)};
 }
 
 BasisChange changeBetween(const BasisDigests& then, const BasisDigests& now) {

@@ -40,8 +40,10 @@ std::optional<Error> outdatingProblem(const RobotPath& path, const Outdating& ou
   if (!outdating.part.empty()) return Error{CellError::PathOutdated, {path.name, outdating.part}, {}, {}};
   if (outdating.isBaseOther) return Error{CellError::PathBaseMoved, {path.name}, {}, {}};
   if (outdating.isToolOther) return Error{CellError::PathToolChanged, {path.name}, {}, {}};
-  if (outdating.targets.empty()) return std::nullopt;
-  return Error{CellError::PathTargetMoved, {path.name, *outdating.targets.begin()}, {}, {}};
+  if (!outdating.targets.empty())
+    return Error{CellError::PathTargetMoved, {path.name, *outdating.targets.begin()}, {}, {}};
+  if (outdating.configurations.empty()) return std::nullopt;
+  return Error{CellError::PathPlaceChanged, {path.name, *outdating.configurations.begin()}, {}, {}};
 }
 
 std::string otherRobot(const CellScene& scene, const PostProcessor& post) {

@@ -32,8 +32,8 @@ Result<Pose> programFrame(const CellScene& scene, const CellPlans& plans);
 // Writes a certified path as a program, its places in CellPlans::workFrame, with remarks of what was not proven or does
 // not hold any more. What the controller cannot do is an error before anything is written; so is a text that does not
 // read back as the path (1e-3 mm, 1e-3°). Errors: PathCollides, LineUnreachable, PathOutdated, PathBaseMoved,
-// PathToolChanged, PathTargetMoved, FrameMissing, FrameStray, FrameMoves, those of PostProcessor::refusals() and of
-// writing.
+// PathToolChanged, PathTargetMoved, PathPlaceChanged, FrameMissing, FrameStray, FrameMoves, those of
+// PostProcessor::refusals() and of writing.
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const CheckedPath& checked, const PostProcessor& post,
                                     const std::filesystem::path& output, OutdatedPath outdated = OutdatedPath::Refuse,

@@ -59,6 +59,7 @@ class PathOptimisation {
         Waypoint place = places[stop.places[k]];
         if (visit.way > 0) {
           place.joints = m_scene.whole(stop.ways[visit.way].values[k]);
+          place.configuration.clear();
           ++result.reconfigured;
         }
         result.order.push_back(stop.places[k]);

@@ -83,13 +83,15 @@ Status bringTo(const NamedTarget& target, const CellScene& scene, const CellPlac
   return Done{};
 }
 
-// The places with those that were planned to targets where the tool does not come to these any more brought there. Of a
-// target that is missing the place stays as it is.
+// The places with those that were planned to targets where the tool does not come to these any more brought there, and
+// those that stand for configurations as these are now. Where one is missing the place stays as it is.
 Result<std::vector<Waypoint>> atTargets(std::span<const Waypoint> places, const CellScene& scene,
                                         const CellPlans& plans) {
   const CellPlacement cell{plans, scene.bodies, scene.robot->model, scene.others};
   std::vector<Waypoint> all(places.begin(), places.end());
   for (Waypoint& place : all) {
+    if (const NamedConfiguration* const changed = changedConfiguration(*scene.robot, plans, plans.arm, place))
+      place.joints = withJointsOf(*scene.robot, scene.armNumber, place.joints, changed->joints);
     const NamedTarget* const target = place.target ? plans.target(place.target->name) : nullptr;
     const auto inTool = target ? targetInTool(*scene.robot, cell, plans.arm, place.joints, target->name) : std::nullopt;
     if (!inTool || isSamePlace(*inTool, place.target->inTool)) continue;
@@ -275,7 +277,8 @@ Result<Waypoint> placeCalled(const CellScene& scene, const RobotCellSnapshot& ce
     if (armNumber(*scene.robot, configuration->arm) != scene.armNumber)
       return Error{CellError::OfOtherArm, {configuration->name, configuration->arm}, {}, {}};
     return Waypoint{.joints = withJointsOf(*scene.robot, scene.armNumber, cell.joints, configuration->joints),
-                    .name = configuration->name};
+                    .name = configuration->name,
+                    .configuration = configuration->name};
   }
   if (const NamedTarget* target = cell.plans->target(text)) {
     Waypoint place{.joints = near, .name = target->name};

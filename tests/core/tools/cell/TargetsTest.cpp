@@ -212,6 +212,48 @@ class TargetsTest : public QObject {
     QVERIFY(!outdating(renamed.paths[0]).isAny());
   }
 
+  // So is one through a configuration that is other joint values now, also where it was removed and stored anew; not
+  // where it is missing. Planned again it goes there.
+  void aPathWhoseConfigurationHasChanged() {
+    CellPlans plans;
+    plans.configurations = {{"home", m_cell->document().joints()}, {"away", m_cell->document().joints()}};
+    plans.configurations[1].joints[0] += 0.4;
+    m_cell->plan(plans);
+    RobotPath path = plannedTo({called("home"), called("away")});
+    QVERIFY(!outdating(path).isAny());
+    CellPlans without = plans;
+    without.configurations.erase(without.configurations.begin());
+    m_cell->plan(without);
+    QVERIFY(!outdating(path).isAny());
+    plans.configurations[0].joints[0] += 0.5e-3 * M_PI / 180.0;  // half of what programs are read back to
+    m_cell->plan(plans);
+    QVERIFY(!outdating(path).isAny());
+    plans.configurations[0].joints[0] -= 0.2;
+    m_cell->plan(plans);
+    QVERIFY((outdating(path) == Outdating{.configurations = {"home"}}));
+    const RobotPath again = plannedTo(path.places);
+    QVERIFY(!outdating(again).isAny());
+    QVERIFY(again.places.front().joints == plans.configurations[0].joints);
+    QVERIFY(again.places.back().joints == path.places.back().joints);
+    // In files, and by another name.
+    const RobotModel& robot = m_cell->document().robot().model;
+    const auto read = pathFrom(toJson(robot, path), robot, m_cell->document().joints());
+    QVERIFY(read && *read == path);
+    path.name = "way";
+    path.process = PathProcess{{{"from", std::string("home")}, {"part", std::string("home")}}};
+    plans.paths = {path, {"other", {path.places.back()}}};
+    QVERIFY((pathsThrough(plans, "home") == std::vector<std::string>{"way"}));
+    const CellPlans renamed = withConfigurationRenamed(plans, "home", "base");
+    m_cell->plan(renamed);
+    const RobotPath& kept = renamed.paths[0];
+    QVERIFY(renamed.configuration("base") && !renamed.configuration("home"));
+    QCOMPARE(kept.places.front().name, std::string("base"));
+    QVERIFY((outdating(kept) == Outdating{.configurations = {"base"}}));
+    QVERIFY(kept.process->values.at("from") == PathProcess::Value(std::string("base")));
+    QVERIFY(kept.process->values.at("part") == PathProcess::Value(std::string("home")));
+    QVERIFY(renamed.paths[1] == plans.paths[1]);
+  }
+
   // One name is one place.
   void namesAreUnique() {
     const RobotCellSnapshot cell = changedBy(operationValues({{"add", std::string("home")}}), m_cell->content());

@@ -76,6 +76,28 @@ class PathBasisTest : public QObject {
     }
   }
 
+  // The joint values of a configuration that a place stands for; not where other robots stood, nor other
+  // configurations.
+  void itsConfigurations() {
+    CellPlans plans = *m_cell->document().plans();
+    plans.configurations = {{"home", m_cell->document().joints()}, {"other", m_cell->document().joints()}};
+    plans.paths[0].places[0].configuration = "home";
+    m_cell->plan(plans);
+    m_basis = basisOf(m_cell->content(), *way());
+    plans.configurations[1].joints[2] += 0.1;
+    m_cell->plan(plans);
+    QCOMPARE(change(), BasisChange::Nothing);
+    for (const bool isRemoved : {false, true}) {
+      CellPlans changed = plans;
+      changed.configurations[0].joints[2] += 0.1;
+      if (isRemoved) changed.configurations.clear();
+      m_cell->plan(changed);
+      QCOMPARE(change(), BasisChange::Configurations);
+      m_cell->document().history()->undo();
+      QCOMPARE(change(), BasisChange::Nothing);
+    }
+  }
+
   // Where a body stands is seen, how it looks is not; the joints that the path sets may stand anywhere.
   void bodiesAndJoints() {
     Body body = *m_cell->document().bodies().withId(m_box);

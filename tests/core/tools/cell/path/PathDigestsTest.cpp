@@ -57,6 +57,9 @@ class PathDigestsTest : public QObject {
     path.places.back().joints[0] = 1.0 / 7.0;
     path.places.back().target = PlaceTarget{"T", poseOf({0.0, 1.0 / 3.0, 0.0}, {0.1, 0.2, 0.3})};
     plans.targets = {{"T", poseOf({300.1, 0.0, 400.0}, {0.1, 0.2, 0.3})}};
+    path.places.front().configuration = "home";
+    plans.configurations = {{"home", document.joints()}};
+    plans.configurations.front().joints[0] = 1.0 / 3.0;
     plans.paths.push_back(path);
     plans.tool.translation() = Vec3(1.0 / 3.0, 0.0, 100.0);
     plans.clearance = 0.7;
@@ -100,7 +103,7 @@ class PathDigestsTest : public QObject {
     other.found.collisions = 7;
     other.found.measures = PathMeasures{2.5, 1.0 / 7.0, 0.03};
     other.found.stopsAt = 3;
-    other.found.outdating = {"box \"1\"", true, true, {"T", "U"}};
+    other.found.outdating = {"box \"1\"", true, true, {"T", "U"}, {"home"}};
     other.found.listed = {{1, "link \"1\"", "box\n"}};
     PathProof broken = other;
     broken.found.isCertified = true;
@@ -125,7 +128,7 @@ class PathDigestsTest : public QObject {
   }
 
  private:
-  static constexpr int kChanges = 18;
+  static constexpr int kChanges = 19;
 
   Cell now() { return std::static_pointer_cast<const RobotCellSnapshot>(m_cell->document().snapshot()); }
   static const RobotPath& way(const RobotCellSnapshot& cell) { return cell.plans->paths.front(); }
@@ -205,6 +208,9 @@ class PathDigestsTest : public QObject {
       }
       case 17:
         plans.targets.front().pose.translation().x() = beside(300.1, up);
+        break;
+      case 18:
+        plans.configurations.front().joints[0] = beside(1.0 / 3.0, up);
         break;
     }
     if (isBodies) cell.bodies = cell.bodies.with(std::make_shared<const Body>(box));
