@@ -90,6 +90,7 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
   if (outdating.isToolOther) json["tool_changed"] = true;
   if (!outdating.targets.empty()) json["targets_moved"] = outdating.targets;
   if (!outdating.configurations.empty()) json["configurations_changed"] = outdating.configurations;
+  json["not_checked"] = checked.notChecked;
   if (checked.way.stopsAt) json["stops_at"] = {{"place", *checked.way.stopsAt}, {"share", checked.way.reached}};
   return json;
 }
@@ -103,6 +104,8 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
                      roundedText(metrics.security, 4) + " mm, manipulability " +
                      roundedText(metrics.manipulability, 3) + ", margin to the limits " + share(metrics.leastMargin) +
                      "\n";
+  for (const auto& [one, other] : checked.notChecked)
+    text += "not checked, as they may touch: " + one + " with " + other + "\n";
   if (checked.way.stopsAt) {
     text += "the arm cannot follow the line to place " + std::to_string(*checked.way.stopsAt + 1) +
             ": it stops after " + share(checked.way.reached) + "\n";

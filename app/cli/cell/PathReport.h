@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // The measurements of a path for reports. Keys: certified, length_rad, waypoints, min_clearance_mm, manipulability,
-// security_mm, limit_margin, cycle_s, robots_moved, outdated, collisions.
+// security_mm, limit_margin, cycle_s, robots_moved, outdated, collisions, not_checked (pairs of names).
 nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 // Why a path does not lead to what it was planned for any more: phrases.

@@ -64,12 +64,21 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
              written->otherRobot);
   }
   for (const std::string& reason : reasonsOf(checked->outdating)) complain("warning: " + reason);
+  for (const auto& [one, other] : checked->notChecked)
+    complain("warning: " + one + " with " + other + " was not checked, as they may touch");
+  for (const SmallerBlend& each : written->smaller) {
+    complain("warning: the blend at place " + std::to_string(each.place + 1) + " is " + roundedText(each.kept, 4) +
+             " mm in place of " + roundedText(each.wanted, 6) + " mm, which is not proven free");
+  }
   if (arguments.has("json")) {
     return print(textOf({{"controller", post->id()},
                          {"motions", readBack.motions},
                          {"error_mm", readBack.distance},
                          {"error_deg", readBack.angle},
                          {"exact_stops", written->exactStops},
+                         {"smaller_blends", written->smaller.size()},
+                         {"clearance_mm", checked->clearance},
+                         {"not_checked", checked->notChecked},
                          {"other_robot", !written->otherRobot.empty()},
                          {"outdated", checked->outdating.isAny()},
                          {"frame", written->frame.empty() ? nlohmann::json() : nlohmann::json(written->frame)},

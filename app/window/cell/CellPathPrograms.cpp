@@ -14,6 +14,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
+#include <span>
 
 namespace handwheel {
 
@@ -174,9 +175,9 @@ void CellPaths::exportProgram(const PostProcessor& post, const QString& file, co
                                                      : FrameData::AtController](Progress) -> Job::Finish {
     auto written =
         writeProgram(*scene, *plans, path, *known, post, QFile::encodeName(file).toStdString(), outdated, frameData);
-    return [this, stillOpen, &post, file, outdating = known->outdating, written = std::move(written)] {
+    return [this, stillOpen, &post, file, known, written = std::move(written)] {
       if (!written) return report(stillOpen(), written.error());
-      reportWritten(stillOpen(), *written, post, file, outdating);
+      reportWritten(stillOpen(), *written, post, file, *known);
     };
   };
   m_parts.jobs.start(std::move(job));
@@ -193,7 +194,7 @@ void CellPaths::reportNotWritten(const std::string& path) {
 }
 
 void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
-                              const QString& file, const Outdating& outdating) {
+                              const QString& file, const CheckedPath& checked) {
   const QLocale locale;
   QString detail = tr("%Ln motion(s), read back within %1 mm.", nullptr, static_cast<int>(written.check.motions))
                        .arg(locale.toString(written.check.distance, 'g', 2));
@@ -202,6 +203,18 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
         QLatin1Char(' ') + tr("%Ln blend(s) became exact stops, as not every way within their zones is proven free.",
                               nullptr, static_cast<int>(written.exactStops));
   }
+  constexpr std::size_t kMostBlends = 3;
+  for (const SmallerBlend& each : std::span(written.smaller).first(std::min(written.smaller.size(), kMostBlends))) {
+    detail += QLatin1Char(' ') + tr("The blend at place %1 is %2 mm in place of %3 mm, which is not proven free.")
+                                     .arg(each.place + 1)
+                                     .arg(locale.toString(each.kept, 'g', 4), locale.toString(each.wanted, 'g', 6));
+  }
+  if (written.smaller.size() > kMostBlends) {
+    detail += QLatin1Char(' ') +
+              tr("%Ln more blend(s) became smaller.", nullptr, static_cast<int>(written.smaller.size() - kMostBlends));
+  }
+  if (const QString pairs = notCheckedText(checked.notChecked); !pairs.isEmpty())
+    detail += QLatin1Char(' ') + tr("Not checked, as they may touch: %1.").arg(pairs);
   if (!written.frame.empty())
     detail += QLatin1Char(' ') + tr("Its places are in the frame %1.").arg(QString::fromStdString(written.frame));
   const bool isOther = !written.otherRobot.empty();
@@ -209,6 +222,7 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
     detail += QLatin1Char(' ') + tr("%1 is not the language of the controller of this robot, %2.")
                                      .arg(QLatin1String(post.title()), QString::fromStdString(written.otherRobot));
   }
+  const Outdating& outdating = checked.outdating;
   for (const QString& reason : outdatingReasons(outdating)) detail += QLatin1Char(' ') + reason;
   if (outdating.isAny()) detail += QLatin1Char(' ') + tr("A comment of the program says so.");
   emit message({isOther || outdating.isAny() ? Message::Weight::Warning : Message::Weight::Info,

@@ -170,7 +170,7 @@ class CellPaths : public QObject {
   void reportNotWritten(const std::string& path);
   // tab: null where it was closed.
   void reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
-                     const QString& file, const Outdating& outdating);
+                     const QString& file, const CheckedPath& checked);
   void importProgram(const QString& file);
   void reportFrames(const DocumentTab& tab, const QString& file, const TakenFrames& frames);
   void verify();

@@ -51,8 +51,8 @@ class Words {
     if (!found.isCertified) return tr("%1, %2").arg(collisions(found), time(result));
     if (found.outdating.isAny()) return planAgain(found.outdating);
     const QString known = tr("%1, %2").arg(clearanceText(found.leastClearance, m_unit, m_locale), time(result));
-    return moved(found, found.hasShapeless ? tr("free, except for links without meshes, %1").arg(known)
-                                           : tr("free, %1").arg(known));
+    return withRemarks(found, found.hasShapeless ? tr("free, except for links without meshes, %1").arg(known)
+                                                 : tr("free, %1").arg(known));
   }
 
   QString found(const PathResult& result) const {
@@ -62,8 +62,9 @@ class Words {
     if (!found.isCertified) return tr("%1 (%2)").arg(collisions(found), time(result));
     const QString known =
         tr("%1, clearance %2").arg(time(result), clearanceText(found.leastClearance, m_unit, m_locale));
-    return moved(found, found.hasShapeless ? tr("free of collisions, except for links without meshes (%1)").arg(known)
-                                           : tr("free of collisions (%1)").arg(known));
+    return withRemarks(found, found.hasShapeless
+                                  ? tr("free of collisions, except for links without meshes (%1)").arg(known)
+                                  : tr("free of collisions (%1)").arg(known));
   }
 
   QStringList details(const PathResult& result) const {
@@ -113,7 +114,9 @@ class Words {
       return tr("plan again: it misses %1").arg(QString::fromStdString(*outdating.targets.begin()));
     return tr("plan again: %1 was changed").arg(QString::fromStdString(*outdating.configurations.begin()));
   }
-  static QString moved(const PathFindings& found, const QString& text) {
+  static QString withRemarks(const PathFindings& found, QString text) {
+    if (const QString pairs = notCheckedText(found.notChecked); !pairs.isEmpty())
+      text = tr("%1; not checked: %2").arg(text, pairs);
     if (found.robotsMoved.empty()) return text;
     return tr("%1; %2 has moved since").arg(text, QString::fromStdString(*found.robotsMoved.begin()));
   }
@@ -173,6 +176,18 @@ QStringList outdatingReasons(const Outdating& outdating) {
     reasons += Words::tr("It leads to %1 as that was stored when the path was planned: it was changed since.")
                    .arg(QString::fromStdString(configuration));
   return reasons;
+}
+
+QString notCheckedText(const std::vector<std::pair<std::string, std::string>>& pairs) {
+  constexpr std::size_t kMostNamed = 3;
+  QStringList texts;
+  for (const auto& [one, other] : pairs) {
+    if (texts.size() == kMostNamed) break;
+    texts += Words::tr("%1 with %2").arg(QString::fromStdString(one), QString::fromStdString(other));
+  }
+  if (pairs.size() > kMostNamed)
+    texts += Words::tr("and %Ln more", nullptr, static_cast<int>(pairs.size() - kMostNamed));
+  return texts.join(QStringLiteral(", "));
 }
 
 QString clearanceText(double least, LengthUnit unit, const QLocale& locale) {

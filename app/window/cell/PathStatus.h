@@ -27,6 +27,9 @@ QString clearanceText(double least, LengthUnit unit, const QLocale& locale);
 // Why a path does not lead to what it was planned for any more, a sentence each.
 QStringList outdatingReasons(const Outdating& outdating);
 
+// Pairs that may touch, of which nothing is proven: the first of them, and how many more there are. None: empty.
+QString notCheckedText(const std::vector<std::pair<std::string, std::string>>& pairs);
+
 // The first collisions that were found, a text each.
 QStringList collisionsOf(const PathFindings& found, LengthUnit unit, const QLocale& locale);
 // The same, and how many more there are.

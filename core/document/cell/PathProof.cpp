@@ -39,6 +39,7 @@ json toJson(const std::string& path, const PathProof& proof) {
                  {"tool_changed", found.outdating.isToolOther},
                  {"targets_moved", found.outdating.targets},
                  {"configurations_changed", found.outdating.configurations},
+                 {"not_checked", found.notChecked},
                  {"listed", json::array()},
                  {"basis", json::object()}};
   if (found.measures) {
@@ -97,6 +98,12 @@ std::optional<PathProof> proofFrom(const json& stored) {
   found.robotsMoved = namesAt(stored, "robots_moved");
   found.outdating = {stringAt(stored, "part_moved"), isAt(stored, "base_moved"), isAt(stored, "tool_changed"),
                      namesAt(stored, "targets_moved"), namesAt(stored, "configurations_changed")};
+  const auto pairs = stored.find("not_checked");
+  for (const json& each : pairs != stored.end() && pairs->is_array() ? *pairs : json::array()) {
+    const bool isPair = each.is_array() && each.size() == 2 && each[0].is_string() && each[1].is_string();
+    if (isPair && found.notChecked.size() < CellPlans::kMost)
+      found.notChecked.emplace_back(each[0].get<std::string>(), each[1].get<std::string>());
+  }
   const auto listed = stored.find("listed");
   for (const json& each : listed != stored.end() && listed->is_array() ? *listed : json::array()) {
     if (each.is_object() && found.listed.size() < PathFindings::kMostListed)

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handwheel {
@@ -51,6 +52,8 @@ struct PathFindings {
   bool hasShapeless = false;                  // links without meshes were left out
   std::set<std::string> robotsMoved = {};
   Outdating outdating = {};
+  // Links and bodies, by their names then, that a person lets touch: nothing is said of these.
+  std::vector<std::pair<std::string, std::string>> notChecked = {};
 
   bool operator==(const PathFindings&) const = default;
 };

@@ -120,6 +120,7 @@ std::vector<std::string> frameLines(const RobotProgram& program) {
 std::vector<std::string> headLines(const RobotProgram& program) {
   std::vector<std::string> lines;
   if (program.hasPlainShapes) lines = {"!Collisions were checked", "!with simplified shapes", "!of the robot"};
+  for (const std::string& remark : proofRemarks(program)) addRemark(remark, lines);
   for (const std::string& remark : program.remarks) addRemark(remark, lines);
   if (needsControllersBase(program)) lines.insert(lines.end(), {"!Lines: test whether the", "!base is the robot foot"});
   const Vec3 at = program.tool.translation(), turn = zyxAngles(program.tool.linear()) / kRadiansPerDegree;

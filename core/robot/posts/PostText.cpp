@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/PostText.h"
 
+#include "base/NumberText.h"
 #include "robot/posts/PostErrors.h"
 
 #include <algorithm>
@@ -94,11 +95,18 @@ std::string readFrameName(std::string_view name) {
   return name.size() <= kLongestRead ? std::string(name) : identifierOf(std::string(name), kShortened);
 }
 
+std::vector<std::string> proofRemarks(const RobotProgram& program) {
+  if (!program.clearance) return {};
+  return {"Clearance kept: " + roundedText(*program.clearance, 6) + " mm.",
+          "The way to the first place is not checked."};
+}
+
 std::vector<std::string> headRemarks(const RobotProgram& program) {
   std::vector<std::string> remarks{identifierOf(program.robot, 60)};
   if (!program.frameName.empty() && hasLines(program))
     remarks.push_back("Places are in the frame " + identifierOf(program.frameName, 60) + ".");
   if (program.hasPlainShapes) remarks.emplace_back("Collisions were checked with simplified shapes of the robot.");
+  for (std::string& remark : proofRemarks(program)) remarks.push_back(std::move(remark));
   remarks.insert(remarks.end(), program.remarks.begin(), program.remarks.end());
   return remarks;
 }

@@ -42,7 +42,9 @@ Eigen::Matrix3d fromZyx(const Vec3& angles);
 
 // Whether a program has straight lines of the tool. Joint motions are written as joint values, which no frame moves.
 bool hasLines(const RobotProgram& program);
-// What is said of a program in comments at its head: the robot, what was assumed, and what was not proven.
+// What was proven of a program, and where that begins: sentences. Empty: nothing was.
+std::vector<std::string> proofRemarks(const RobotProgram& program);
+// What is said of a program in comments at its head: the robot, what was assumed, what was proven, and what was not.
 std::vector<std::string> headRemarks(const RobotProgram& program);
 
 // Whether there are lines by poses, and the base may not be the one that the controller counts from.

@@ -146,6 +146,7 @@ class JsonPost : public PostProcessor {
                                    {"frame_name", program.frameName},
                                    {"collision_shapes", program.hasPlainShapes ? "simplified" : "of the robot"},
                                    {"motions", nlohmann::ordered_json::array()}};
+    if (program.clearance) json["clearance_mm"] = *program.clearance;
     if (!program.remarks.empty()) json["remarks"] = program.remarks;
     for (const ProgramMotion& motion : program.motions) {
       const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);

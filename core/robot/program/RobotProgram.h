@@ -4,6 +4,7 @@
 
 #include "robot/arm/SerialArm.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,8 @@ struct RobotProgram {
   bool isBaseOfController = false;
   // Collisions were checked against plain shapes in place of the robot's own.
   bool hasPlainShapes = false;
+  // mm that its motions are proven to keep, from its first place on. None: nothing is proven of it.
+  std::optional<double> clearance = {};
   // What was not proven of the path, or does not hold any more: sentences in ASCII, which programs have as comments.
   std::vector<std::string> remarks = {};
   std::vector<ProgramMotion> motions;

@@ -2,9 +2,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/path/PairNames.h"
 
+#include "document/cell/BodyCarriers.h"
 #include "document/scene/BodyDisplay.h"
+#include "robot/RobotArms.h"
+
+#include <algorithm>
 
 namespace handwheel {
+
+namespace {
+
+// A link, or a body.
+struct PairPart {
+  std::uint32_t link = kNone;  // itself, or what carries the body; kNone: that stands
+  bool isBody = false;
+};
+
+// None: it is not there.
+std::optional<PairPart> partNamed(const CellScene& scene, const std::string& name) {
+  const RobotModel& robot = scene.robot->model;
+  if (const std::uint32_t link = linkNamed(robot, name); link != kNone) return PairPart{link, false};
+  const auto id = bodyOfPart(name);
+  const BodyPointer body = id ? scene.bodies.withId(*id) : nullptr;
+  return body ? std::optional(PairPart{carrierOf(*body, robot), true}) : std::nullopt;
+}
+
+}  // namespace
 
 std::optional<PairNames> pairNamesOf(const CellScene& scene, const RobotScene::Nearest& nearest) {
   if (nearest.link == kNone) return std::nullopt;
@@ -40,6 +63,25 @@ void setAllowed(CellPlans& plans, const PairNames& pair, bool mayTouch) {
     plans.allowed.erase(pair);
     plans.allowed.erase({pair.second, pair.first});
   }
+}
+
+std::vector<PairNames> uncheckedPairs(const CellScene& scene, const std::set<PairNames>& allowed) {
+  const RobotModel& robot = scene.robot->model;
+  const std::vector<std::uint32_t> owners = armsOfLinks(robot, scene.robot->arms);
+  const std::set<LinkPair> unasked = neighbours(robot);
+  const auto isOwn = [&](const PairPart& part) { return part.link != kNone && owners[part.link] == scene.armNumber; };
+  std::set<PairNames> known;
+  std::vector<PairNames> pairs;
+  for (const PairNames& each : allowed) {
+    const auto first = partNamed(scene, each.first), second = partNamed(scene, each.second);
+    if (!first || !second || !(isOwn(*first) || isOwn(*second))) continue;
+    if (first->link == second->link) continue;  // a body and what carries it, or both carried by one
+    const LinkPair links = std::minmax(first->link, second->link);
+    const bool areLinks = !first->isBody && !second->isBody;
+    if (areLinks && (unasked.contains(links) || scene.alwaysMeeting.contains(links))) continue;
+    if (known.insert(std::minmax(each.first, each.second)).second) pairs.push_back(shownNames(each, scene.bodies));
+  }
+  return pairs;
 }
 
 }  // namespace handwheel

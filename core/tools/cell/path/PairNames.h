@@ -20,4 +20,9 @@ bool isAllowed(const CellPlans& plans, const PairNames& pair);
 // Lets the pair touch from now on, or no longer.
 void setAllowed(CellPlans& plans, const PairNames& pair, bool mayTouch);
 
+// The pairs that only a person has left out of the proofs of a scene, as people call them, each once: of things that
+// are there, of which the robot moves one, and not those that are left out unasked (neighbours,
+// CellScene::alwaysMeeting). allowed: as CellPlans has them.
+std::vector<PairNames> uncheckedPairs(const CellScene& scene, const std::set<PairNames>& allowed);
+
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/path/PathCheck.h"
 
+#include "base/NumberText.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "planning/CartesianLine.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace handwheel {
 
@@ -69,6 +71,8 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   CheckedPath checked;
   checked.robotsMoved = scene.robotsElsewhere(path);
   checked.outdating = outdatingOf(*scene.robot, {plans, scene.bodies, scene.robot->model, scene.others}, path);
+  checked.clearance = settings.clearance;
+  checked.notChecked = uncheckedPairs(scene, plans.allowed);
   checked.way = resolved(scene, plans, path, progress.part(0.0, 0.1));
   MotionCheckSettings check;
   check.clearance = settings.clearance;
@@ -161,7 +165,8 @@ PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, doub
       .measures = PathMeasures{checked.metrics.length, checked.metrics.security, checked.metrics.manipulability},
       .hasShapeless = !scene.shapeless.empty(),
       .robotsMoved = checked.robotsMoved,
-      .outdating = checked.outdating};
+      .outdating = checked.outdating,
+      .notChecked = checked.notChecked};
   for (std::size_t i = 0; i < std::min(all.size(), PathFindings::kMostListed); ++i) {
     auto [link, other] = scene.namesOf(all[i].deepest);
     found.listed.push_back(
@@ -200,11 +205,29 @@ std::size_t stoppedBlends(const RobotPath& path, const CheckedPath& checked) {
   return count;
 }
 
+std::vector<SmallerBlend> smallerBlends(const RobotPath& path, const CheckedPath& checked) {
+  std::vector<SmallerBlend> all;
+  for (std::size_t i = 1; i + 1 < path.places.size(); ++i) {
+    const double wanted = path.places[i].blend, kept = checked.blends[i];
+    if (kept > 0.0 && kept < wanted) all.push_back({i, wanted, kept});
+  }
+  return all;
+}
+
 namespace {
 
 std::vector<std::string> remarksOn(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
-  constexpr std::size_t kLongestName = 60;
+  constexpr std::size_t kLongestName = 60, kMostBlends = 20;
   std::vector<std::string> remarks;
+  for (const auto& [one, other] : checked.notChecked)
+    remarks.push_back("Not checked: " + identifierOf(one, kLongestName) + " with " + identifierOf(other, kLongestName) +
+                      ".");
+  const std::vector<SmallerBlend> smaller = smallerBlends(path, checked);
+  for (const SmallerBlend& each : std::span(smaller).first(std::min(smaller.size(), kMostBlends)))
+    remarks.push_back("Blend at place " + std::to_string(each.place + 1) + ": " + roundedText(each.kept, 4) +
+                      " mm in place of " + roundedText(each.wanted, 6) + " mm, which is not proven free.");
+  if (smaller.size() > kMostBlends)
+    remarks.push_back("Smaller blends at " + std::to_string(smaller.size() - kMostBlends) + " more places.");
   if (const std::size_t stops = stoppedBlends(path, checked); stops > 0)
     remarks.push_back("Exact stops in place of blends: " + std::to_string(stops) +
                       ". Not every way within their zones is proven free.");
@@ -242,6 +265,7 @@ RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const Rob
   program.tool = plans.tool;
   program.isBaseOfController = libraryRobot(scene.plannedArm().title) != nullptr;
   program.hasPlainShapes = hasPlainShapes(scene.robot->model, scene.robot->arms, scene.armNumber);
+  program.clearance = checked.clearance;
   program.remarks = remarksOn(scene, path, checked);
   for (std::size_t i = 0; i < path.places.size(); ++i) {
     const Waypoint& place = path.places[i];

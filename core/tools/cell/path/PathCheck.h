@@ -7,6 +7,7 @@
 #include "planning/PathTiming.h"
 #include "planning/PathVerification.h"
 #include "robot/program/RobotProgram.h"
+#include "tools/cell/path/PairNames.h"
 
 #include <set>
 
@@ -39,6 +40,8 @@ struct CheckedPath {
   std::set<std::string> robotsMoved = {};
   // What the path was planned for, and the tool does not meet any more.
   Outdating outdating = {};
+  double clearance = 0.0;                  // mm, that was asked for
+  std::vector<PairNames> notChecked = {};  // uncheckedPairs()
 
   bool isCertified() const { return !way.stopsAt && !verification.certified.empty() && verification.isCertified(); }
   // The place that a motion of the verification leads to, from 1.
@@ -80,6 +83,13 @@ TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath&
 
 // The places between the ends whose blends become exact stops, since not every way within their zones is proven free.
 std::size_t stoppedBlends(const RobotPath& path, const CheckedPath& checked);
+
+// A blend that is made smaller, but no exact stop; mm.
+struct SmallerBlend {
+  std::size_t place;
+  double wanted, kept;
+};
+std::vector<SmallerBlend> smallerBlends(const RobotPath& path, const CheckedPath& checked);
 
 // The program of a path for a controller. Blends that are not certified become exact stops.
 RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const RobotPath& path,

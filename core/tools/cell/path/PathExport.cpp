@@ -163,7 +163,8 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
   if (!written) return written.error();
   // Joint motions do not go by the frame, but tables have the pose of each place.
   const bool isInFrame = check->isInFrame && (post.maker()[0] == '\0' || hasLines(program));
-  return WrittenProgram{*check, stoppedBlends(path, checked), other, isInFrame ? plans.workFrame : ""};
+  return WrittenProgram{*check, stoppedBlends(path, checked), smallerBlends(path, checked), other,
+                        isInFrame ? plans.workFrame : ""};
 }
 
 Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,

@@ -12,7 +12,8 @@ namespace handwheel {
 // An exported robot program, and its error when it is read back.
 struct WrittenProgram {
   PostCheck check;
-  std::size_t exactStops = 0;  // stoppedBlends()
+  std::size_t exactStops = 0;              // stoppedBlends()
+  std::vector<SmallerBlend> smaller = {};  // smallerBlends()
   // The robot, if it comes with the program and the controller is known to move those of another maker; else empty.
   std::string otherRobot = {};
   std::string frame = {};  // CellPlans::workFrame, if places of the program are in it

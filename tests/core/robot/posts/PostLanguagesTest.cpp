@@ -283,6 +283,23 @@ class PostLanguagesTest : public QObject {
     QCOMPARE(check->motions, std::size_t{1});
   }
 
+  // The clearance that was proven, and where the proof begins, are at the head of programs whose motions are proven.
+  void whatWasProven() {
+    for (const char* const post : {"rapid", "krl", "fanuc", "urscript"}) {
+      RobotProgram program = programOf("lrmate200id");
+      program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.1), 0.5, 0.0, {}}};
+      const std::string before = postCalled(post)->write(program);
+      QVERIFY2(before.find("Clearance") == before.npos, before.c_str());
+      program.clearance = 2.5;
+      const std::string text = postCalled(post)->write(program);
+      QVERIFY2(text.find("Clearance kept: 2.5") != text.npos, text.c_str());
+      QVERIFY2(text.find("first") != text.npos && text.find("not checked") != text.npos, text.c_str());
+      const auto check = checkWritten(*postCalled(post), program, text);
+      QVERIFY(check.hasValue());
+      QCOMPARE(check->motions, std::size_t{1});
+    }
+  }
+
   // Speeds as the manuals of the languages define them.
   void speeds_data() {
     QTest::addColumn<QByteArray>("post");

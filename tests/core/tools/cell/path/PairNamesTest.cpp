@@ -6,6 +6,7 @@
 #include "TestClass.h"
 
 #include <QTest>
+#include <algorithm>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -52,6 +53,37 @@ class PairNamesTest : public QObject {
     ArmCell cell;
     QVERIFY(!pairNamesOf(*cell.scene(), RobotScene::Nearest{.distance = 1.0}));
     QVERIFY((shownNames({"flange", "body.9"}, cell.document().bodies()) == PairNames{"flange", "body.9"}));
+  }
+
+  // Allowed pairs that only a person leaves out: of things that are there, each once, without neighbours, and without a
+  // body and what carries it.
+  void leftOutByAPerson() {
+    ArmCell cell;
+    RobotCellDocument& document = cell.document();
+    const BodyId box = cell.addBox({20, 20, 20}, {900, 0, 0}), tool = cell.addBox({20, 20, 20}, {0, 0, 30});
+    const RobotModel& robot = document.robot().model;
+    const std::string flange = robot.links[document.robot().arms[0].flange].name;
+    Body carried = *document.bodies().withId(tool);
+    carried.carrier = flange;
+    document.commit("Carry", std::move(changeBodyEdit(document.bodies(), carried)).value());
+    const std::string standing = "body." + std::to_string(box), moving = "body." + std::to_string(tool);
+    const LinkPair next = *neighbours(robot).begin();
+    const PairNames neighbouring{robot.links[next.first].name, robot.links[next.second].name};
+    CellPlans plans;
+    plans.allowed = {{flange, standing}, {standing, flange}, {standing, moving},   {flange, "body.99"},
+                     {moving, flange},   neighbouring,       {"nowhere", standing}};
+    cell.plan(plans);
+    CollisionMeshes meshes;
+    const Result<CellScene> scene = sceneOf(cell.content(), meshes);
+    const std::vector<PairNames> left = uncheckedPairs(*scene, plans.allowed);
+    QCOMPARE(left.size(), std::size_t{2});
+    const auto has = [&](const std::string& one, const std::string& other) {
+      return std::any_of(left.begin(), left.end(), [&](const PairNames& each) {
+        return each == PairNames{one, other} || each == PairNames{other, one};
+      });
+    };
+    QVERIFY(has(flange, "box1") && has("box1", "box2"));
+    QVERIFY(uncheckedPairs(*scene, {}).empty());
   }
 
  private:

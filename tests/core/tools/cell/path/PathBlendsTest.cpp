@@ -132,6 +132,9 @@ class PathBlendsTest : public QObject {
     CheckedPath checked;
     checked.blends = {0.0, 0.0, 0.7, 0.0, 0.0};
     QCOMPARE(stoppedBlends(path, checked), std::size_t{1});
+    const std::vector<SmallerBlend> smaller = smallerBlends(path, checked);
+    QCOMPARE(smaller.size(), std::size_t{1});
+    QVERIFY(smaller[0].place == 2 && smaller[0].wanted == 1.0 && smaller[0].kept == 0.7);
     checked.blends[1] = 1.0;
     QCOMPARE(stoppedBlends(path, checked), std::size_t{0});
     path.places.clear();

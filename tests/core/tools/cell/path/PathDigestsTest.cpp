@@ -98,6 +98,7 @@ class PathDigestsTest : public QObject {
                     "2026-11-24T10:00:00Z",
                     digestsOf(now())};
     proof.found.robotsMoved = {"ur5"};
+    proof.found.notChecked = {{"flange", "box \"1\""}, {"a", "b"}};
     PathProof other = proof;
     other.found.isCertified = false;
     other.found.collisions = 7;
