@@ -156,7 +156,7 @@ void CellPaths::startPlanning(Planning planning, PlanRequest request) {
     return [this, &tab, scene, content, before, request, title, planned = std::move(planned)]() mutable {
       if (request.ended) request.ended();
       if (!isUnchanged(tab, *scene, *content)) return reportChanged(tab, request.name, request.again);
-      if (!planned) return report(&tab, planned.error(), title);
+      if (!planned) return reportHindered(tab, planned.error(), title);
       planned->path.name = request.name;
       takePlanned(tab, std::move(planned).value(), before, request.text);
     };

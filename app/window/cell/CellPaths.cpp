@@ -92,7 +92,7 @@ CellPaths::CellPaths(const WindowContext& parts, CellCollisions& collisions, Cel
           tr("Insert the current joint values after the selected place as a critical configuration; before the goal, "
              "if that or the path is selected"));
   prepare(m_here, "setPlaceHere", nullptr,
-          tr("Replace the selected place, target or frame by the current position of the robot"));
+          tr("Replace the selected configuration, place, target or frame by the current position of the robot"));
   prepare(m_up, "movePlaceUp", nullptr, tr("Move the selected place towards the start of the path"));
   prepare(m_down, "movePlaceDown", nullptr, tr("Move the selected place towards the end of the path"));
   prepare(m_straight, "straightToPlace", nullptr,
@@ -204,7 +204,11 @@ void CellPaths::connectActions() {
   connect(m_detail, &QLabel::linkActivated, this, [this](const QString& link) {
     if (path()) emit collisionChosen(link.toULongLong());
   });
-  connect(&m_collisions, &CellCollisions::prepared, this, &CellPaths::verify);
+  connect(&m_collisions, &CellCollisions::prepared, this, [this] {
+    verify();
+    offerActions();
+    if (checked() != m_drawn) showPath();  // what is known of a path is only shown with the scene
+  });
   connect(&m_targets, &CellTargets::reachChanged, this, &CellPaths::update);
 }
 
@@ -314,6 +318,7 @@ void CellPaths::showPath() {
   }
   auto lines = std::make_shared<const std::vector<PathLine>>(pathPicture(points));
   m_layer->setLines(lines->empty() ? nullptr : lines);
+  m_drawn = known;
   emit pathChanged();
 }
 
@@ -380,7 +385,8 @@ void CellPaths::offerActions() {
   offer(m_optimise, present && present->places.size() >= 3,
         present ? tr("There is nothing between the ends of the path.") : noPath);
   offer(m_insert, present != nullptr, noPath);
-  offer(m_here, isPlace || isTarget || isFrame, tr("Select a place of a path, a target or a frame first."));
+  offer(m_here, isPlace || isTarget || isFrame || entry.kind == Kind::Configuration,
+        tr("Select a configuration, a place of a path, a target or a frame first."));
   offer(m_up, isPlace && entry.place > 0, noPlace);
   offer(m_down, isPlace && present && entry.place + 1 < present->places.size(), noPlace);
   offer(m_straight, isPlace && entry.place > 0, noPlace);

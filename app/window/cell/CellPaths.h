@@ -104,6 +104,7 @@ class CellPaths : public QObject {
   void store();
   void storeTarget();
   void setTargetHere(const std::string& name);
+  void setConfigurationHere(const std::string& name);
   void storeFrame();
   void setFrameHere(const std::string& name);
   void workIn(const std::string& name);  // or in none, if it is in this frame
@@ -181,6 +182,8 @@ class CellPaths : public QObject {
   // tab: null where none is in view.
   void report(const DocumentTab* tab, const Error& error, const QString& title = failure());
   void report(const Error& error, const QString& title = failure()) { report(m_document, error, title); }
+  // The error of a plan that two bodies hinder, which the message offers to let touch.
+  void reportHindered(DocumentTab& tab, const Error& error, const QString& title);
   void reportUnprepared();
   void followDocument();
   void showPath();
@@ -196,6 +199,7 @@ class CellPaths : public QObject {
   PlanTree* m_tree;
   QLabel* m_detail;
   std::shared_ptr<PathLayer> m_layer;
+  std::shared_ptr<const CheckedPath> m_drawn;            // in that layer; null: nothing is
   std::map<const DocumentTab*, PlanTree::Entry> m_rows;  // that were selected when it was in view last
   PathChecks m_checks;
   std::optional<JointValues> m_shownJoints;

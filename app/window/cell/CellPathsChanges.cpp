@@ -154,6 +154,16 @@ void CellPaths::setTargetHere(const std::string& name) {
   commit(tr("Set %1").arg(QString::fromStdString(name)), std::move(changed));
 }
 
+// Paths through it lead to where it was, and are outdated.
+void CellPaths::setConfigurationHere(const std::string& name) {
+  CellPlans changed = plans();
+  const auto stored = std::find_if(changed.configurations.begin(), changed.configurations.end(),
+                                   [&](const NamedConfiguration& each) { return each.name == name; });
+  if (stored == changed.configurations.end()) return;
+  stored->joints = seenJoints();
+  commit(tr("Set %1").arg(QString::fromStdString(name)), std::move(changed));
+}
+
 void CellPaths::goToTarget(const std::string& name) {
   const auto scene = m_collisions.scene();
   if (!scene) return reportUnprepared();
@@ -234,6 +244,7 @@ void CellPaths::addPlace() {
 void CellPaths::setPlaceHere() {
   m_document->document.settle();
   const PlanTree::Entry entry = m_tree->current();
+  if (entry.kind == Kind::Configuration) return setConfigurationHere(entry.name);
   if (entry.kind == Kind::Target) return setTargetHere(entry.name);
   if (entry.kind == Kind::Frame) return setFrameHere(entry.name);
   CellPlans changed = plans();

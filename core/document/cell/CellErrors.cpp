@@ -31,7 +31,12 @@ const ErrorDescription CellError::PathTooShort{
 const ErrorDescription CellError::PlaceCollides{
     .id = "PlaceCollides",
     .sentences = {translatable("ErrorText", "at %1 the robot collides: %2 with %3")},
-    .advice = {translatable("ErrorText", "Move the robot away there, require less clearance, or allow this pair.")}};
+    .advice = {translatable("ErrorText", "Move the robot away there, or let two bodies touch that are meant to.")}};
+
+const ErrorDescription CellError::PlaceTooNear{
+    .id = "PlaceTooNear",
+    .sentences = {translatable("ErrorText", "at %1 the robot is too near: %2 is %4 mm from %3")},
+    .advice = {translatable("ErrorText", "Move the robot away there, or require less clearance.")}};
 
 const ErrorDescription CellError::PlaceBeyondLimits{
     .id = "PlaceBeyondLimits",
@@ -92,7 +97,13 @@ const ErrorDescription CellError::LineCollides{
     .id = "LineCollides",
     .sentences = {translatable("ErrorText", "on the straight line to %1 the robot collides: %2 with %3")},
     .advice = {
-        translatable("ErrorText", "Use a joint motion, change this place or the one before, or allow this pair.")}};
+        translatable("ErrorText", "Use a joint motion, change either place, or let bodies touch that are meant to.")}};
+
+const ErrorDescription CellError::LineTooNear{
+    .id = "LineTooNear",
+    .sentences = {translatable("ErrorText", "on the straight line to %1 the robot is too near: %2 is %4 mm from %3")},
+    .advice = {translatable("ErrorText",
+                            "Use a joint motion, change this place or the one before, or require less clearance.")}};
 
 const ErrorDescription CellError::PartCarried{
     .id = "PartCarried",
@@ -119,7 +130,8 @@ const ErrorDescription CellError::TrackBlocked{
     .id = "TrackBlocked",
     .sentences = {translatable("ErrorText",
                                "at point %1 of %2 of the curve, X %3 Y %4 Z %5 mm, the robot collides: %6 with %7")},
-    .advice = {translatable("ErrorText", "Tilt the tool away, keep a distance from the part, or allow this pair.")}};
+    .advice = {
+        translatable("ErrorText", "Tilt the tool away, keep a distance or less clearance, or let it touch the part.")}};
 
 const ErrorDescription CellError::TrackBroken{
     .id = "TrackBroken",

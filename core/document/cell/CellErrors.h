@@ -12,6 +12,7 @@ extern const ErrorDescription RobotUnknown;       // {text} neither a robot of t
 extern const ErrorDescription PathMissing;        // {text} the cell has no such path, nor is it a file
 extern const ErrorDescription PathTooShort;       // {path} it has fewer than two places
 extern const ErrorDescription PlaceCollides;      // {place, link, link or body}
+extern const ErrorDescription PlaceTooNear;       // {place, link, link or body, mm} they do not meet
 extern const ErrorDescription PlaceBeyondLimits;  // {place, joint}
 extern const ErrorDescription RouteNotFound;      // {from, to, seconds}
 extern const ErrorDescription OthersMoved;        // {place} joints beside the arm stand elsewhere there
@@ -24,6 +25,7 @@ extern const ErrorDescription PathToolChanged;    // {path} its curve was planne
 extern const ErrorDescription PathTargetMoved;    // {path, target} the tool does not come to that any more
 extern const ErrorDescription PathPlaceChanged;   // {path, configuration} that is other joint values now
 extern const ErrorDescription LineCollides;       // {place, link, link or body} the straight line to it
+extern const ErrorDescription LineTooNear;        // {place, link, link or body, mm} on the straight line to it
 extern const ErrorDescription PartCarried;        // {body} the robot itself carries it
 extern const ErrorDescription TrackMissing;       // {body} no curve is where it was asked for
 extern const ErrorDescription DrawnCurveBroken;   // {number of a place, the next} the surface does not lead there

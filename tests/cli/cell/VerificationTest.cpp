@@ -50,6 +50,14 @@ class VerificationTest : public QObject {
     }
   }
 
+  // Nearer than the clearance is no collision: `plan` says how near it is.
+  void tooNearToPlan() {
+    const PlannedCell cell;
+    const Ran ran = cell.run({"plan", "cell.handwheel", "--from", "left", "--to", "right", "--clearance", "390"});
+    QCOMPARE(ran.code, 2);
+    QVERIFY2(ran.err.contains("too near") && ran.err.contains("box") && !ran.err.contains("collides"), ran.err);
+  }
+
   // At its limit joint 1 cannot go on, as the straight line wants it to, and with the arm stretched in a plane no other
   // joint moves the tool out of that: the line is not begun. What meets there is listed with the first place.
   void aLineThatCannotBeBegun() {

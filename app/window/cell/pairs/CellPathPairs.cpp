@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The action that lets pairs of links and bodies touch.
+#include "document/cell/CellErrors.h"
 #include "document/cell/RobotCellDocument.h"
+#include "text/ErrorText.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/pairs/PairsDialog.h"
 #include "window/documents/DocumentTab.h"
@@ -33,6 +35,33 @@ void CellPaths::askForPairs() {
         commit(tr("Change the pairs that may touch"), std::move(changed));
       });
   dialog->open();
+}
+
+// Only bodies, as a tool and its part, are meant to touch; a link that meets something is none to allow in passing.
+void CellPaths::reportHindered(DocumentTab& tab, const Error& error, const QString& title) {
+  const std::vector<std::string>& named = error.arguments;
+  const bool isMet = error.code == CellError::PlaceCollides || error.code == CellError::LineCollides;
+  const bool isOnCurve = error.code == CellError::TrackBlocked;
+  const std::size_t at = isOnCurve ? 5 : 1;  // where the error has the two
+  const auto pair = (isMet || isOnCurve) && named.size() >= at + 2
+                        ? bodiesCalled(named[at], named[at + 1], cellIn(tab).bodies(), cellIn(tab).robot().model)
+                        : std::nullopt;
+  if (!pair) return report(&tab, error, title);
+  Message said{
+      .weight = Message::Weight::Error,
+      .title = title,
+      .detail = errorSentence(error),
+      .advice = errorAdvice(error),
+      .actionText =
+          tr("&Let %1 touch %2").arg(QString::fromStdString(named[at]), QString::fromStdString(named[at + 1]))};
+  said.action = [this, pair, document = &tab] {
+    if (document != m_document) return;
+    CellPlans changed = plans();
+    setAllowed(changed, *pair, true);
+    commit(tr("Change the pairs that may touch"), std::move(changed));
+  };
+  said.about = &tab.document;
+  emit message(said);
 }
 
 }  // namespace handwheel

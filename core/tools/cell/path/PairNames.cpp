@@ -65,6 +65,15 @@ void setAllowed(CellPlans& plans, const PairNames& pair, bool mayTouch) {
   }
 }
 
+std::optional<PairNames> bodiesCalled(const std::string& one, const std::string& other, const BodySet& bodies,
+                                      const RobotModel& robot) {
+  const auto called = [&](const std::string& name) {
+    return linkNamed(robot, name) == kNone ? bodies.withName(name) : nullptr;
+  };
+  const BodyPointer first = called(one), second = called(other);
+  return first && second ? std::optional(PairNames{partOfBody(first->id), partOfBody(second->id)}) : std::nullopt;
+}
+
 std::vector<PairNames> uncheckedPairs(const CellScene& scene, const std::set<PairNames>& allowed) {
   const RobotModel& robot = scene.robot->model;
   const std::vector<std::uint32_t> owners = armsOfLinks(robot, scene.robot->arms);

@@ -20,6 +20,11 @@ bool isAllowed(const CellPlans& plans, const PairNames& pair);
 // Lets the pair touch from now on, or no longer.
 void setAllowed(CellPlans& plans, const PairNames& pair, bool mayTouch);
 
+// Two bodies by what they are called; none: one of the names is not that of a body alone, but also of a link, or of
+// none.
+std::optional<PairNames> bodiesCalled(const std::string& one, const std::string& other, const BodySet& bodies,
+                                      const RobotModel& robot);
+
 // The pairs that only a person has left out of the proofs of a scene, as people call them, each once: of things that
 // are there, of which the robot moves one, and not those that are left out unasked (neighbours,
 // CellScene::alwaysMeeting). allowed: as CellPlans has them.

@@ -158,10 +158,7 @@ class LegPlanning {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (line.reached < 1.0)
       return Error{CellError::LineUnreachable, {name, roundedText(100.0 * line.reached, 3)}, {}, {}};
-    if (!line.isFree()) {
-      const auto [link, other] = m_scene.namesOf(line.blocked);
-      return Error{CellError::LineCollides, {name, link, other}, {}, {}};
-    }
+    if (!line.isFree()) return metAt(CellError::LineCollides, CellError::LineTooNear, name, line.blocked);
     path.places.push_back(to);
     path.places.back().plannedBetween.reset();
     return Done{};
@@ -169,12 +166,11 @@ class LegPlanning {
 
   Error problemOf(const Route& route, const ArmValues& begin, const ArmValues& end,
                   const std::array<std::string, 2>& names) const {
-    const auto [link, other] = m_scene.namesOf(route.blocked);
     switch (route.outcome) {
       case PlanResult::Outcome::StartBlocked:
-        return {CellError::PlaceCollides, {names[0], link, other}, {}, {}};
+        return metAt(CellError::PlaceCollides, CellError::PlaceTooNear, names[0], route.blocked);
       case PlanResult::Outcome::GoalBlocked:
-        return {CellError::PlaceCollides, {names[1], link, other}, {}, {}};
+        return metAt(CellError::PlaceCollides, CellError::PlaceTooNear, names[1], route.blocked);
       case PlanResult::Outcome::OutOfLimits: {
         const bool isBegin = !m_scene.scene.isWithinLimits(begin);
         return {CellError::PlaceBeyondLimits, {names[isBegin ? 0 : 1], jointBeyond(isBegin ? begin : end)}, {}, {}};
@@ -186,6 +182,14 @@ class LegPlanning {
         break;
     }
     return {CellError::RouteNotFound, {names[0], names[1], shownText(m_settings.plan.seconds)}, {}, {}};
+  }
+
+  // The error of what is in the way at a place: it is met, or only too near.
+  Error metAt(const ErrorDescription& meeting, const ErrorDescription& near, const std::string& place,
+              const RobotScene::Nearest& blocked) const {
+    const auto [link, other] = m_scene.namesOf(blocked);
+    if (!(blocked.distance > 0.0)) return {meeting, {place, link, other}, {}, {}};
+    return {near, {place, link, other, roundedText(blocked.distance, 3)}, {}, {}};
   }
 
   std::string jointBeyond(const ArmValues& values) const {

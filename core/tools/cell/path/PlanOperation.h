@@ -42,9 +42,9 @@ struct PlannedPath {
 
 // Plans through these places, at least two. Those that were planned to targets go to where these are now. A leg between
 // critical places that was planned between the same ends, and is still proven free, is kept; of others the places that
-// are not critical are left out. Straight lines to a place stay lines. Errors: PlaceCollides, PlaceBeyondLimits,
-// OthersMoved, RouteNotFound, LineUnreachable, LineCollides, PathTooShort, Cancelled; those of nearestFree() at targets
-// that have moved.
+// are not critical are left out. Straight lines to a place stay lines. Errors: PlaceCollides, PlaceTooNear,
+// PlaceBeyondLimits, OthersMoved, RouteNotFound, LineUnreachable, LineCollides, LineTooNear, PathTooShort, Cancelled;
+// those of nearestFree() at targets that have moved.
 Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const Waypoint> given,
                                    const RouteSettings& settings, Progress progress = {});
 

@@ -65,6 +65,38 @@ class CellOutdatedWindowTest : public QObject {
     driver.tree()->setCurrentItem(driver.configurations());
     QVERIFY(std::abs(number("tool.z") - (z - 10.0)) < 1e-2);
   }
+
+  // A stored configuration is set to where the robot stands: the path through it is outdated, until that is undone.
+  // Renamed, its place has the new name; removed, the path that keeps its joint values is named.
+  void aConfigurationIsSetHere() {
+    PlanningWindow driver;
+    driver.storeAt("joint.joint_1", "60");
+    driver.storeAt("joint.joint_1", "-60");
+    QVERIFY(driver.settle());
+    driver.planPath();
+    const auto remark = [&] {
+      return driver.paths()->childCount() > 0 ? driver.paths()->child(0)->text(1) : QString();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(remark().contains("free"), kPatienceMs);
+    const QString name = driver.configurations()->child(0)->text(0);
+    driver.tree()->setCurrentItem(driver.configurations());
+    driver.edit("joint.joint_1", "50");
+    driver.tree()->setCurrentItem(driver.configurations()->child(0));
+    driver.choose("setPlaceHere");
+    driver.clickItem(driver.paths()->child(0));
+    QTRY_VERIFY_WITH_TIMEOUT(remark().contains("plan again") && remark().contains(name), kPatienceMs);
+    driver.click("quickActions/undo");
+    QTRY_VERIFY_WITH_TIMEOUT(remark().contains("free"), kPatienceMs);
+
+    driver.configurations()->child(0)->setText(0, "home");
+    QTRY_VERIFY(driver.paths()->child(0)->child(0)->text(0).contains("home"));
+    QTRY_VERIFY_WITH_TIMEOUT(!remark().contains("plan again"), kPatienceMs);
+    driver.tree()->setCurrentItem(driver.configurations()->child(0));
+    const QString path = driver.paths()->child(0)->text(0);
+    driver.choose("removePlan");
+    QTRY_VERIFY(driver.text("messageText").contains("home was removed"));
+    QVERIFY(driver.text("messageText").contains(path));
+  }
 };
 
 HANDWHEEL_WINDOW_TEST(CellOutdatedWindowTest)

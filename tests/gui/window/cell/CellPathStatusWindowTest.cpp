@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
+#include "PixelsLike.h"
 #include "PlanningWindow.h"
 #include "panels/time/TimeLinePanel.h"
 #include "panels/time/TimePlot.h"
+#include "viewport/path/PathLayer.h"
 
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QRegularExpression>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include "window/cell/PlanTree.h"
 
@@ -151,6 +154,28 @@ class CellPathStatusWindowTest : public QObject {
     driver.clickItem(driver.paths()->child(1));
     for (std::size_t i = 0; i < std::size(kIds); ++i)
       QTRY_COMPARE_WITH_TIMEOUT(driver.shown(kIds[i]), before[static_cast<qsizetype>(i)], kPatienceMs);
+  }
+
+  // The selected path is in the view again when its document is.
+  void drawnAfterAnotherDocument() {
+    TwoPaths driver;
+    driver.showAll();
+    const auto drawn = [&] {
+      return pixelsLike(driver.view()->grabImage(), pathColour(PathLine::Look::Travel, sceneColours(false)));
+    };
+    constexpr int kFew = 20;  // pixels: far less than a line of the path has
+    driver.tree()->setCurrentItem(driver.configurations());
+    QVERIFY(driver.settle());
+    const int without = drawn();
+    driver.tree()->setCurrentItem(driver.paths()->child(1));
+    QVERIFY(driver.settle());
+    QTRY_VERIFY_WITH_TIMEOUT(drawn() > without + kFew, kPatienceMs);
+    driver.choose("newWorkpiece");
+    QVERIFY(driver.settle());
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tree()->currentItem(), driver.paths()->child(1));
+    QTRY_VERIFY_WITH_TIMEOUT(drawn() > without + kFew, kPatienceMs);
   }
 
   // By another name it is the same path.

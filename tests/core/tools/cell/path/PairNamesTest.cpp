@@ -55,6 +55,22 @@ class PairNamesTest : public QObject {
     QVERIFY((shownNames({"flange", "body.9"}, cell.document().bodies()) == PairNames{"flange", "body.9"}));
   }
 
+  // Two bodies are found by what they are called; a link is no body, nor is what has the name of one.
+  void bodiesByTheirNames() {
+    ArmCell cell;
+    const BodyId one = cell.addBox({20, 20, 20}, {900, 0, 0}), other = cell.addBox({20, 20, 20}, {0, 900, 0});
+    const RobotModel& robot = cell.document().robot().model;
+    const auto called = [&](const std::string& a, const std::string& b) {
+      return bodiesCalled(a, b, cell.document().bodies(), robot);
+    };
+    QVERIFY((called("box1", "box2") == PairNames{"body." + std::to_string(one), "body." + std::to_string(other)}));
+    QVERIFY(!called(robot.links.back().name, "box2") && !called("box1", "nothing"));
+    Body named = *cell.document().bodies().withId(one);
+    named.name = robot.links.back().name;
+    cell.document().commit("Rename", std::move(changeBodyEdit(cell.document().bodies(), named)).value());
+    QVERIFY(!called(robot.links.back().name, "box2"));
+  }
+
   // Allowed pairs that only a person leaves out: of things that are there, each once, without neighbours, and without a
   // body and what carries it.
   void leftOutByAPerson() {
