@@ -394,6 +394,8 @@ class PlanTest : public QObject {
     const Ran verified = cell.run({"verify", "cell.handwheel", "seam", "--json"});
     QVERIFY2(verified.code == 0, verified.err);
     QCOMPARE(jsonOf(verified.out)["waypoints"].get<int>(), 2);
+    QVERIFY(cell.run({"post", "cell.handwheel", "seam", "--controller", "rapid", "-o", "kept.mod"}).code == 0 &&
+            cell.read("kept.mod").contains("! Clearance kept: 5 mm."));  // the robot has simplified shapes
     // Joint 1 turns by 20 degrees.
     QVERIFY(std::abs(jsonOf(verified.out)["length_rad"].get<double>() - M_PI / 9.0) < 1e-6);
     const nlohmann::json again = jsonOf(cell.run(open + QStringList{"--json"}).out);

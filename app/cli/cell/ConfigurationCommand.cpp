@@ -19,6 +19,7 @@
 #include "tools/cell/ConfigurationOperation.h"
 #include "tools/cell/ConfigurationPoses.h"
 #include "tools/cell/path/IkSolutionText.h"
+#include "tools/cell/path/OfferedClearance.h"
 #include "tools/cell/path/PathExport.h"
 #include "tools/cell/path/ProgramFrames.h"
 
@@ -59,6 +60,7 @@ Result<TakenFrames> openPath(const Arguments& arguments, RobotCellSnapshot& cell
   CellPlans plans = *cell.plans;
   if (arguments.has("name")) std::erase_if(plans.paths, [&](const RobotPath& path) { return path.name == name; });
   read->path.name = plans.freePathName(isBodyName(name) ? name : "path");
+  if (!read->path.clearance) read->path.clearance = plans.ownClearance(offeredClearance(*cell.robot, plans));
   plans.paths.push_back(std::move(read->path));
   TakenFrames frames = takeFrames(read->frames, {*cell.plans, cell.bodies, cell.robot->model, cell.joints}, plans);
   cell.plans = std::make_shared<const CellPlans>(std::move(plans));

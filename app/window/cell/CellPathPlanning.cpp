@@ -20,8 +20,8 @@ void CellPaths::askForPath() {
   CellPlans offered = plans();  // configurations of another robot are no places of this one
   std::erase_if(offered.configurations,
                 [&](const NamedConfiguration& each) { return !isSameArm(cell().robot(), each.arm, offered.arm); });
-  auto* dialog =
-      new PlanDialog(offered, m_parts.fidelity.values(), m_planned, m_document->document.displayUnit(), m_parts.window);
+  auto* dialog = new PlanDialog(cell().robot(), offered, m_parts.fidelity.values(), m_planned,
+                                m_document->document.displayUnit(), m_parts.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PlanDialog::chosen, this, [this, document = m_document](const OperationValues& values) {
     m_planned = values;

@@ -3,6 +3,7 @@
 
 // The actions that read and write programs of controllers.
 #include "document/cell/RobotCellDocument.h"
+#include "tools/cell/path/OfferedClearance.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/PathStatus.h"
@@ -254,6 +255,7 @@ void CellPaths::importProgram(const QString& file) {
       CellPlans changed = *cellIn(tab).plans();
       RobotPath& path = read->path;
       path.name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
+      if (!path.clearance) path.clearance = changed.ownClearance(offeredClearance(cellIn(tab).robot(), changed));
       const PlanTree::Entry entry{PlanTree::Entry::Kind::Path, path.name};
       changed.paths.push_back(std::move(path));
       const TakenFrames frames = takeFrames(read->frames, cellIn(tab).placement(), changed);

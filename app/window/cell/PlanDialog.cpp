@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/PlanDialog.h"
 
+#include "document/cell/CellArms.h"
+#include "tools/cell/path/OfferedClearance.h"
+
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QListWidget>
@@ -11,12 +14,13 @@
 
 namespace handwheel {
 
-PlanDialog::PlanDialog(const CellPlans& plans, const FidelityValues& fidelity,
+PlanDialog::PlanDialog(const CellRobot& robot, const CellPlans& plans, const FidelityValues& fidelity,
                        const std::optional<OperationValues>& before, LengthUnit unit, QWidget* parent)
     : QDialog(parent),
       m_places{"here"},
       m_values(planOperation()),
       m_clearance(plans.clearance),
+      m_hasPlainShapes(hasPlainShapes(robot.model, robot.arms, activeArmNumber(robot, plans))),
       m_list(new PropertyList(this)),
       m_via(new QListWidget(this)),
       m_remark(new QLabel(this)) {
@@ -25,6 +29,8 @@ PlanDialog::PlanDialog(const CellPlans& plans, const FidelityValues& fidelity,
   for (const NamedConfiguration& each : plans.configurations) m_places.push_back(each.name);
   for (const NamedTarget& each : plans.targets) m_places.push_back(each.name);
   setFidelity(m_values, fidelity);
+  if (const double offered = offeredClearance(robot, plans); offered > m_clearance)
+    m_values.setValid("clearance", offered);
   for (const Parameter& parameter : planOperation().parameters) {
     const std::string& id = parameter.id();
     const bool isOfOnePath = id == "from" || id == "to" || id == "via" || id == "name" || id == "seed";
@@ -94,8 +100,13 @@ void PlanDialog::showValues() {
   int via = 0;
   for (int i = 0; i < m_via->count(); ++i) via += m_via->item(i)->checkState() == Qt::Checked ? 1 : 0;
   m_plan->setEnabled(!isSame || via > 0);
-  m_remark->setText(isSame && via == 0 ? tr("The path begins where it ends: choose another end.")
-                                       : tr("The path is proven free of collisions everywhere between its places."));
+  QString remark = isSame && via == 0 ? tr("The path begins where it ends: choose another end.")
+                                      : tr("The path is proven free of collisions everywhere between its places.");
+  if (m_hasPlainShapes) {
+    remark += QLatin1Char(' ') + tr("The robot has simplified shapes, smaller than its own in places: keep a "
+                                    "clearance, or use its maker's shapes by a URDF.");
+  }
+  m_remark->setText(remark);
 }
 
 void PlanDialog::accept() {

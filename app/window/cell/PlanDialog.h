@@ -21,9 +21,10 @@ class PlanDialog : public QDialog {
   Q_OBJECT
 
  public:
-  // before: what was chosen the time before; but for ends and name it is offered again.
-  PlanDialog(const CellPlans& plans, const FidelityValues& fidelity, const std::optional<OperationValues>& before,
-             LengthUnit unit, QWidget* parent);
+  // The robot that the plans are for. before: what was chosen the time before; but for ends and name it is offered
+  // again.
+  PlanDialog(const CellRobot& robot, const CellPlans& plans, const FidelityValues& fidelity,
+             const std::optional<OperationValues>& before, LengthUnit unit, QWidget* parent);
 
  signals:
   void chosen(const handwheel::OperationValues& values);
@@ -34,7 +35,8 @@ class PlanDialog : public QDialog {
 
   std::vector<std::string> m_places;  // that can be chosen, "here" first
   OperationValues m_values;
-  double m_clearance;  // mm, of the cell
+  double m_clearance;     // mm, of the cell
+  bool m_hasPlainShapes;  // the robot
   PropertyList* m_list;
   QListWidget* m_via;
   QLabel* m_remark;

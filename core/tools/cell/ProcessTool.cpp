@@ -8,6 +8,7 @@
 #include "document/scene/BodyDisplay.h"
 #include "planning/ToolTrack.h"
 #include "tools/cell/ProcessSettings.h"
+#include "tools/cell/path/OfferedClearance.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -30,7 +31,7 @@ constexpr double kDrawnStep = 12.0;  // pixels between places of a curve that is
 
 ProcessTool::ProcessTool(const RobotCellDocument& document, ProcessServices services)
     : m_document(document), m_services(std::move(services)), m_values(processOperation()) {
-  m_values.setValid("clearance", document.plans()->clearance);
+  m_values.setValid("clearance", offeredClearance(document.robot(), *document.plans(), m_values.number("standoff")));
 }
 
 std::span<const ToolKey> ProcessTool::keys() {

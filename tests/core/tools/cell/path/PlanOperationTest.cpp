@@ -4,12 +4,16 @@
 
 #include "../ArmCell.h"
 #include "TestClass.h"
+#include "document/cell/CellErrors.h"
 #include "robot/program/PathFile.h"
+#include "tools/cell/path/OfferedClearance.h"
 #include "tools/cell/path/PathCheck.h"
 
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -115,6 +119,44 @@ class PlanOperationTest : public QObject {
     asFar.clearance = 12.0;
     m_cell->plan(asFar);
     QVERIFY(!planned(m_path.places, 12.0).path.clearance);
+  }
+
+  // What is nearer than the clearance, but does not meet, is too near, by so many mm; inside a box it collides.
+  void tooNearIsNoCollision() {
+    const auto scene = m_cell->scene();
+    const JointValues begin = turnedTo(-1.2, 0.5);
+    const double distance = scene->scene.nearestObstacle(scene->planned(begin), 2000.0).distance;
+    QVERIFY(distance > 1.0 && distance < 1000.0);
+    const std::vector<Waypoint> places{{.joints = begin}, {.joints = turnedTo(0.7, 0.5)}};
+    RouteSettings settings;
+    settings.plan.check.clearance = distance + 1.0;
+    const auto near = plannedThrough(*scene, *m_cell->content().plans, places, settings);
+    QVERIFY(!near && near.error().code == CellError::PlaceTooNear);
+    QCOMPARE(near.error().arguments.size(), std::size_t{4});
+    QVERIFY(std::abs(std::stod(near.error().arguments[3]) - distance) <= 5e-3 * distance);  // three digits
+    const std::vector<Waypoint> inside{{.joints = begin}, {.joints = turnedTo(0.0, 0.6)}};
+    settings.plan.check.clearance = 0.0;
+    const auto met = plannedThrough(*scene, *m_cell->content().plans, inside, settings);
+    QVERIFY(!met && met.error().code == CellError::PlaceCollides);
+  }
+
+  // A robot of the library has simplified shapes: a new path of it keeps a clearance, unless the cell has one; along a
+  // curve half of the distance of the tool at most. Of other robots it is that of the cell.
+  void theClearanceThatIsOffered() {
+    const CellRobot& robot = m_cell->document().robot();
+    CellPlans plans;
+    QCOMPARE(offeredClearance(robot, plans), 5.0);
+    QCOMPARE(offeredClearance(robot, plans, 1.0), 0.5);
+    QCOMPARE(offeredClearance(robot, plans, 100.0), 5.0);
+    QCOMPARE(offeredClearance(robot, plans, -2.0), 0.0);
+    plans.clearance = 2.0;
+    QCOMPARE(offeredClearance(robot, plans), 2.0);
+    QCOMPARE(offeredClearance(robot, plans, 1.0), 2.0);
+    const DhTable table{
+        .name = "my arm",
+        .joints = {{{.a = 300.0, .lower = -2.0, .upper = 2.0}, "a"}, {{.a = 250.0, .lower = -2.0, .upper = 2.0}, "b"}}};
+    ArmCell own(table);
+    QCOMPARE(offeredClearance(own.document().robot(), CellPlans()), 0.0);
   }
 
   // Which legs were planned is in the file, too.
