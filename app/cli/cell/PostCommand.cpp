@@ -67,8 +67,9 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   for (const auto& [one, other] : checked->notChecked)
     complain("warning: " + one + " with " + other + " was not checked, as they may touch");
   for (const SmallerBlend& each : written->smaller) {
-    complain("warning: the blend at place " + std::to_string(each.place + 1) + " is " + roundedText(each.kept, 4) +
-             " mm in place of " + roundedText(each.wanted, 6) + " mm, which is not proven free");
+    complain("warning: the blend at place " + std::to_string(each.place + 1) + " is at most " +
+             roundedText(each.kept, 4) + " mm in place of " + roundedText(each.wanted, 6) +
+             " mm, which is not proven free");
   }
   if (arguments.has("json")) {
     return print(textOf({{"controller", post->id()},

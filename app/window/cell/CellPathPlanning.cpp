@@ -13,6 +13,7 @@
 #include "window/fidelity/FidelityChoice.h"
 
 #include <algorithm>
+#include <set>
 
 namespace handwheel {
 
@@ -75,12 +76,16 @@ void CellPaths::reportVerified(const PathResult& result) {
 void CellPaths::reportAllVerified() {
   int proven = 0;
   QStringList others;
+  std::set<std::pair<std::string, std::string>> notChecked;  // on those that are proven
   for (const RobotPath& each : plans().paths) {
-    const PathStatus status = pathStatusOf(m_checks.stateOf(each), each, cell().displayUnit(), QLocale());
-    if (status.isFree)
+    const PathChecks::State state = m_checks.stateOf(each);
+    const PathStatus status = pathStatusOf(state, each, cell().displayUnit(), QLocale());
+    if (status.isFree) {
       ++proven;
-    else
+      notChecked.insert(state.last->found->notChecked.begin(), state.last->found->notChecked.end());
+    } else {
       others += tr("%1: %2").arg(QString::fromStdString(each.name), status.summary);
+    }
   }
   const auto failed = static_cast<int>(others.size());
   QString title = tr("%Ln path(s) proven", nullptr, proven);
@@ -89,6 +94,10 @@ void CellPaths::reportAllVerified() {
                   failed == 0 ? LogEntry::Weight::Info : LogEntry::Weight::Warning);
   Message said{failed == 0 ? Message::Weight::Info : Message::Weight::Warning, title};
   if (failed > 0) said.detail = others.front();
+  if (const QString pairs = notCheckedText({notChecked.begin(), notChecked.end()}); !pairs.isEmpty()) {
+    const QString text = tr("Not checked, as they may touch: %1.").arg(pairs);
+    said.detail = said.detail.isEmpty() ? text : said.detail + QLatin1Char(' ') + text;
+  }
   if (failed > 1) said.advice = tr("The list has what is known of the others.");
   said.about = &m_document->document;
   emit message(said);

@@ -206,9 +206,10 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
   }
   constexpr std::size_t kMostBlends = 3;
   for (const SmallerBlend& each : std::span(written.smaller).first(std::min(written.smaller.size(), kMostBlends))) {
-    detail += QLatin1Char(' ') + tr("The blend at place %1 is %2 mm in place of %3 mm, which is not proven free.")
-                                     .arg(each.place + 1)
-                                     .arg(locale.toString(each.kept, 'g', 4), locale.toString(each.wanted, 'g', 6));
+    detail +=
+        QLatin1Char(' ') + tr("The blend at place %1 is at most %2 mm in place of %3 mm, which is not proven free.")
+                               .arg(each.place + 1)
+                               .arg(locale.toString(each.kept, 'g', 4), locale.toString(each.wanted, 'g', 6));
   }
   if (written.smaller.size() > kMostBlends) {
     detail += QLatin1Char(' ') +

@@ -224,7 +224,7 @@ std::vector<std::string> remarksOn(const CellScene& scene, const RobotPath& path
                       ".");
   const std::vector<SmallerBlend> smaller = smallerBlends(path, checked);
   for (const SmallerBlend& each : std::span(smaller).first(std::min(smaller.size(), kMostBlends)))
-    remarks.push_back("Blend at place " + std::to_string(each.place + 1) + ": " + roundedText(each.kept, 4) +
+    remarks.push_back("Blend at place " + std::to_string(each.place + 1) + ": at most " + roundedText(each.kept, 4) +
                       " mm in place of " + roundedText(each.wanted, 6) + " mm, which is not proven free.");
   if (smaller.size() > kMostBlends)
     remarks.push_back("Smaller blends at " + std::to_string(smaller.size() - kMostBlends) + " more places.");
