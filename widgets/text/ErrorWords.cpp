@@ -405,6 +405,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "its data are not in the file, or it moves"),
     QT_TRANSLATE_NOOP("ErrorWord", "its tool or base is on the controller, not in the file"),
     QT_TRANSLATE_NOOP("ErrorWord", "the robot reaches its place in no way with these S and T"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the robot reaches its place in no way with this configuration"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is of another tool than those before"),
     QT_TRANSLATE_NOOP("ErrorWord", "CalcRobT has another tool or frame than the motion"),
     QT_TRANSLATE_NOOP("ErrorWord", "it does not specify which routine is the first"),

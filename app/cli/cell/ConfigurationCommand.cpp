@@ -9,6 +9,7 @@
 #include "cli/OperationOptions.h"
 #include "cli/ReportJson.h"
 #include "cli/cell/CellFile.h"
+#include "cli/cell/PathReport.h"
 #include "document/FileBytes.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/PlansEdit.h"
@@ -22,6 +23,7 @@
 #include "tools/cell/path/OfferedClearance.h"
 #include "tools/cell/path/PathExport.h"
 #include "tools/cell/path/ProgramFrames.h"
+#include "tools/cell/path/ProgramRemarks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +48,14 @@ Result<CellPlans> withSrdf(CellPlans plans, const std::string& path, const Robot
   return changed ? changed : named(changed.error());
 }
 
+// What is to be told of a path that was opened.
+struct OpenedPath {
+  TakenFrames frames = {};
+  std::vector<std::string> remarks = {};  // programRemarks()
+};
+
 // Adds the path of a program or a path file, called as the arguments say or as the file, and the frames that it gives.
-Result<TakenFrames> openPath(const Arguments& arguments, RobotCellSnapshot& cell, Progress progress) {
+Result<OpenedPath> openPath(const Arguments& arguments, RobotCellSnapshot& cell, Progress progress) {
   const std::filesystem::path file = arguments.valueOf("open");
   const std::string name = arguments.has("name") ? arguments.valueOf("name") : file.stem().string();
   if (arguments.has("name") && !isBodyName(name))
@@ -57,24 +65,28 @@ Result<TakenFrames> openPath(const Arguments& arguments, RobotCellSnapshot& cell
   if (!scene) return scene.error();
   Result<ProgramPath> read = pathFromFile(*scene, cell, file, progress);
   if (!read) return read.error();
+  OpenedPath opened;
+  for (const QString& remark : programRemarks(*read, cell.plans->tool)) opened.remarks.push_back(remark.toStdString());
   CellPlans plans = *cell.plans;
   if (arguments.has("name")) std::erase_if(plans.paths, [&](const RobotPath& path) { return path.name == name; });
   read->path.name = plans.freePathName(isBodyName(name) ? name : "path");
   if (!read->path.clearance) read->path.clearance = plans.ownClearance(offeredClearance(*cell.robot, plans));
   plans.paths.push_back(std::move(read->path));
-  TakenFrames frames = takeFrames(read->frames, {*cell.plans, cell.bodies, cell.robot->model, cell.joints}, plans);
+  opened.frames = takeFrames(read->frames, {*cell.plans, cell.bodies, cell.robot->model, cell.joints}, plans);
   cell.plans = std::make_shared<const CellPlans>(std::move(plans));
-  return frames;
+  return opened;
 }
 
-std::string configurationsReport(const nlohmann::json& described, const TakenFrames& frames, bool asJson) {
+std::string configurationsReport(const nlohmann::json& described, const OpenedPath& opened, bool asJson) {
+  const TakenFrames& frames = opened.frames;
   if (asJson)
     return textOf({{"configurations", described["configurations"]},
                    {"targets", described["targets"]},
                    {"frames", described["frames"]},
                    {"paths", described["paths"]},
                    {"frames_made", frames.made},
-                   {"frames_used", frames.used}});
+                   {"frames_used", frames.used},
+                   {"remarks", opened.remarks}});
   std::string text;
   for (const nlohmann::json& each : described["configurations"])
     text += "configuration " + each["name"].get<std::string>() + "\n";
@@ -155,11 +167,12 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
   RobotCellSnapshot cell = *file->cell;
   cell.plans = std::make_shared<const CellPlans>(std::move(changed->plans));
   cell.joints = changed->joints;
-  Result<TakenFrames> frames = TakenFrames();
+  Result<OpenedPath> opened = OpenedPath();
   if (arguments.has("open"))
-    runInterruptible("Reading", [&](CommandJob& job) { frames = openPath(arguments, cell, job.progress()); });
-  if (!frames) return fail(frames.error());
-  for (const std::string& frame : frames->leftOut)
+    runInterruptible("Reading", [&](CommandJob& job) { opened = openPath(arguments, cell, job.progress()); });
+  if (!opened) return fail(opened.error());
+  warnOfProgram(opened->remarks);
+  for (const std::string& frame : opened->frames.leftOut)
     complain("warning: there are too many frames in the cell for " + frame + " of the program");
   if (const Status fits = checkCounts(*cell.plans); !fits) return fail(fits.error());
   if (values.isSet("remove")) {
@@ -167,7 +180,7 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
       complain("warning: the path " + path + " keeps the joint values of " + values.text("remove"));
   }
   if (const int code = saveCell(*file, cell, arguments.valueOf("output")); code != kExitDone) return code;
-  return print(configurationsReport(file->opened.kind->describe(cell), *frames, arguments.has("json")));
+  return print(configurationsReport(file->opened.kind->describe(cell), *opened, arguments.has("json")));
 }
 
 }  // namespace

@@ -44,11 +44,12 @@ int runOptimise(const Arguments& arguments, const DocumentKinds& kinds) {
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
   Result<RobotPath> path = Error{};
+  std::vector<std::string> remarks;
   Result<OptimisedPath> optimised = Error{};
   Result<PlannedAndChecked> result = Error{};
   runInterruptible("Optimising", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
-    if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1]);
+    if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1], remarks);
     if (!path) return;
     const CellPlans& plans = *file->cell->plans;
     optimised =
@@ -60,6 +61,7 @@ int runOptimise(const Arguments& arguments, const DocumentKinds& kinds) {
   });
   if (!scene) return fail(scene.error());
   if (!path) return fail(path.error());
+  warnOfProgram(remarks);
   if (!optimised) return outputUnsolved(optimised.error(), arguments);
   if (!result) return fail(result.error());
   return outputPath(*result, *scene, *file, arguments, remarksOn(*optimised));

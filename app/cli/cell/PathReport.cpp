@@ -7,7 +7,7 @@
 #include "document/cell/CellErrors.h"
 #include "planning/PlanningFidelity.h"
 #include "robot/program/PathFile.h"
-#include "tools/cell/path/PathExport.h"
+#include "tools/cell/path/ProgramRemarks.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -165,12 +165,19 @@ nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const Che
   return file;
 }
 
-Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& name) {
+Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& name,
+                             std::vector<std::string>& remarks) {
   if (const RobotPath* path = cell.plans->path(name)) return *path;
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored)) return Error{CellError::PathMissing, {name}, {}, {}};
   Result<ProgramPath> read = pathFromFile(scene, cell, name);
-  return read ? Result<RobotPath>(std::move(read->path)) : Result<RobotPath>(read.error());
+  if (!read) return read.error();
+  for (const QString& remark : programRemarks(*read, cell.plans->tool)) remarks.push_back(remark.toStdString());
+  return std::move(read->path);
+}
+
+void warnOfProgram(const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) complain("warning: " + remark);
 }
 
 }  // namespace handwheel

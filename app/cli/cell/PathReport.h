@@ -27,7 +27,11 @@ OptionSpec resolutionOption();
 nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 
 // A path of a cell by its name, or read from a file: as JSON, or a program of a controller. Errors: PathMissing, those
-// of pathFromFile().
-Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& name);
+// of pathFromFile(). remarks: gets what programRemarks() has to say.
+Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& name,
+                             std::vector<std::string>& remarks);
+
+// Says these as warnings.
+void warnOfProgram(const std::vector<std::string>& remarks);
 
 }  // namespace handwheel

@@ -23,15 +23,17 @@ int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
   Result<RobotPath> path = Error{};
+  std::vector<std::string> remarks;
   Result<CheckedPath> checked = Error{};
   runInterruptible("Verifying", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
-    if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1]);
+    if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1], remarks);
     if (path && !arguments.has("clearance")) clearance = file->cell->plans->clearanceOf(*path);
     if (path) checked = checkPath(*scene, *file->cell->plans, *path, check, job.progress());
   });
   if (!scene) return fail(scene.error());
   if (!path) return fail(path.error());
+  warnOfProgram(remarks);
   if (!checked) return fail(checked.error());
   warnOfShapes(*scene);
   const int code =

@@ -4,6 +4,7 @@
 // The actions that read and write programs of controllers.
 #include "document/cell/RobotCellDocument.h"
 #include "tools/cell/path/OfferedClearance.h"
+#include "tools/cell/path/ProgramRemarks.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/PathStatus.h"
@@ -254,6 +255,7 @@ void CellPaths::importProgram(const QString& file) {
       if (content->robot.get() != &cellIn(tab).robot()) return;
       if (!read) return report(&tab, read.error());
       CellPlans changed = *cellIn(tab).plans();
+      const QStringList remarks = programRemarks(*read, content->plans->tool);
       RobotPath& path = read->path;
       path.name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
       if (!path.clearance) path.clearance = changed.ownClearance(offeredClearance(cellIn(tab).robot(), changed));
@@ -262,29 +264,36 @@ void CellPaths::importProgram(const QString& file) {
       const TakenFrames frames = takeFrames(read->frames, cellIn(tab).placement(), changed);
       commit(tab, tr("Open %1").arg(QFileInfo(file).fileName()), std::move(changed));
       select(tab, entry);
-      reportFrames(tab, file, frames);
+      reportOpened(tab, file, frames, remarks);
     };
   };
   m_parts.jobs.start(std::move(job));
 }
 
-// Nothing, where its places are in the base of the robot.
-void CellPaths::reportFrames(const DocumentTab& tab, const QString& file, const TakenFrames& frames) {
+// Nothing, where its places are in the base of the robot, and it is led as the program says.
+void CellPaths::reportOpened(const DocumentTab& tab, const QString& file, const TakenFrames& frames,
+                             const QStringList& remarks) {
   const auto listed = [](const std::vector<std::string>& names) {
     QStringList list;
     for (const std::string& name : names) list += QString::fromStdString(name);
     return list.join(QStringLiteral(", "));
   };
-  QStringList detail;
+  QStringList detail = remarks;
   if (!frames.made.empty()) detail += tr("Its frames are in the cell now: %1.").arg(listed(frames.made));
   if (!frames.used.empty()) detail += tr("It is in frames of the cell: %1.").arg(listed(frames.used));
   if (!frames.leftOut.empty())
     detail += tr("There are too many frames in the cell for these: %1.").arg(listed(frames.leftOut));
   if (detail.isEmpty()) return;
-  Message opened{.weight = frames.leftOut.empty() ? Message::Weight::Info : Message::Weight::Warning,
-                 .title = tr("%1 was opened").arg(QFileInfo(file).fileName()),
-                 .detail = detail.join(QLatin1Char(' ')),
-                 .advice = tr("To write programs in one of its frames again, choose to work in it.")};
+  // One that is worked in need not be chosen.
+  const std::string& worksIn = cellIn(tab).plans()->workFrame;
+  const auto isOther = [&](const std::string& frame) { return frame != worksIn; };
+  const bool hasOther = std::ranges::any_of(frames.made, isOther) || std::ranges::any_of(frames.used, isOther);
+  const bool isSound = remarks.isEmpty() && frames.leftOut.empty();
+  Message opened{
+      .weight = isSound ? Message::Weight::Info : Message::Weight::Warning,
+      .title = tr("%1 was opened").arg(QFileInfo(file).fileName()),
+      .detail = detail.join(QLatin1Char(' ')),
+      .advice = hasOther ? tr("To write programs in one of its frames again, choose to work in it.") : QString()};
   opened.about = &tab.document;
   emit message(opened);
 }

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/ControllerConfiguration.h"
 
+#include "robot/arm/ClosedFormIk.h"
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace handwheel {
 
@@ -21,6 +25,21 @@ ArmPlaces placesOf(const SerialArm& arm, const ArmValues& values) {
           poses[4].translation(), poses[1].linear().col(2)};
 }
 
+constexpr double kLimitSlack = 1e-5;  // rad: so far beyond its limits files may place an axis, as they round poses
+
+// Moved by whole turns, within the limits; of those that are wanted the nearest.
+std::optional<double> turnedInto(const ArmJoint& joint, double value, double near,
+                                 const std::function<bool(double)>& takes) {
+  std::optional<double> nearest;
+  for (int turns = -2; turns <= 2; ++turns) {
+    const double moved = value + 2.0 * M_PI * turns;
+    if (!joint.isWithin(moved, kLimitSlack) || !takes(moved)) continue;
+    const double within = std::min(std::max(moved, joint.lower), joint.upper);
+    if (!nearest || std::abs(within - near) < std::abs(*nearest - near)) nearest = within;
+  }
+  return nearest;
+}
+
 }  // namespace
 
 ControllerConfiguration controllerConfigurationOf(const SerialArm& arm, const ArmValues& values) {
@@ -32,6 +51,26 @@ ControllerConfiguration controllerConfigurationOf(const SerialArm& arm, const Ar
   configuration.isElbowDown = across.dot((now.elbow - now.shoulder).cross(now.wrist - now.shoulder)) < 0.0;
   configuration.isFlipped = values[4] < 0.0;
   return configuration;
+}
+
+std::optional<ArmValues> jointsOfWay(const WantedWay& wanted, const SerialArm& arm, const ClosedFormIk& closed,
+                                     const Pose& tip, const ArmValues& reference) {
+  IkSolutions solutions;
+  closed.solve(tip, reference, solutions);
+  std::optional<ArmValues> nearest;
+  for (const IkSolutions::Solution& solution : solutions) {
+    ArmValues values = solution.values;
+    bool isWithin = true;
+    for (Eigen::Index i = 0; i < values.size() && isWithin; ++i) {
+      const auto value = turnedInto(arm.joints()[static_cast<std::size_t>(i)], values[i], reference[i],
+                                    [&](double moved) { return wanted.takesJoint(i, moved); });
+      isWithin = value.has_value();
+      values[i] = value.value_or(0.0);
+    }
+    if (!isWithin || !wanted.takes(values)) continue;
+    if (!nearest || (values - reference).squaredNorm() < (*nearest - reference).squaredNorm()) nearest = values;
+  }
+  return nearest;
 }
 
 }  // namespace handwheel

@@ -4,7 +4,12 @@
 
 #include "robot/arm/SerialArm.h"
 
+#include <functional>
+#include <optional>
+
 namespace handwheel {
+
+class ClosedFormIk;
 
 // The configuration of an arm with a spherical wrist, as controllers denote it. It says in which of its ways the arm
 // reaches a pose.
@@ -16,5 +21,16 @@ struct ControllerConfiguration {
 
 // Six hinges.
 ControllerConfiguration controllerConfigurationOf(const SerialArm& arm, const ArmValues& values);
+
+// What the joint values of a way must be like.
+struct WantedWay {
+  std::function<bool(Eigen::Index, double)> takesJoint;  // the value of a joint, counted with its whole turns; rad
+  std::function<bool(const ArmValues&)> takes;           // all of them together
+};
+
+// The joint values that are wanted, within the limits, which bring the tip of the arm there; the nearest to the
+// reference where they leave a choice. None: there are none. closed: that of the arm.
+std::optional<ArmValues> jointsOfWay(const WantedWay& wanted, const SerialArm& arm, const ClosedFormIk& closed,
+                                     const Pose& tip, const ArmValues& reference);
 
 }  // namespace handwheel

@@ -229,6 +229,7 @@ class FanucReading {
         if (used != 0.0) tool = used;
         Pose inWorld(Eigen::Translation3d((*pose)[0], (*pose)[1], (*pose)[2]));
         inWorld.linear() = fromZyx(Vec3((*pose)[3], (*pose)[4], (*pose)[5]) * kRadiansPerDegree);
+        if (used == 0.0) motion.tool = Pose::Identity();
         motion.pose = placeIn(m_program, motion.frame.value_or(fanucWorld(m_program.arm)), inWorld,
                               used == 0.0 ? Pose(Pose::Identity()) : m_program.tool);
       } else {

@@ -201,6 +201,7 @@ class KrlReading {
     }
     const bool isTool = line.takeWord("$TOOL"), isBase = !isTool && line.takeWord("$BASE");
     if (isBase) m_baseName = std::exchange(m_nextBase, kAnyBase);
+    m_isToolSet = m_isToolSet || isTool;
     if (isTool || isBase) return setFrame(line, isTool ? m_tool : m_base);
     if (readsOver(line)) return Done{};
     const bool isPtp = line.takeWord("PTP"), isLinear = !isPtp && line.takeWord("LIN");
@@ -272,6 +273,7 @@ class KrlReading {
     motion.speed = isPtp ? m_settings.share() : m_settings.lineSpeed;
     motion.frame = m_base;
     motion.frameName = m_baseName;
+    if (m_isToolSet) motion.tool = m_tool;
     LineReader other = line;
     if (const auto joints = aggregate(line, {"A1", "A2", "A3", "A4", "A5", "A6"})) {
       motion.joints = radiansOf(*joints);
@@ -317,6 +319,7 @@ class KrlReading {
   std::string m_baseName, m_nextBase = kAnyBase;
   std::vector<ProgramStatement> m_blocks;  // of control flow, that are open
   std::optional<double> m_faultInterrupt;  // its number
+  bool m_isToolSet = false;                // by the program; else m_tool is that of the cell
   bool m_isOver = false;
 };
 

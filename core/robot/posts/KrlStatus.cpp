@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/KrlStatus.h"
 
-#include "robot/arm/ClosedFormIk.h"
 #include "robot/posts/ControllerConfiguration.h"
 
 namespace handwheel {
@@ -19,17 +18,6 @@ std::string bits(unsigned value, unsigned count) {
 
 bool isOnSide(double value, bool isBelow) {
   return std::abs(value) < kNoSign || (value < 0.0) == isBelow;
-}
-
-// Moved by whole turns, within the limits; of those with the sign that is asked for the nearest.
-std::optional<double> turnedInto(const ArmJoint& joint, double value, double near, std::optional<bool> isBelow) {
-  std::optional<double> nearest;
-  for (int turns = -2; turns <= 2; ++turns) {
-    const double moved = value + 2.0 * M_PI * turns;
-    if (!joint.isWithin(moved) || (isBelow && !isOnSide(moved, *isBelow))) continue;
-    if (!nearest || std::abs(moved - near) < std::abs(*nearest - near)) nearest = moved;
-  }
-  return nearest;
 }
 
 bool hasStatus(unsigned wanted, const SerialArm& arm, const ArmValues& values) {
@@ -54,22 +42,10 @@ KrlStatus krlStatusOf(const SerialArm& arm, const ArmValues& values) {
 
 std::optional<ArmValues> jointsWith(const KrlStatus& wanted, const SerialArm& arm, const ClosedFormIk& closed,
                                     const Pose& tip, const ArmValues& reference) {
-  IkSolutions solutions;
-  closed.solve(tip, reference, solutions);
-  std::optional<ArmValues> nearest;
-  for (const IkSolutions::Solution& solution : solutions) {
-    ArmValues values = solution.values;
-    bool isWithin = true;
-    for (Eigen::Index i = 0; i < values.size() && isWithin; ++i) {
-      const auto isBelow = wanted.turn ? std::optional((*wanted.turn >> i & 1u) != 0) : std::nullopt;
-      const auto value = turnedInto(arm.joints()[static_cast<std::size_t>(i)], values[i], reference[i], isBelow);
-      isWithin = value.has_value();
-      values[i] = value.value_or(0.0);
-    }
-    if (!isWithin || (wanted.status && !hasStatus(*wanted.status, arm, values))) continue;
-    if (!nearest || (values - reference).squaredNorm() < (*nearest - reference).squaredNorm()) nearest = values;
-  }
-  return nearest;
+  const WantedWay way{
+      [&](Eigen::Index i, double value) { return !wanted.turn || isOnSide(value, (*wanted.turn >> i & 1u) != 0); },
+      [&](const ArmValues& values) { return !wanted.status || hasStatus(*wanted.status, arm, values); }};
+  return jointsOfWay(way, arm, closed, tip, reference);
 }
 
 }  // namespace handwheel

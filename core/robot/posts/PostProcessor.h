@@ -25,6 +25,10 @@ struct ReadMotion {
   std::optional<Pose> frame = {};
   std::string frameName = {};            // of that frame, as the program calls it; empty: it does not
   std::optional<double> toolSpeed = {};  // mm/s: where a language gives a joint motion that of the tool's centre point
+  // In which way the arm comes to the pose of a joint motion depends on where the controller takes it from.
+  bool isWayOpen = false;
+  // The tool's centre point that it is of, in the flange; none: the program does not say.
+  std::optional<Pose> tool = {};
 };
 
 // Writes programs in the language of a controller, and reads them back. docs/posts.md tells how to write one.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
+#include "robot/posts/RapidConfiguration.h"
 #include "robot/posts/RapidNames.h"
 
 #include <algorithm>
@@ -24,17 +24,6 @@ std::string rapidPose(const Pose& pose) {
   if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
   const double parts[] = {turn.w(), turn.x(), turn.y(), turn.z()};
   return "[" + fixedList(std::span(at.data(), 3), 5) + "],[" + fixedList(parts, 10) + "]";
-}
-
-// The quadrants of axes 1, 4 and 6, and how the arm stands.
-std::string configurationText(const SerialArm& arm, const ArmValues& values) {
-  const auto quadrant = [&](Eigen::Index i) {
-    return std::to_string(static_cast<int>(std::floor(values[i] / (90.0 * kRadiansPerDegree))));
-  };
-  const ControllerConfiguration configuration = controllerConfigurationOf(arm, values);
-  const int cfx =
-      (configuration.isRear ? 4 : 0) + (configuration.isElbowDown ? 2 : 0) + (configuration.isFlipped ? 1 : 0);
-  return "[" + quadrant(0) + "," + quadrant(3) + "," + quadrant(5) + "," + std::to_string(cfx) + "]";
 }
 
 std::string zoneText(double blend) {
@@ -116,7 +105,7 @@ class RapidWriting {
       return "    MoveL CalcRobT(" + target("jointtarget", joints, motion) + "," + frame + ")" + speed + end;
     const Pose place = m_program.frame.inverse(Eigen::Isometry) * m_program.tipOf(motion);
     const std::string pose =
-        "[" + rapidPose(place) + "," + configurationText(m_program.arm, motion.joints) + "," + kNoAxes + "]";
+        "[" + rapidPose(place) + "," + rapidConfigurationOf(m_program.arm, motion.joints).text() + "," + kNoAxes + "]";
     return "    MoveL " + target("robtarget", pose, motion) + speed + end;
   }
 

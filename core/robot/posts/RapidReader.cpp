@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/arm/ClosedFormIk.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
+#include "robot/posts/RapidConfiguration.h"
 #include "robot/posts/RapidNames.h"
 #include "robot/posts/RapidStatements.h"
 
@@ -14,10 +16,10 @@ namespace handwheel {
 namespace {
 
 // Instructions that neither move the robot nor change where others lead. Those that are in no list are refused.
-constexpr std::array kRapidStill = {"AccSet",  "ConfL",    "ConfJ",    "SingArea", "GripLoad",  "TPWrite",
-                                    "TPErase", "SetDO",    "SetGO",    "SetAO",    "PulseDO",   "Set",
-                                    "Reset",   "InvertDO", "WaitTime", "WaitDI",   "WaitUntil", "WaitRob",
-                                    "Stop",    "ClkReset", "ClkStart", "ClkStop",  "Incr",      "Decr"};
+constexpr std::array kRapidStill = {"AccSet",   "ConfL",    "SingArea", "GripLoad",  "TPWrite", "TPErase",
+                                    "SetDO",    "SetGO",    "SetAO",    "PulseDO",   "Set",     "Reset",
+                                    "InvertDO", "WaitTime", "WaitDI",   "WaitUntil", "WaitRob", "Stop",
+                                    "ClkReset", "ClkStart", "ClkStop",  "Incr",      "Decr"};
 
 // Functions that only compute or look, and operators before brackets. Others may be routines that move the robot.
 constexpr const char* kRapidFunctions[] = {
@@ -27,6 +29,16 @@ constexpr const char* kRapidFunctions[] = {
     "mod",      "not",     "numtodnum", "numtostr", "offs",     "or",       "orientzyx",  "poseinv",  "posemult",
     "posevect", "pow",     "present",   "reltool",  "round",    "sin",      "sqrt",       "strfind",  "strlen",
     "strpart",  "tan",     "testdi",    "trunc",    "valtostr", "vectmagn", "xor"};
+
+// The closed form of an arm whose ways confdata tell apart, which is one with a spherical wrist.
+std::optional<ClosedFormIk> closedFormOfRapid(const SerialArm& arm) {
+  auto closed = ClosedFormIk::of(arm);
+  if (!closed) return closed;
+  const auto shoulder = closed->configurationOf(arm, ArmValues::Zero(arm.size())).shoulder;
+  const bool isSpherical =
+      shoulder == ArmConfiguration::Shoulder::Front || shoulder == ArmConfiguration::Shoulder::Rear;
+  return isSpherical ? closed : std::nullopt;
+}
 
 // mm, of the zone data that every controller has; none: there are no such ones.
 std::optional<double> standardZone(const std::string& name) {
@@ -41,7 +53,10 @@ std::optional<double> standardZone(const std::string& name) {
 class RapidReading {
  public:
   explicit RapidReading(const RobotProgram& program)
-      : m_program(program), m_joints(static_cast<std::size_t>(program.arm.size())) {
+      : m_program(program),
+        m_joints(static_cast<std::size_t>(program.arm.size())),
+        m_closed(closedFormOfRapid(program.arm)),
+        m_reference(ArmValues::Zero(program.arm.size())) {
     m_tools["tool0"] = m_frames["wobj0"] = Pose::Identity();
     if (!program.frameName.empty() && !program.declaresFrame) m_frames[folded(rapidFrameName(program))] = program.frame;
     addKnownFrames();
@@ -80,6 +95,10 @@ class RapidReading {
     if (callsOther(other.rest(), kRapidFunctions)) return unread(statement.text, statement.line);
     if (line.takeWord("VelSet")) {
       readOverride(line);
+      return Done{};
+    }
+    if (line.takeWord("ConfJ")) {
+      m_isWayGiven = !line.take("\\") || !line.takeWord("Off");
       return Done{};
     }
     for (const char* const still : kRapidStill) {
@@ -228,13 +247,36 @@ class RapidReading {
     const std::string_view tool = arguments.size() > 3 ? arguments[3] : "";
     motion.frame = frameIn(tool);
     motion.frameName = frameNameIn(tool);
+    if (const auto known = m_tools.find(folded(LineReader(tool, 0).name())); known != m_tools.end())
+      motion.tool = known->second;
     if (motion.pose) {
       const auto place = placed(*motion.pose, tool, number);
       if (!place) return place.error();
       motion.pose = *place;
+      if (kind == ProgramMotion::Kind::Joint && !takeConfiguration(numbers, motion))
+        return line.malformed("target", "the robot reaches its place in no way with this configuration");
     }
+    if (motion.joints) m_reference = *motion.joints;
     motions.push_back(std::move(motion));
     return Done{};
+  }
+
+  // Of a joint motion to a robtarget the joint values that its confdata name, if they name any and count. A line goes
+  // on in the way in which it begins. False: no way of the robot has them.
+  bool takeConfiguration(const Numbers& robtarget, ReadMotion& motion) const {
+    constexpr std::size_t kBegin = 7, kCount = 4;
+    const bool hasConfiguration = robtarget.size() >= kBegin + kCount;
+    const auto wanted = hasConfiguration ? rapidConfigurationFrom(std::span(robtarget).subspan(kBegin, kCount))
+                                         : std::optional<RapidConfiguration>();
+    if (!wanted || !m_closed || !m_isWayGiven) {
+      motion.isWayOpen = true;
+      return true;
+    }
+    const Pose tip = m_program.frame * *motion.pose * m_program.tool.inverse(Eigen::Isometry);
+    motion.joints = jointsWith(*wanted, m_program.arm, *m_closed, tip, m_reference);
+    if (!motion.joints) return false;
+    motion.pose = std::nullopt;
+    return true;
   }
 
   // The argument that names tool and frame, in one spelling.
@@ -325,6 +367,9 @@ class RapidReading {
 
   const RobotProgram& m_program;
   std::size_t m_joints;
+  std::optional<ClosedFormIk> m_closed;
+  ArmValues m_reference;                        // where the joints are, as far as the program says
+  bool m_isWayGiven = true;                     // ConfJ\On
   double m_share = 1.0, m_most = 5'000.0;       // of VelSet; 0: not known
   std::optional<std::string> m_calculatedWith;  // toolText() of CalcRobT in the present motion
   Table m_jointTargets, m_robTargets, m_speeds;

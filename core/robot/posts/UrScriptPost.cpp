@@ -259,6 +259,7 @@ class UrScriptReading {
     const auto numbers = line.take("(") && line.take("p") ? line.numbersWithin('[', ']', 6) : std::nullopt;
     if (!numbers || numbers->size() != 6) return line.malformed("tool", "six numbers in brackets were expected");
     m_tool = urPoseOf(*numbers);
+    m_isToolSet = true;
     return Done{};
   }
 
@@ -272,12 +273,14 @@ class UrScriptReading {
       *motion->speed /= kMetresOfMillimetre;
     if (motion->pose)
       motion->pose = placeIn(m_program, motion->frame.value_or(Pose(Pose::Identity())), *motion->pose, m_tool);
+    if (m_isToolSet) motion->tool = m_tool;
     motions.push_back(std::move(motion).value());
     return Done{};
   }
 
   const RobotProgram& m_program;
   Pose m_tool;  // in the flange: that of the cell until the program sets another
+  bool m_isToolSet = false;
   UrFrames m_frames;
 };
 

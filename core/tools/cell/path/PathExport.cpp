@@ -81,6 +81,14 @@ double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional
   return std::clamp(own ? *own : share.value_or(Waypoint().speed), 1e-3, 1.0);
 }
 
+// As far as programs write them: with hundredths of mm and degrees.
+bool isSameTool(const Pose& a, const Pose& b) {
+  constexpr double kSameTool = 0.02;  // mm, degrees
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(a.linear().transpose() * b.linear()));
+  return (a.translation() - b.translation()).norm() <= kSameTool &&
+         std::abs(turn.angle()) <= kSameTool * kRadiansPerDegree;
+}
+
 // The frames of the cell that the robot does not move.
 std::vector<ProgramFrame> framesBeside(const CellScene& scene, const RobotCellSnapshot& cell) {
   const RobotModel& robot = cell.robot->model;
@@ -179,8 +187,12 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   const Result<std::vector<ReadMotion>> motions = post.read(text, frame);
   if (!motions) return motions.error();
   RobotPath path{"program", {}, cell.plans->arm};
+  std::vector<std::size_t> openWays;
+  std::optional<Pose> otherTool;
   ArmValues before = scene.planned(cell.joints);
   for (const ReadMotion& motion : *motions) {
+    if (motion.isWayOpen) openWays.push_back(motion.line);
+    if (!otherTool && motion.tool && !isSameTool(*motion.tool, frame.tool)) otherTool = motion.tool;
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     progress.set(static_cast<double>(path.places.size()) / static_cast<double>(motions->size()));
     const ArmValues from = before;
@@ -211,7 +223,11 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
     place.blend = std::max(0.0, motion.blend);
     path.places.push_back(std::move(place));
   }
-  return ProgramPath{std::move(path), framesOf(*motions, basePose(cell.robot->model, scene.plannedArm()))};
+  std::ranges::sort(openWays);
+  const auto repeated = std::ranges::unique(openWays);
+  openWays.erase(repeated.begin(), repeated.end());
+  return ProgramPath{std::move(path), framesOf(*motions, basePose(cell.robot->model, scene.plannedArm())),
+                     std::move(openWays), otherTool};
 }
 
 Result<ProgramPath> pathFromFile(const CellScene& scene, const RobotCellSnapshot& cell,

@@ -47,6 +47,11 @@ const PostProcessor& usualPost(const RobotArm& arm);
 struct ProgramPath {
   RobotPath path;
   std::vector<NamedFrame> frames = {};
+  // The lines with poses in whatever way the arm comes to them from where it is (ReadMotion::isWayOpen), in order.
+  std::vector<std::size_t> openWays = {};
+  // The tool's centre point in the flange of the first place whose tool is not that of the cell; none: all have it, or
+  // do not say. The arm comes to the places all the same, but straight lines are those of the cell's tool.
+  std::optional<Pose> otherTool = {};
 };
 
 // A program in the language of a controller as a path: poses are reached by the joint values that are nearest to those

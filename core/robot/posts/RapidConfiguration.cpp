@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/RapidConfiguration.h"
+
+#include "robot/posts/ControllerConfiguration.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kQuarter = 0.5 * M_PI;
+constexpr std::array<Eigen::Index, 3> kQuarterJoints{0, 3, 5};
+constexpr double kQuarterSlack = 1e-3;  // rad: nearer to the end of a quarter turn an axis may be in either, as files
+                                        // round poses
+
+bool isInQuarter(double value, int quarter) {
+  return value >= kQuarter * quarter - kQuarterSlack && value <= kQuarter * (quarter + 1) + kQuarterSlack;
+}
+
+// The sign of axis 5 within the rounding of files.
+bool hasRapidWay(int wanted, const SerialArm& arm, const ArmValues& values) {
+  const int different = wanted ^ rapidConfigurationOf(arm, values).way;
+  constexpr double kNoFifthSign = 1e-4;  // rad
+  return different == 0 || (different == 1 && std::abs(values[4]) < kNoFifthSign);
+}
+
+}  // namespace
+
+std::string RapidConfiguration::text() const {
+  std::string text = "[";
+  for (const int quarter : quarters) text += std::to_string(quarter) + ",";
+  return text + std::to_string(way) + "]";
+}
+
+RapidConfiguration rapidConfigurationOf(const SerialArm& arm, const ArmValues& values) {
+  RapidConfiguration configuration;
+  for (std::size_t i = 0; i < kQuarterJoints.size(); ++i)
+    configuration.quarters[i] = static_cast<int>(std::floor(values[kQuarterJoints[i]] / kQuarter));
+  const ControllerConfiguration how = controllerConfigurationOf(arm, values);
+  configuration.way = (how.isRear ? 4 : 0) + (how.isElbowDown ? 2 : 0) + (how.isFlipped ? 1 : 0);
+  return configuration;
+}
+
+std::optional<RapidConfiguration> rapidConfigurationFrom(std::span<const double> numbers) {
+  constexpr double kMostQuarters = 1e6;
+  constexpr int kWays = 8;
+  const auto isCount = [](double number) { return std::abs(number) < kMostQuarters && number == std::floor(number); };
+  if (numbers.size() != 4 || !std::ranges::all_of(numbers, isCount)) return std::nullopt;
+  const RapidConfiguration configuration{
+      {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), static_cast<int>(numbers[2])},
+      static_cast<int>(numbers[3])};
+  if (configuration.way < 0 || configuration.way >= kWays) return std::nullopt;
+  return configuration;
+}
+
+std::optional<ArmValues> jointsWith(const RapidConfiguration& wanted, const SerialArm& arm, const ClosedFormIk& closed,
+                                    const Pose& tip, const ArmValues& reference) {
+  const WantedWay way{[&](Eigen::Index i, double value) {
+                        const auto at = std::ranges::find(kQuarterJoints, i);
+                        return at == kQuarterJoints.end() ||
+                               isInQuarter(value,
+                                           wanted.quarters[static_cast<std::size_t>(at - kQuarterJoints.begin())]);
+                      },
+                      [&](const ArmValues& values) { return hasRapidWay(wanted.way, arm, values); }};
+  // Where two axes are in line, any share of their turn may be that of the first, which the solution has from the
+  // reference. The ends of its quarter are enough to try: where the other axis is within a quarter of its own, too, it
+  // is so at one of them.
+  const auto within = [&](ArmValues values, int end) {
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+      double& value = values[kQuarterJoints[i]];
+      const double lower = kQuarter * wanted.quarters[i], upper = lower + kQuarter;
+      value = end < 0 ? lower : end > 0 ? upper : std::clamp(value, lower, upper);
+    }
+    return values;
+  };
+  for (const int end : {0, -1, 1}) {
+    if (auto values = jointsOfWay(way, arm, closed, tip, within(reference, end))) return values;
+  }
+  return std::nullopt;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/RapidConfiguration.h"
+
+#include "AnyProgram.h"
+#include "TestClass.h"
+#include "robot/arm/ClosedFormIk.h"
+#include "robot/posts/PostText.h"
+
+#include <Eigen/SVD>
+#include <QTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+ArmValues rapidJointsOf(const QList<double>& degrees) {
+  return radiansOf(std::span(degrees.data(), static_cast<std::size_t>(degrees.size())));
+}
+
+// A joint motion to the place of these joint values, with the confdata that the post gives a line to it.
+std::string rapidMoveJ(RobotProgram program, const ArmValues& joints) {
+  program.isBaseOfController = true;
+  program.motions = {{ProgramMotion::Kind::Linear, joints, 50.0, 0.0, {}}};
+  std::string text = postCalled("rapid")->write(program);
+  return text.replace(text.find("MoveL"), 5, "MoveJ");
+}
+
+std::string textWith(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  return at == text.npos ? std::string() : text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+// Which way of the arm a joint motion to a robtarget ends in, by ABB's definition of confdata.
+class RapidConfigurationTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // An IRB 120 by its drawing: the wrist is 270 sin J2 + 70 sin (J2 + J3) + 302 cos (J2 + J3) mm ahead of axis 1, and
+  // behind the lower arm for J3 < -atan (302 / 70) = -76.95 degrees. cf1, cf4 and cf6 are floor(angle / 90).
+  void definition_data() {
+    QTest::addColumn<QList<double>>("degrees");
+    QTest::addColumn<QByteArray>("configuration");
+    const auto row = [](QList<double> degrees, const char* configuration) {
+      QTest::newRow(configuration) << std::move(degrees) << QByteArray(configuration);
+    };
+    row({10, 0, 0, -30, 40, 100}, "[0,-1,1,0]");            // 302 mm
+    row({-10, 0, 0, 95, -40, -100}, "[-1,1,-2,1]");         // 302 mm
+    row({100, 60, -100, -95, 30, 200}, "[1,-2,2,2]");       // 420 mm
+    row({-100, 60, -100, 20, -30, -300}, "[-2,0,-4,3]");    // 420 mm
+    row({20, -100, -30, 45, 60, 380}, "[0,0,4,4]");         // -514 mm
+    row({20, -100, -30, 45, -60, -10}, "[0,0,-1,5]");       // -514 mm
+    row({160, -60, -100, -150, 100, 85}, "[1,-2,0,6]");     // -541 mm
+    row({-160, -60, -100, 150, -100, -95}, "[-2,1,-2,7]");  // -541 mm
+  }
+  void definition() {
+    QFETCH(const QList<double>, degrees);
+    QFETCH(const QByteArray, configuration);
+    const RobotProgram program = programOf("irb120");
+    const ArmValues joints = rapidJointsOf(degrees);
+    QCOMPARE(rapidConfigurationOf(program.arm, joints).text(), configuration.toStdString());
+    const std::string text = rapidMoveJ(program, joints);
+    QVERIFY2(text.find("," + configuration.toStdString() + ",[9E9") != text.npos, text.c_str());
+    const auto read = postCalled("rapid")->read(text, program);
+    QVERIFY(read.hasValue());
+    QVERIFY((*read)[0].kind == ProgramMotion::Kind::Joint && !(*read)[0].isWayOpen);
+    QVERIFY((*read)[0].joints && (*(*read)[0].joints - joints).cwiseAbs().maxCoeff() < 1e-5);
+  }
+
+  // What is written of any joint values within the limits is read as these, whatever way they are. Not where the arm
+  // can hardly move: there the rounding of the text tells the ways no longer apart.
+  void anyJoints_data() {
+    QTest::addColumn<QByteArray>("robot");
+    for (const LibraryRobot& robot : robotLibrary()) QTest::newRow(robot.id) << QByteArray(robot.id);
+  }
+  void anyJoints() {
+    QFETCH(const QByteArray, robot);
+    const RobotProgram program = programOf(robot.constData());
+    const bool isUniversal = robot.startsWith("ur");
+    QVERIFY(rc::check("joints of a way", [&] {
+      ArmValues joints(program.arm.size());
+      for (Eigen::Index i = 0; i < joints.size(); ++i) {
+        const ArmJoint& joint = program.arm.joints()[static_cast<std::size_t>(i)];
+        joints[i] = anyNumber(joint.lower, joint.upper);
+      }
+      ArmJacobian jacobian;
+      program.arm.tipPose(joints, jacobian);
+      jacobian.topRows(3) *= 1e-3;  // m
+      const Eigen::MatrixXd moves = jacobian;
+      RC_PRE(Eigen::JacobiSVD<Eigen::MatrixXd>(moves).singularValues().minCoeff() > 0.003);
+      const auto read = postCalled("rapid")->read(rapidMoveJ(program, joints), program);
+      RC_ASSERT(read.hasValue());
+      const ReadMotion& motion = read->front();
+      RC_ASSERT(motion.isWayOpen == isUniversal);  // confdata tell the ways of spherical wrists apart
+      if (!isUniversal) RC_ASSERT((*motion.joints - joints).cwiseAbs().maxCoeff() < 1e-4);
+    }));
+  }
+
+  // All ways to one place have confdata of their own, and what no way has is refused with its line.
+  void otherWays() {
+    const RobotProgram program = programOf("irb120");
+    const ArmValues joints = rapidJointsOf({30, 20, 10, 80, 57, 0});
+    const std::string text = rapidMoveJ(program, joints);
+    const auto read = [&](const std::string& configuration) {
+      return postCalled("rapid")->read(textWith(text, "[0,0,0,0],[9E9", configuration + ",[9E9"), program);
+    };
+    // The other way of the wrist: axis 5 to its other side, the axes 4 and 6 by half a turn.
+    const auto flipped = read("[0,-2,2,1]");
+    QVERIFY(flipped.hasValue());
+    QVERIFY((*(*flipped)[0].joints - rapidJointsOf({30, 20, 10, -100, -57, 180})).cwiseAbs().maxCoeff() < 1e-5);
+    const auto back = read("[0,-2,-2,1]");  // axis 6 at the end of its quarter turn, half a turn to the other side
+    QVERIFY(back.hasValue());
+    QVERIFY((*(*back)[0].joints - rapidJointsOf({30, 20, 10, -100, -57, -180})).cwiseAbs().maxCoeff() < 1e-5);
+    QVERIFY(read("[0,0,4,0]").hasValue());  // with a whole turn of axis 6
+    for (const char* const none : {"[0,0,0,1]", "[1,0,0,0]", "[0,1,0,0]", "[0,-2,1,0]", "[0,0,0,4]", "[0,0,8,0]"}) {
+      const auto refused = read(none);
+      QVERIFY2(!refused.hasValue(), none);
+      const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("MoveJ")), '\n');
+      QCOMPARE(refused.error().position.value, static_cast<std::uint64_t>(line + 1));
+    }
+  }
+
+  // Without a configuration that counts the way is the nearest to where the arm comes from, and that is told.
+  void openWays() {
+    const RobotProgram program = programOf("irb120");
+    const std::string text = rapidMoveJ(program, rapidJointsOf({30, 20, 10, 80, 57, 0}));
+    const auto isOpen = [&](const std::string& changed) {
+      const auto read = postCalled("rapid")->read(changed, program);
+      return read.hasValue() && (*read)[0].isWayOpen && (*read)[0].pose && !(*read)[0].joints;
+    };
+    for (const char* const odd :
+         {"[9E9,9E9,9E9,9E9]", "[0,0,0,8]", "[0,0,0,-1]", "[0,0.5,0,0]", "[1E30,0,0,0]", "[0,0,0,9E9]"})
+      QVERIFY2(isOpen(textWith(text, "[0,0,0,0],[9E9", odd + std::string(",[9E9"))), odd);
+    QVERIFY(isOpen(textWith(text, "    VelSet", "    ConfJ\\Off;\n    VelSet")));
+    QVERIFY(isOpen(textWith(text, "    VelSet", "    confj \\ off;\n    VelSet")));
+    QVERIFY(!isOpen(textWith(text, "    VelSet", "    ConfJ\\Off;\n    ConfJ\\On;\n    VelSet")));
+    QVERIFY(!isOpen(textWith(text, "    VelSet", "    ConfL\\Off;\n    VelSet")));  // of lines
+    // A line goes on in the way in which it begins.
+    const auto line = postCalled("rapid")->read(textWith(text, "MoveJ", "MoveL"), program);
+    QVERIFY(line.hasValue() && (*line)[0].pose && !(*line)[0].isWayOpen);
+  }
+
+  // With axes 4 and 6 in line only the sum of their angles is given by a pose; here it is 0.
+  void inLine() {
+    const SerialArm arm = armCalled("irb120");
+    const auto closed = ClosedFormIk::of(arm);
+    QVERIFY(closed.has_value());
+    const ArmValues zero = ArmValues::Zero(6);
+    const Pose tip = arm.tipPose(zero);
+    const auto found = [&](const RapidConfiguration& wanted) { return jointsWith(wanted, arm, *closed, tip, zero); };
+    const std::vector<RapidConfiguration> possible = {
+        {{0, 0, 0}, 0}, {{0, 0, -1}, 0}, {{0, -1, 0}, 1}, {{0, 1, -2}, 0}, {{-1, -2, 1}, 0}};
+    for (const RapidConfiguration& wanted : possible) {
+      const auto values = found(wanted);
+      QVERIFY2(values.has_value(), wanted.text().c_str());
+      QVERIFY((arm.tipPose(*values).matrix() - tip.matrix()).cwiseAbs().maxCoeff() < 1e-4);
+      for (const auto& [axis, quarter] : {std::pair(3, wanted.quarters[1]), std::pair(5, wanted.quarters[2])}) {
+        QVERIFY((*values)[axis] >= 0.5 * M_PI * quarter - 2e-3);
+        QVERIFY((*values)[axis] <= 0.5 * M_PI * (quarter + 1) + 2e-3);
+      }
+    }
+    const std::vector<RapidConfiguration> impossible = {{{0, 1, 1}, 0}, {{0, 1, 0}, 0}, {{0, 0, 0}, 4}};
+    for (const RapidConfiguration& wanted : impossible) QVERIFY2(!found(wanted), wanted.text().c_str());
+  }
+
+  void numbers() {
+    const auto from = [](std::initializer_list<double> numbers) {
+      return rapidConfigurationFrom(std::span(numbers.begin(), numbers.size()));
+    };
+    QVERIFY(from({1, -2, 3, 7}) == (RapidConfiguration{{1, -2, 3}, 7}));
+    QVERIFY(!from({}) && !from({0, 0, 0}) && !from({0, 0, 0, 0, 0}));
+    QVERIFY(!from({std::nan(""), 0, 0, 0}) && !from({0, 0, HUGE_VAL, 0}) && !from({0, -1e300, 0, 0}));
+  }
+};
+
+HANDWHEEL_TEST(RapidConfigurationTest)
+#include "RapidConfigurationTest.moc"

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/ProgramRemarks.h"
+
+#include "../ArmCell.h"
+#include "TestClass.h"
+#include "base/Units.h"
+
+#include <QTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr const char* kNowhere = ",[9E9,9E9,9E9,9E9,9E9,9E9]]";
+
+Pose toolOfLength(double length) {
+  return Pose(Eigen::Translation3d(0.0, 0.0, length));
+}
+
+}  // namespace
+
+// What is told of programs that are opened as paths.
+class ProgramRemarksTest : public QObject {
+  Q_OBJECT
+
+  static Result<ProgramPath> opened(ArmCell& cell, const char* post, const std::string& text) {
+    return pathFromProgram(*cell.scene(), cell.content(), *postCalled(post), text);
+  }
+  static QString remarksOn(ArmCell& cell, const char* post, const std::string& text) {
+    const auto read = opened(cell, post, text);
+    return read ? programRemarks(*read, cell.content().plans->tool).join(QLatin1Char('\n'))
+                : QStringLiteral("not read");
+  }
+
+ private slots:
+  void tools_data() {
+    QTest::addColumn<QByteArray>("post");
+    QTest::addColumn<QByteArray>("text");  // with the tool for $T, in mm, or $M, in m
+    const std::string joints = std::string("[[10,0,0,0,30,0]") + kNowhere;
+    QTest::newRow("rapid") << QByteArray("rapid")
+                           << QByteArray::fromStdString(
+                                  "PERS tooldata grip:=[TRUE,[[0,0,$T],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\n"
+                                  "MoveAbsJ " +
+                                  joints + ",v100,fine,grip;\n");
+    QTest::newRow("krl") << QByteArray("krl")
+                         << QByteArray("$TOOL={X 0,Y 0,Z $T,A 0,B 0,C 0}\nPTP {A1 0,A2 0,A3 0,A4 0,A5 30,A6 0}\n");
+    QTest::newRow("urscript") << QByteArray("urscript")
+                              << QByteArray("set_tcp(p[0,0,$M,0,0,0])\nmovej([0,0,0,0,0.5,0])\n");
+  }
+  // Both are named where they differ by more than what programs round.
+  void tools() {
+    QFETCH(const QByteArray, post);
+    QFETCH(QByteArray, text);
+    ArmCell cell;
+    CellPlans plans;
+    plans.tool = toolOfLength(120.0);
+    cell.plan(plans);
+    const auto told = [&](double length) {
+      QByteArray program = text;
+      program.replace("$T", QByteArray::number(length)).replace("$M", QByteArray::number(1e-3 * length, 'f', 6));
+      return remarksOn(cell, post.constData(), program.toStdString());
+    };
+    QCOMPARE(told(120.0), QString());
+    QCOMPARE(told(120.01), QString());
+    const QString other = told(150.0);
+    QVERIFY2(other.contains("0, 0, 150 mm") && other.contains("0, 0, 120 mm"), qPrintable(other));
+  }
+
+  // A turn of the tool is a difference, too, and a program that names no tool has none.
+  void turnedTools() {
+    ArmCell cell;
+    CellPlans plans;
+    plans.tool = Pose(Eigen::Translation3d(0.0, 0.0, 120.0) * Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitZ()));
+    cell.plan(plans);
+    const std::string joints = std::string("MoveAbsJ [[10,0,0,0,30,0]") + kNowhere + ",v100,fine,grip;\n";
+    const std::string turned =
+        remarksOn(cell, "rapid",
+                  "PERS tooldata grip:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\n" + joints)
+            .toStdString();
+    QVERIFY2(turned.find("0, 0, 120 mm, turned by 0, 0, 90") != turned.npos, turned.c_str());
+    QCOMPARE(remarksOn(cell, "rapid", joints), QString());  // its data are at the controller
+    QCOMPARE(remarksOn(cell, "krl", "PTP {A1 0,A2 0,A3 0,A4 0,A5 30,A6 0}\n"), QString());
+    QCOMPARE(remarksOn(cell, "urscript", "movej([0,0,0,0,0.5,0])\n"), QString());
+  }
+
+  // A joint motion to a pose: in the way that its configuration names, whatever is nearer; without one in the nearest,
+  // and its line is told, once.
+  void ways() {
+    ArmCell cell;
+    const SerialArm arm = cell.scene()->armFromBase();
+    ArmValues near(6), far(6);
+    near << 0.5, 0.3, 0.2, 1.4, 1.0, 0.0;
+    far << 0.5, 0.3, 0.2, 1.4 - M_PI, -1.0, M_PI;  // the wrist turned over
+    const Pose tip = arm.tipPose(near);
+    QVERIFY(tip.isApprox(arm.tipPose(far), 1e-9));
+    const Eigen::Quaterniond turn(tip.linear());
+    const auto listed = [](std::initializer_list<double> numbers) {
+      QStringList texts;
+      for (const double number : numbers) texts += QString::number(number, 'f', 12);
+      return "[" + texts.join(QLatin1Char(',')).toStdString() + "]";
+    };
+    const std::string pose = listed({tip.translation().x(), tip.translation().y(), tip.translation().z()}) + "," +
+                             listed({turn.w(), turn.x(), turn.y(), turn.z()});
+    const auto program = [&](const std::string& configuration) {
+      return std::string("PROC main()\nMoveAbsJ [[25,17,11,70,50,0]") + kNowhere + ",v100,fine,tool0;\nMoveJ [" + pose +
+             "," + configuration + kNowhere + ",v100,fine,tool0;\nENDPROC\n";
+    };
+    const auto endsAt = [&](const std::string& configuration, const ArmValues& wanted) {
+      const auto read = opened(cell, "rapid", program(configuration));
+      return read.hasValue() && read->path.places.size() == 2 &&
+             (cell.scene()->planned(read->path.places[1].joints) - wanted).cwiseAbs().maxCoeff() < 1e-5;
+    };
+    QVERIFY(endsAt("[0,0,0,0]", near));
+    QVERIFY(endsAt("[0,-2,2,1]", far));
+    QVERIFY(endsAt("[9E9,9E9,9E9,9E9]", near));
+    QVERIFY(!opened(cell, "rapid", program("[0,0,0,1]")).hasValue());
+    QCOMPARE(remarksOn(cell, "rapid", program("[0,-2,2,1]")), QString());
+    const QString told = remarksOn(cell, "rapid", program("[9E9,9E9,9E9,9E9]"));
+    QVERIFY2(told.contains(": 3."), qPrintable(told));
+    ProgramPath many;
+    for (std::size_t line = 1; line <= 1000; ++line) many.openWays.push_back(line);
+    QVERIFY(programRemarks(many, Pose::Identity()).join(QString()).contains(": 1, 2, 3, 4, 5, …."));
+    QVERIFY(programRemarks(ProgramPath(), Pose::Identity()).isEmpty());
+  }
+};
+
+HANDWHEEL_TEST(ProgramRemarksTest)
+#include "ProgramRemarksTest.moc"
