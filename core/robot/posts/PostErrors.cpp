@@ -36,6 +36,14 @@ const ErrorDescription PostError::TooFast{
                                "motion %1 is a line at %2 mm/s, and %3 controllers accept at most %4 mm/s")},
     .advice = {translatable("ErrorText", "Lower the speed of the place at its end.")}};
 
+const ErrorDescription PostError::BaseUnknown{
+    .id = "PostBaseUnknown",
+    .sentences = {translatable("ErrorText",
+                               "the pose is in the base of the controller, which the description of %1 does not have")},
+    .advice = {translatable(
+        "ErrorText",
+        "Use the built-in robot, add a link 'base' to the description, or give the motions joint values.")}};
+
 const ErrorDescription PostError::MotionDiffers{
     .id = "PostMotionDiffers",
     .sentences = {translatable("ErrorText", "the %2 of motion %1 is %4 in the program, and %3 in the path")},

@@ -27,6 +27,8 @@ struct ReadMotion {
   std::optional<double> toolSpeed = {};  // mm/s: where a language gives a joint motion that of the tool's centre point
   // In which way the arm comes to the pose of a joint motion depends on where the controller takes it from.
   bool isWayOpen = false;
+  // Pose and frame count from the base of the controller (ControllerBase.h), which may be turned against the program's.
+  bool isInControllersBase = false;
   // The tool's centre point that it is of, in the flange; none: the program does not say.
   std::optional<Pose> tool = {};
 };

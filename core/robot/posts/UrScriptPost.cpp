@@ -274,6 +274,7 @@ class UrScriptReading {
     if (motion->pose)
       motion->pose = placeIn(m_program, motion->frame.value_or(Pose(Pose::Identity())), *motion->pose, m_tool);
     if (m_isToolSet) motion->tool = m_tool;
+    motion->isInControllersBase = motion->pose.has_value();
     motions.push_back(std::move(motion).value());
     return Done{};
   }
@@ -325,7 +326,7 @@ std::string UrScriptPost::write(const RobotProgram& program) const {
   return text + "end\n\n# Leave this call out where the file is sent to a port of the controller.\n" + name + "()\n";
 }
 
-// Poses of URScript are in the base, taken as that of the arm: they are brought into the frame of the program.
+// Poses of URScript are in the controller's base, here as if that of the arm were this, and in the program's frame.
 Result<std::vector<ReadMotion>> UrScriptPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, "#");
   if (!lines) return lines.error();

@@ -9,8 +9,10 @@
 #include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/CellFrames.h"
+#include "robot/ControllerBase.h"
 #include "robot/arm/NumericalIk.h"
 #include "robot/dh/DhTable.h"
+#include "robot/posts/PostErrors.h"
 #include "robot/posts/PostText.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/path/ProgramFrames.h"
@@ -184,13 +186,14 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   for (const NamedFrame& each : cell.plans->frames) frame.otherFrames.push_back(each.name);
   // Readers of controllers with six joints count on six.
   if (const std::vector<Error> refusals = post.refusals(frame); !refusals.empty()) return refusals.front();
-  const Result<std::vector<ReadMotion>> motions = post.read(text, frame);
+  Result<std::vector<ReadMotion>> motions = post.read(text, frame);
   if (!motions) return motions.error();
+  const std::optional<Pose> controllers = controllerBase(cell.robot->model, scene.plannedArm());
   RobotPath path{"program", {}, cell.plans->arm};
   std::vector<std::size_t> openWays;
   std::optional<Pose> otherTool;
   ArmValues before = scene.planned(cell.joints);
-  for (const ReadMotion& motion : *motions) {
+  for (ReadMotion& motion : *motions) {
     if (motion.isWayOpen) openWays.push_back(motion.line);
     if (!otherTool && motion.tool && !isSameTool(*motion.tool, frame.tool)) otherTool = motion.tool;
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
@@ -200,6 +203,10 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
       error.position = InputPosition::line(motion.line);
       return error;
     };
+    if (motion.isInControllersBase && !controllers)
+      return located({PostError::BaseUnknown, {scene.plannedArm().title}, {}, {}});
+    if (motion.isInControllersBase && motion.pose) motion.pose = *controllers * *motion.pose;
+    if (motion.isInControllersBase && motion.frame) motion.frame = *controllers * *motion.frame;
     const bool isSound = motion.joints ? motion.joints->size() == scene.arm.size() && motion.joints->allFinite()
                                        : motion.pose && motion.pose->matrix().allFinite();
     if (!isSound)

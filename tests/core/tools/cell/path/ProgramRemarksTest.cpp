@@ -5,6 +5,7 @@
 #include "../ArmCell.h"
 #include "TestClass.h"
 #include "base/Units.h"
+#include "robot/posts/PostErrors.h"
 
 #include <QTest>
 
@@ -83,6 +84,53 @@ class ProgramRemarksTest : public QObject {
     QCOMPARE(remarksOn(cell, "rapid", joints), QString());  // its data are at the controller
     QCOMPARE(remarksOn(cell, "krl", "PTP {A1 0,A2 0,A3 0,A4 0,A5 30,A6 0}\n"), QString());
     QCOMPARE(remarksOn(cell, "urscript", "movej([0,0,0,0,0.5,0])\n"), QString());
+  }
+
+  // A description for ROS has its base turned by half a turn against the controller's, which it has as the link "base":
+  // the same program is the same joint values as with the built-in robot. Without that link poses are refused.
+  void controllersBase() {
+    ArmCell builtIn("ur5");
+    const std::string text =
+        "table = p[0.1,0.2,0,0,0,0.3]\nmovej([0.3,-1.2,1.5,-1.6,-1.4,0.2])\n"
+        "movel(p[-0.35,-0.35,0.4,0.5,3,0.2])\nmovel(pose_trans(table,p[-0.4,-0.5,0.4,0.5,3,0.2]))\n";
+    const auto wanted = opened(builtIn, "urscript", text);
+    QVERIFY(wanted.hasValue());
+    RobotCellSnapshot cell = builtIn.content();
+    cell.plans = std::make_shared<const CellPlans>();
+    auto robot = std::make_shared<CellRobot>(*cell.robot);
+    RobotModel& model = robot->model;
+    const Pose half(Eigen::AngleAxisd(M_PI, Vec3::UnitZ()));
+    model.name = robot->arms[0].title = "ur5_robot";
+    model.links[model.root].name = "base_link";
+    for (Joint& joint : model.joints) {
+      if (joint.parent == model.root) joint.origin = half * joint.origin;
+    }
+    cell.robot = robot;
+    const auto read = [&](const std::string& program) -> Result<ProgramPath> {
+      CollisionMeshes meshes;
+      const Result<CellScene> scene = sceneOf(cell, meshes);
+      if (!scene) return scene.error();
+      return pathFromProgram(*scene, cell, *postCalled("urscript"), program);
+    };
+    const auto refused = read(text);
+    QVERIFY(!refused.hasValue());
+    QVERIFY(refused.error().code == PostError::BaseUnknown);
+    QCOMPARE(refused.error().position.value, std::uint64_t{3});
+    QVERIFY(read("movej([0.3,-1.2,1.5,-1.6,-1.4,0.2])\nmovel([0.4,-1.2,1.5,-1.6,-1.4,0.2])\n").hasValue());
+    const auto link = static_cast<std::uint32_t>(model.links.size());
+    const auto joint = static_cast<std::uint32_t>(model.joints.size());
+    model.links.push_back({.name = "base", .parentJoint = joint, .visuals = {}, .collisions = {}});
+    model.joints.push_back(
+        {.name = "base_link-base", .parent = model.root, .child = link, .origin = half, .limits = {}});
+    model.order.push_back(joint);
+    const auto same = read(text);
+    QVERIFY(same.hasValue());
+    QCOMPARE(same->path.places.size(), std::size_t{3});
+    for (std::size_t i = 0; i < 3; ++i)
+      QVERIFY((same->path.places[i].joints - wanted->path.places[i].joints).cwiseAbs().maxCoeff() < 1e-5);
+    // Its frame is in the cell where the program has it: half a turn about z.
+    QCOMPARE(same->frames.size(), std::size_t{1});
+    QVERIFY((same->frames[0].pose.translation() - Vec3(-100, -200, 0)).norm() < 1e-6);
   }
 
   // A joint motion to a pose: in the way that its configuration names, whatever is nearer; without one in the nearest,
