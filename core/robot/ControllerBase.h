@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// The base that the controller of a robot counts from, in the base of the robot. Of a built-in robot that is its own,
-// of a description its link "base", as ROS calls it (REP 199), with what its base_link has before its name; it must be
-// fixed to the base of the robot. None: the description does not say.
+// The base that a controller counts from, in that of its robot. A built-in robot has its own there, a description the
+// link "base", as ROS calls it (REP 199), with what its base_link has before its name; it must be fixed to the base of
+// the robot. None: the description does not say.
 std::optional<Pose> controllerBase(const RobotModel& robot, const RobotArm& arm);
 
 }  // namespace handwheel

@@ -171,6 +171,12 @@ std::size_t placeNumber(LineReader& line) {
   return static_cast<std::size_t>(*number);
 }
 
+// The remark of "P[12:home]"; empty: it has none.
+std::string_view placeRemark(std::string_view place) {
+  const std::size_t begin = place.find(':'), end = place.find(']');
+  return begin < end && end != place.npos ? place.substr(begin + 1, end - begin - 1) : std::string_view();
+}
+
 // What follows the target: "50%", "100mm/sec", "60cm/min", "4inch/min". None: another unit, as seconds.
 std::optional<double> fanucSpeedFrom(LineReader line, bool isJoint) {
   const auto value = line.number();
@@ -251,7 +257,7 @@ class FanucReading {
   void readRemark(LineReader line) {
     if (m_named) {
       line.take("!");
-      if (const std::string_view name = line.name(); !name.empty()) m_frameNames[*m_named] = readFrameName(name);
+      if (const std::string_view name = line.name(); !name.empty()) m_frameNames[*m_named] = readName(name);
       m_named.reset();
     } else if (line.take(kSetsFrame)) {
       m_named = line.number();
@@ -294,10 +300,12 @@ class FanucReading {
       return readsFrame(line) ? Status(Done{}) : unread(whole, statement.line);
     const bool isJoint = line.takeWord("J"), isLinear = !isJoint && line.takeWord("L");
     if (!isJoint && !isLinear) return unread(whole, statement.line);
+    const std::string_view place = line.rest();
     const std::size_t number = placeNumber(line);
     if (number == 0) return line.malformed("target", "P[number] was expected");
     if (m_motions.size() >= PostProcessor::kMostMotions) return line.malformed("J", "there are too many motions");
     ReadMotion motion{isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, statement.line};
+    motion.name = readName(placeRemark(place));
     motion.speed = fanucSpeedFrom(line, isJoint);
     if (const Status options = readOptions(line, statement.line); !options) return options.error();
     m_motions.emplace_back(number, std::move(motion));

@@ -176,7 +176,7 @@ class KrlReading {
 
   // What a remark calls the next base.
   void readRemark(std::string_view whole) {
-    if (whole.starts_with(kBaseName)) m_nextBase = readFrameName(LineReader(whole.substr(kBaseName.size()), 0).name());
+    if (whole.starts_with(kBaseName)) m_nextBase = readName(LineReader(whole.substr(kBaseName.size()), 0).name());
   }
 
   Status readLine(std::string_view text, std::size_t number) {

@@ -25,6 +25,7 @@ struct ReadMotion {
   std::optional<Pose> frame = {};
   std::string frameName = {};            // of that frame, as the program calls it; empty: it does not
   std::optional<double> toolSpeed = {};  // mm/s: where a language gives a joint motion that of the tool's centre point
+  std::string name = {};                 // of its place, as the program calls it; empty: it does not
   // In which way the arm comes to the pose of a joint motion depends on where the controller takes it from.
   bool isWayOpen = false;
   // Pose and frame count from the base of the controller (ControllerBase.h), which may be turned against the program's.

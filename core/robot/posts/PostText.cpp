@@ -66,6 +66,11 @@ std::string identifierOf(const std::string& name, std::size_t longest) {
   return head + "_" + number;
 }
 
+std::string identifierWithDigits(const std::string& name, std::size_t longest) {
+  constexpr std::size_t kDigits = 4;
+  return identifierOf(name, longest - kDigits - 1) + "_" + hashDigits(name, kDigits);
+}
+
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), lowered);
   return text;
@@ -86,11 +91,10 @@ std::string frameIdentifier(const RobotProgram& program, std::span<const char* c
   };
   const bool isWord = std::any_of(words.begin(), words.end(), [&](const char* word) { return lower == word; });
   if (!isWord && std::ranges::none_of(program.otherFrames, isSame)) return made;
-  constexpr std::size_t kDigits = 4;
-  return identifierOf(name, longest - kDigits - 1) + "_" + hashDigits(name, kDigits);
+  return identifierWithDigits(name, longest);
 }
 
-std::string readFrameName(std::string_view name) {
+std::string readName(std::string_view name) {
   constexpr std::size_t kLongestRead = 200, kShortened = 60;
   return name.size() <= kLongestRead ? std::string(name) : identifierOf(std::string(name), kShortened);
 }

@@ -23,6 +23,9 @@ std::string fixedList(std::span<const double> values, int digits);
 // the number at its end stays, or one is added that other names hardly have ("Process 2" within 8: "Proces_2").
 std::string identifierOf(const std::string& name, std::size_t longest);
 
+// The same with a number that other names hardly have.
+std::string identifierWithDigits(const std::string& name, std::size_t longest);
+
 // The same, beside words that the language has itself, in lower case: such a name gets "_path" behind it.
 std::string identifierBeside(std::span<const char* const> words, const std::string& name, std::size_t longest);
 std::string lowerCase(std::string text);  // of ASCII
@@ -31,9 +34,9 @@ std::string lowerCase(std::string text);  // of ASCII
 // a number that other names hardly have, where they would be the same.
 std::string frameIdentifier(const RobotProgram& program, std::span<const char* const> words, std::size_t longest);
 
-// What a program that is read calls a frame: shortened where it is longer than any language allows, as each motion
-// keeps it.
-std::string readFrameName(std::string_view name);
+// What a program that is read calls a frame or a place. Shortened where it is longer than any language allows, as each
+// motion keeps it.
+std::string readName(std::string_view name);
 
 // Turns about z, y and x, in this order about axes that move along (KUKA's A, B, C; Fanuc's R, P, W); rad. Where two
 // axes are in line the last is 0.

@@ -5,6 +5,7 @@
 #include "robot/posts/PostText.h"
 
 #include <algorithm>
+#include <array>
 
 namespace handwheel {
 
@@ -13,16 +14,29 @@ namespace {
 constexpr std::size_t kLongestRapidSuffix = 7;  // "_module"
 constexpr std::size_t kLongestShared = kLongestRapidName - kLongestRapidSuffix;
 constexpr const char* kFramePrefix = "wobj_";
-// Words of the language that a path may be called, and the procedure that a task begins with.
+constexpr const char* kModuleEndings[] = {"", "_module", "_tool", "_frame"};  // of the path's name in its module
+// Words of the language, its types of data, what every controller has installed, and the procedure that a task begins
+// with.
 constexpr const char* kRapidWords[] = {
-    "alias",  "and",    "backward", "case",    "connect",   "const",    "default",   "div",       "do",      "else",
-    "elseif", "endfor", "endfunc",  "endif",   "endmodule", "endproc",  "endrecord", "endtest",   "endtrap", "endwhile",
-    "error",  "exit",   "false",    "for",     "from",      "func",     "goto",      "if",        "inout",   "local",
-    "main",   "mod",    "module",   "movej",   "movel",     "nostepin", "not",       "noview",    "or",      "pers",
-    "proc",   "raise",  "readonly", "record",  "retry",     "return",   "step",      "sysmodule", "test",    "then",
-    "to",     "trap",   "true",     "trynext", "undo",      "var",      "viewonly",  "while",     "with",    "xor"};
+    "abs",       "accset",   "add",        "alias",       "and",      "backward",  "bitand",   "bool",
+    "break",     "byte",     "calcjointt", "calcrobt",    "case",     "cjointt",   "clear",    "clkread",
+    "clkreset",  "clkstart", "clkstop",    "clock",       "confdata", "confj",     "confl",    "connect",
+    "const",     "cos",      "cpos",       "crobt",       "ctool",    "cwobj",     "decr",     "default",
+    "div",       "dnum",     "do",         "else",        "elseif",   "endfor",    "endfunc",  "endif",
+    "endmodule", "endproc",  "endrecord",  "endtest",     "endtrap",  "endwhile",  "error",    "exit",
+    "extjoint",  "false",    "for",        "from",        "func",     "goto",      "gripload", "if",
+    "incr",      "inout",    "invertdo",   "jointtarget", "loaddata", "local",     "main",     "mod",
+    "module",    "moveabsj", "movec",      "movej",       "movel",    "nostepin",  "not",      "noview",
+    "num",       "offs",     "or",         "orient",      "pers",     "pi",        "pos",      "pose",
+    "proc",      "pulsedo",  "raise",      "readonly",    "record",   "reltool",   "reset",    "retry",
+    "return",    "robjoint", "robtarget",  "round",       "searchc",  "searchj",   "searchl",  "set",
+    "setao",     "setdo",    "setgo",      "sin",         "singarea", "speeddata", "sqrt",     "step",
+    "stop",      "string",   "switch",     "sysmodule",   "tan",      "test",      "then",     "to",
+    "tooldata",  "tperase",  "tpwrite",    "trap",        "triggc",   "triggj",    "triggl",   "true",
+    "trunc",     "trynext",  "undo",       "var",         "velset",   "viewonly",  "waitdi",   "waitdo",
+    "waitrob",   "waittime", "waituntil",  "while",       "with",     "wobjdata",  "xor",      "zonedata"};
 
-// Data that every controller has: a frame is not to hide them.
+// Data that every controller has: neither a path nor a frame is to hide them.
 bool isStandardData(const std::string& name) {
   const std::size_t letters = std::min(name.find_first_of("0123456789"), name.size());
   const std::string head = name.substr(0, letters), number = name.substr(letters);
@@ -30,6 +44,12 @@ bool isStandardData(const std::string& name) {
   const bool isNumbered =
       isNumber && (head == "v" || head == "z" || head == "tool" || head == "wobj" || head == "load");
   return isNumbered || name == "fine" || name == "vmax";
+}
+
+// Of a path, whatever others are called.
+std::string nameOfPath(const std::string& path) {
+  const std::string name = identifierBeside(kRapidWords, path, kLongestShared);
+  return isStandardData(lowerCase(name)) ? identifierOf(name + "_path", kLongestShared) : name;
 }
 
 std::string plainFrameName(const RobotProgram& program) {
@@ -49,16 +69,27 @@ std::string prefixedFrameName(const RobotProgram& program) {
 
 }  // namespace
 
-std::string rapidName(const std::string& path) {
-  return identifierBeside(kRapidWords, path, kLongestShared);
+std::string rapidName(const RobotProgram& program) {
+  const std::string made = nameOfPath(program.name), lower = lowerCase(made);
+  // What modules add to the name of their path may be the name of another one, too.
+  const auto meets = [&](const std::string& path) {
+    const std::string other = lowerCase(nameOfPath(path));
+    return path != program.name && std::ranges::any_of(kModuleEndings, [&](const char* ending) {
+             return lower == other + ending || other == lower + ending;
+           });
+  };
+  return std::ranges::any_of(program.otherPaths, meets) ? identifierWithDigits(program.name, kLongestShared) : made;
 }
 
 std::string rapidFrameName(const RobotProgram& program) {
-  if (program.frameName.empty()) return rapidName(program.name) + "_frame";
+  if (program.frameName.empty()) return rapidName(program) + "_frame";
   const std::string name = plainFrameName(program), lower = lowerCase(name);
   const auto isOfPath = [&](const std::string& path) {
-    const std::string own = lowerCase(rapidName(path));
-    return lower == own || lower.starts_with(own + "_");
+    return std::ranges::any_of(std::array{nameOfPath(path), identifierWithDigits(path, kLongestShared)},
+                               [&](const std::string& each) {
+                                 const std::string own = lowerCase(each);
+                                 return lower == own || lower.starts_with(own + "_");
+                               });
   };
   const bool isTaken = isOfPath(program.name) || std::ranges::any_of(program.otherPaths, isOfPath) ||
                        lower.starts_with("p_") || isStandardData(lower);

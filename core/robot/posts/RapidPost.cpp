@@ -39,7 +39,7 @@ std::string zoneText(double blend) {
 class RapidWriting {
  public:
   explicit RapidWriting(const RobotProgram& program)
-      : m_program(program), m_name(rapidName(program.name)), m_frame(rapidFrameName(program)) {
+      : m_program(program), m_name(rapidName(program)), m_frame(rapidFrameName(program)) {
     for (const ProgramMotion& motion : program.motions) {
       if (motion.kind == ProgramMotion::Kind::Linear) m_largestSpeed = std::max(m_largestSpeed, motion.speed);
     }

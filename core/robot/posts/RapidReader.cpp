@@ -210,7 +210,11 @@ class RapidReading {
     }
     if (auto numbers = line.numbersWithin('[', ']', 20)) return std::pair(std::move(*numbers), isJoints);
     const Table& known = isJoints ? m_jointTargets : m_robTargets;
-    const auto found = known.find(folded(line.name()));
+    const std::string_view called = line.name();
+    const auto found = known.find(folded(called));
+    // As the post writes them.
+    constexpr std::string_view kOfPlaces = "p_";
+    m_placeName = readName(called.substr(called.starts_with(kOfPlaces) ? kOfPlaces.size() : 0));
     if (line.take("(")) return line.malformed("target", "functions as Offs are not read");
     if (found == known.end()) return line.malformed("target", "it is neither numbers nor a name given before");
     return std::pair(found->second, isJoints);
@@ -223,10 +227,12 @@ class RapidReading {
       line.take(",");
     }
     m_calculatedWith.reset();
+    m_placeName.clear();
     const auto read = target(line, wantsJoints);
     if (!read) return read.error();
     const auto& [numbers, isJoints] = *read;
     ReadMotion motion{kind, {}, {}, 0.0, number};
+    motion.name = m_placeName;
     if (numbers.size() < (isJoints ? m_joints : 7)) return line.malformed("target", "it has too few numbers");
     if (isJoints)
       motion.joints = radiansOf(std::span(numbers).first(m_joints));
@@ -303,7 +309,7 @@ class RapidReading {
     line.name();
     const bool isNamed = line.take("\\WObj") && line.take(":=");
     const std::string_view name = isNamed ? line.name() : std::string_view();
-    return folded(name) == "wobj0" ? std::string() : readFrameName(name);
+    return folded(name) == "wobj0" ? std::string() : readName(name);
   }
 
   // "tool", "tool\WObj:=frame" of a motion to this pose.
@@ -372,6 +378,7 @@ class RapidReading {
   bool m_isWayGiven = true;                     // ConfJ\On
   double m_share = 1.0, m_most = 5'000.0;       // of VelSet; 0: not known
   std::optional<std::string> m_calculatedWith;  // toolText() of CalcRobT in the present motion
+  std::string m_placeName;                      // of the target of the present motion
   Table m_jointTargets, m_robTargets, m_speeds;
   std::map<std::string, std::optional<Pose>> m_tools, m_frames;  // none: not to be used
   std::map<std::string, std::optional<double>> m_zones;          // likewise; mm

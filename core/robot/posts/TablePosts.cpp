@@ -49,7 +49,7 @@ CsvFrame csvFrame(const std::vector<std::string_view>& lines) {
       std::find_if(lines.begin(), lines.end(), [](std::string_view line) { return line.starts_with(kCsvFrame); });
   if (found == lines.end()) return {};
   LineReader line(found->substr(kCsvFrame.size()), 0);
-  const std::string name = readFrameName(line.name());
+  const std::string name = readName(line.name());
   std::vector<double> numbers;
   while (line.take(",") && numbers.size() < 7) {
     const auto value = line.number();
@@ -58,6 +58,8 @@ CsvFrame csvFrame(const std::vector<std::string_view>& lines) {
   }
   return {name, poseOfNumbers(numbers)};
 }
+
+constexpr const char* kCsvUnnamed = "place";
 
 const char* wordFor(ProgramMotion::Kind kind) {
   return kind == ProgramMotion::Kind::Joint ? "joint" : "linear";
@@ -85,7 +87,7 @@ class CsvPost : public PostProcessor {
     for (std::size_t i = 0; i < program.motions.size(); ++i) {
       const ProgramMotion& motion = program.motions[i];
       const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
-      text += std::to_string(i + 1) + "," + identifierOf(motion.name.empty() ? "place" : motion.name, 60) + "," +
+      text += std::to_string(i + 1) + "," + identifierOf(motion.name.empty() ? kCsvUnnamed : motion.name, 60) + "," +
               wordFor(motion.kind) + "," + fixedText(motion.speed, 6) + "," + fixedText(motion.blend, 3) + "," +
               fixedList(jointNumbers(program, motion), 9) + "," + fixedList(poseNumbers(place), 9) + "\n";
     }
@@ -103,9 +105,10 @@ class CsvPost : public PostProcessor {
       if (line.rest().empty()) continue;
       if (motions.size() >= kMostMotions) return line.malformed("motion", "there are too many motions");
       const bool hasNumber = line.number() && line.take(",");
-      line.name();
+      const std::string_view name = line.name();
       if (!hasNumber || !line.take(",")) return line.malformed("motion", "a number and a name were expected");
       ReadMotion motion{.line = i + 1, .frame = inFrame.pose, .frameName = inFrame.name};
+      if (name != kCsvUnnamed) motion.name = readName(name);
       if (line.takeWord("linear"))
         motion.kind = ProgramMotion::Kind::Linear;
       else if (!line.takeWord("joint"))
@@ -171,12 +174,13 @@ class JsonPost : public PostProcessor {
     if (!json->is_object() || list == json->end() || !list->is_array() || list->size() > kMostMotions)
       return wrong("a list was expected");
     const std::optional<Pose> inFrame = poseOfNumbers(numbersAt(*json, "frame", 7));
-    const std::string name = readFrameName(stringAt(*json, "frame_name"));
+    const std::string name = readName(stringAt(*json, "frame_name"));
     std::vector<ReadMotion> motions;
     for (const nlohmann::json& each : *list) {
       const std::vector<double> q = numbersAt(each, "q", static_cast<std::size_t>(frame.arm.size()));
       if (static_cast<Eigen::Index>(q.size()) != frame.arm.size()) return wrong("a number for each joint was expected");
       ReadMotion motion{.frame = inFrame, .frameName = name};
+      motion.name = readName(stringAt(each, "name"));
       motion.kind = stringAt(each, "kind") == "linear" ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
       motion.joints = Eigen::Map<const Eigen::VectorXd>(q.data(), frame.arm.size());
       if (const auto blend = each.find("blend_mm"); blend != each.end() && blend->is_number())

@@ -146,7 +146,7 @@ Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion:
     if (frame == frames.end() || !line.take(",")) return unread(call, number);
     motion.frame = frame->second;
     const std::string_view name = frame->first;
-    motion.frameName = readFrameName(name.substr(name.starts_with(kUrFramePrefix) ? kUrFramePrefix.size() : 0));
+    motion.frameName = readName(name.substr(name.starts_with(kUrFramePrefix) ? kUrFramePrefix.size() : 0));
   }
   const bool isPose = line.take("p");
   const auto numbers = line.numbersWithin('[', ']', 6);

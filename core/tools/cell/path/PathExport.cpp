@@ -223,6 +223,7 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
     Result<JointValues> within = valuesWithinLimits(cell.robot->model, scene.whole(before));
     if (!within) return located(within.error());
     Waypoint place{.joints = std::move(within).value()};
+    if (isBodyName(motion.name)) place.name = std::move(motion.name);
     place.motion = path.places.empty() ? ProgramMotion::Kind::Joint : motion.kind;
     const bool hasShare = motion.toolSpeed && !path.places.empty();
     place.speed = speedOf(motion, place.motion,

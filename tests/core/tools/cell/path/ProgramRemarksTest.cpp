@@ -133,6 +133,57 @@ class ProgramRemarksTest : public QObject {
     QVERIFY((same->frames[0].pose.translation() - Vec3(-100, -200, 0)).norm() < 1e-6);
   }
 
+  // Places that a program names keep their names as far as its language has them, and have them in the next program.
+  void namesOfPlaces_data() {
+    QTest::addColumn<QByteArray>("post");
+    QTest::addColumn<QByteArray>("second");
+    for (const auto& [post, second] : {std::pair("rapid", "seam_end"), std::pair("fanuc", "seam_end"),
+                                       std::pair("csv", "seam_end"), std::pair("json", "seam end")})
+      QTest::newRow(post) << QByteArray(post) << QByteArray(second);
+  }
+  void namesOfPlaces() {
+    QFETCH(const QByteArray, post);
+    QFETCH(const QByteArray, second);
+    ArmCell cell;
+    RobotProgram program;
+    program.name = "path";
+    program.robot = "irb120";
+    program.arm = cell.scene()->armFromBase();
+    program.isBaseOfController = true;
+    program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.5), 0.5, 0.0, "start"},
+                       {ProgramMotion::Kind::Linear, ArmValues::Constant(6, 0.55), 50.0, 0.0, "seam end"},
+                       {ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.6), 0.5, 0.0, {}}};
+    const auto read = opened(cell, post.constData(), postCalled(post.toStdString())->write(program));
+    QVERIFY(read.hasValue());
+    QCOMPARE(read->path.places.size(), std::size_t{3});
+    QCOMPARE(read->path.places[0].name, std::string("start"));
+    QCOMPARE(read->path.places[1].name, second.toStdString());
+    QCOMPARE(read->path.places[2].name, std::string());
+  }
+
+  // Names that a person gave, in the spelling of the declaration or of the motion; what cells cannot have as a name is
+  // none.
+  void otherNamesOfPlaces() {
+    ArmCell cell;
+    const auto nameIn = [&](const char* post, const std::string& text) {
+      const auto read = opened(cell, post, text);
+      return read && !read->path.places.empty() ? read->path.places[0].name : std::string("not read");
+    };
+    const std::string declared = std::string("CONST jointtarget p10:=[[10,0,0,0,30,0]") + kNowhere + ";\n";
+    QCOMPARE(nameIn("rapid", declared + "MoveAbsJ p10,v100,fine,tool0;\n"), std::string("p10"));
+    QCOMPARE(nameIn("rapid", declared + "MoveAbsJ P10,v100,fine,tool0;\n"), std::string("P10"));
+    const auto fanuc = [](const std::string& remark) {
+      return "/MN\n 1:J P[1" + remark +
+             "] 50% FINE ;\n/POS\nP[1]{\n GP1:\n UF : 0, UT : 1,\n J1= 0 deg, J2= 0 deg, "
+             "J3= 0 deg,\n J4= 0 deg, J5= 30 deg, J6= 0 deg\n};\n/END\n";
+    };
+    QCOMPARE(nameIn("fanuc", fanuc("")), std::string());
+    QCOMPARE(nameIn("fanuc", fanuc(":above part")), std::string("above part"));
+    QCOMPARE(nameIn("fanuc", fanuc(": ")), std::string());
+    const std::string huge = nameIn("fanuc", fanuc(":" + std::string(100'000, 'x')));
+    QVERIFY(huge.size() <= 60 && huge.starts_with("xxx"));
+  }
+
   // A joint motion to a pose: in the way that its configuration names, whatever is nearer; without one in the nearest,
   // and its line is told, once.
   void ways() {
