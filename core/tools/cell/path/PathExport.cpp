@@ -9,6 +9,7 @@
 #include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/CellFrames.h"
+#include "document/scene/BodyChanges.h"
 #include "robot/ControllerBase.h"
 #include "robot/arm/NumericalIk.h"
 #include "robot/dh/DhTable.h"
