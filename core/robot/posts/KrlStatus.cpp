@@ -4,6 +4,8 @@
 
 #include "robot/posts/ControllerConfiguration.h"
 
+#include <cmath>
+
 namespace handwheel {
 
 namespace {

@@ -33,6 +33,31 @@ class VerificationTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // A program with another tool than the cell, which has none, is told of with both, and what it is stored with.
+  void theToolOfAProgram() {
+    const PlannedCell cell;
+    const auto program = [](const QByteArray& tool) -> QByteArray {
+      const QByteArray joints = ",0,0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine," + tool + ";\n";
+      return "MODULE m\nPERS tooldata grip:=[TRUE,[[0,0,150],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\nPROC main()\n"
+             "MoveAbsJ [[60" +
+             joints + "MoveAbsJ [[80" + joints + "ENDPROC\nENDMODULE\n";
+    };
+    cell.put("grip.mod", program("grip"));
+    cell.put("none.mod", program("tool0"));
+    const QByteArray both = "at 0, 0, 150 mm, that of the cell at 0, 0, 0 mm";
+    const Ran grip = cell.run({"verify", "cell.handwheel", "grip.mod"});
+    QVERIFY2(grip.code == 0 && grip.err.contains("warning: ") && grip.err.contains(both), grip.err);
+    const Ran none = cell.run({"verify", "cell.handwheel", "none.mod"});
+    QVERIFY2(none.code == 0 && !none.err.contains("centre point of the program"), none.err);
+    const auto remarksOn = [&](const char* file) {
+      const Ran opened = cell.run({"configuration", "cell.handwheel", "--open", file, "-o", "o.handwheel", "--json"});
+      return jsonOf(opened.out)["remarks"];
+    };
+    QCOMPARE(remarksOn("grip.mod").size(), std::size_t{1});
+    QVERIFY(remarksOn("grip.mod")[0].get<std::string>().find(both.toStdString()) != std::string::npos);
+    QVERIFY(remarksOn("none.mod").empty());
+  }
+
   // The tool is led through the box, about 440 mm before the base, with the wrist bent all the time. Along a straight
   // line, which short motions follow, what meets without a break is one collision: as many as the text has lines.
   void collisionsAlongALine() {

@@ -132,6 +132,24 @@ class CellFramesWindowTest : public QObject {
     QCOMPARE(driver.tree()->topLevelItem(1)->childCount(), 0);
   }
 
+  // The advice to work in the frame of a program is for who does not.
+  void adviceOnTheFrame() {
+    FramesWindow driver;
+    QVERIFY(driver.settle());
+    const QTemporaryDir folder;
+    const QString name = folder.filePath("seam.mod");
+    QVERIFY(writeProgram(name));
+    driver.choose("importProgram");
+    QVERIFY(driver.enterFileName("importProgramDialog", name));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("choose to work in it"), kPatienceMs);
+    driver.tree()->setCurrentItem(driver.frame());
+    driver.choose("workInFrame");
+    driver.choose("importProgram");
+    QVERIFY(driver.enterFileName("importProgramDialog", name));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("It is in frames of the cell: jig."), kPatienceMs);
+    QVERIFY(!driver.text("messageText").contains("choose to work in it"));
+  }
+
   // Of two programs in one frame the second one names it only.
   void aFrameThatIsDeclaredElsewhere() {
     FramesWindow driver;
