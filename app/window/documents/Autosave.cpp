@@ -26,6 +26,8 @@ using std::chrono::milliseconds;
 constexpr milliseconds kSoon{250};
 // The pause after an autosave, in the time that it took: a twentieth of the time is spent on it.
 constexpr int kPause = 19;
+// What looks alive at the start is looked at again after so long, then after twice that, up to the last pause.
+constexpr std::chrono::seconds kFirstLook{1}, kLastLook{32};
 
 }  // namespace
 
@@ -195,11 +197,26 @@ void Autosave::reportFailure(DocumentTab* document, const QString& name, const E
                 &document->document});
 }
 
-// The messages keep the orphans, and so their locks, until they are answered or closed.
 void Autosave::offerRecovery() {
-  const auto orphans = std::make_shared<const OrphanedAutosaves>();
+  offer(OrphanedAutosaves());
+}
+
+// The messages keep the orphans, and so their locks, until they are answered or closed.
+void Autosave::offer(OrphanedAutosaves found) {
+  lookAgain(found.inUse(), kFirstLook);
+  const auto orphans = std::make_shared<const OrphanedAutosaves>(std::move(found));
   if (!orphans->skipped().empty()) offerDamaged(orphans);
   if (!orphans->found().empty()) offer(orphans);
+}
+
+// Of a program that goes on, and of this one, nothing is ever found.
+void Autosave::lookAgain(std::vector<std::filesystem::path> sessions, std::chrono::seconds pause) {
+  if (sessions.empty() || pause > kLastLook) return;
+  QTimer::singleShot(pause, this, [this, sessions = std::move(sessions), pause] {
+    OrphanedAutosaves found = OrphanedAutosaves::of(sessions);
+    if (found.found().empty() && found.skipped().empty()) return lookAgain(found.inUse(), 2 * pause);
+    offer(std::move(found));
+  });
 }
 
 void Autosave::offer(const std::shared_ptr<const OrphanedAutosaves>& orphans) {

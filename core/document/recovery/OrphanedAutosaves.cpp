@@ -64,7 +64,17 @@ void removeIfEmpty(const fs::path& session) {
 }  // namespace recovery
 
 OrphanedAutosaves::OrphanedAutosaves(const fs::path& root) {
-  for (const fs::path& folder : childrenOf(root)) {
+  list(childrenOf(root));
+}
+
+OrphanedAutosaves OrphanedAutosaves::of(const std::vector<fs::path>& sessions) {
+  OrphanedAutosaves some{Nothing()};
+  some.list(sessions);
+  return some;
+}
+
+void OrphanedAutosaves::list(const std::vector<fs::path>& folders) {
+  for (const fs::path& folder : folders) {
     std::error_code ignored;
     const bool isSession =
         fs::is_directory(fs::symlink_status(folder, ignored)) && folder.filename().string().front() != kHiddenPrefix;
@@ -80,7 +90,7 @@ OrphanedAutosaves::~OrphanedAutosaves() {
 
 void OrphanedAutosaves::list(const fs::path& folder) {
   std::optional<RecoveryLock> lock = RecoveryLock::tryLock(folder);
-  if (!lock) return;
+  if (!lock) return m_inUse.push_back(folder);
   for (const fs::path& file : childrenOf(folder)) {
     if (isAutosave(file)) look(file);
     if (isDamaged(file)) m_skipped.push_back(damagedEntry(file));

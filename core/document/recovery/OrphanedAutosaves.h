@@ -25,6 +25,8 @@ struct OrphanedAutosave {
 class OrphanedAutosaves {
  public:
   explicit OrphanedAutosaves(const std::filesystem::path& root = recoveryFolder());
+  // Those of some sessions alone: of inUse(), when their programs may have ended meanwhile.
+  static OrphanedAutosaves of(const std::vector<std::filesystem::path>& sessions);
   ~OrphanedAutosaves();
   OrphanedAutosaves(OrphanedAutosaves&&) = default;
   OrphanedAutosaves& operator=(OrphanedAutosaves&&) = delete;
@@ -32,6 +34,9 @@ class OrphanedAutosaves {
   const std::vector<OrphanedAutosave>& found() const { return m_found; }  // the newest first
   // Files too damaged to be autosaves, or changes of them: EntryDamaged {name}; subject: its path.
   const std::vector<Error>& skipped() const { return m_skipped; }
+
+  // The folders of sessions that others have locked.
+  const std::vector<std::filesystem::path>& inUse() const { return m_inUse; }
 
   void discard(const OrphanedAutosave& leftover) const;
   void discardSkipped() const;
@@ -42,12 +47,17 @@ class OrphanedAutosaves {
     RecoveryLock lock;
   };
 
+  struct Nothing {};
+  explicit OrphanedAutosaves(Nothing) {}
+
+  void list(const std::vector<std::filesystem::path>& folders);
   void list(const std::filesystem::path& folder);
   void look(const std::filesystem::path& file);
 
   std::vector<Session> m_sessions;
   std::vector<OrphanedAutosave> m_found;
   std::vector<Error> m_skipped;
+  std::vector<std::filesystem::path> m_inUse;
 };
 
 namespace recovery {

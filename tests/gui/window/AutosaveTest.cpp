@@ -8,6 +8,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileActions.h"
+#include "window/kinds/KindUi.h"
 
 #include <QDirIterator>
 #include <QJsonDocument>
@@ -81,6 +82,31 @@ class AutosaveTest : public QObject {
     QVERIFY(second.settle());
     QCOMPARE(second.text("figures"), wanted);
     QVERIFY(second.window().isWindowModified());
+  }
+
+  // What was never saved is called as before: in its tab, by Save and in the question at closing.
+  void aNameWithoutAFileComesBack() {
+    QString wanted;
+    {
+      WindowDriver driver;
+      driver.click("lessonTile");
+      QVERIFY(driver.settle());
+      driver.choose("beginExercise");
+      QVERIFY(driver.settle());
+      Document& work = driver.find<DocumentTabs>("tabRow")->current()->document;
+      wanted = work.name();
+      QVERIFY2(wanted.startsWith("Work on "), qPrintable(wanted));
+      QVERIFY(work.setProperty("chord", 0.05));
+      QVERIFY(QTest::qWaitFor(isStored, 30000));
+      QVERIFY(driver.settle());
+    }
+    WindowDriver driver;
+    recoverIn(driver);
+    const DocumentTab* recovered = driver.find<DocumentTabs>("tabRow")->current();
+    QCOMPARE(recovered->document.name(), wanted);
+    QVERIFY(recovered->document.path().isEmpty());
+    QVERIFY2(recovered->ui.suggestedName(*recovered).startsWith("Work on "),
+             qPrintable(recovered->ui.suggestedName(*recovered)));
   }
 
   // However long the interval is that was chosen, what is finished is stored soon; and again with the next edit.
