@@ -270,6 +270,19 @@ Status setAndResolve(const ExerciseSnapshot& exercise, MarkingCriterion& c, cons
   return Done{};
 }
 
+// The heights at which the criteria are measured, where these are on a target that has moved.
+void movePlaces(ExerciseSnapshot& exercise, double move) {
+  constexpr double kSteps = 1e9;  // of a mm: what is below is rounding
+  if (move == 0.0) return;
+  const std::vector<MeasurementType> types = measurementTypes(*exercise.subject);
+  for (MarkingCriterion& c : exercise.exercise.criteria) {
+    const MeasurementType* const type = measurementType(types, c.figure);
+    for (std::size_t i = 0; type && i < std::min(c.arguments.size(), type->arguments.size()); ++i) {
+      if (type->arguments[i].ends_with('Z')) c.arguments[i] = std::round((c.arguments[i] + move) * kSteps) / kSteps;
+    }
+  }
+}
+
 std::string headingOf(const Exercise& exercise, std::size_t step) {
   return std::to_string(step + 1) + ". " + exercise.steps[step].title;
 }
@@ -379,6 +392,7 @@ Result<ExerciseSnapshot> withExerciseProperty(ExerciseSnapshot exercise, const s
   if (!set) {
     Result<TaskPointer> task = exercise.subject->withProperty(*exercise.task, id, value);
     if (!task) return task.error();
+    movePlaces(exercise, exercise.subject->targetMove(*exercise.task, **task));
     exercise.task = std::move(task.value());
     return exercise;
   }

@@ -88,6 +88,13 @@ class ExerciseSubject {
     return std::nullopt;
   }
 
+  // How far the target has moved along Z from one task to another that differs by a property, mm: what is measured on
+  // it moves with it.
+  virtual double targetMove(const ExerciseTask& from, const ExerciseTask& to) const {
+    (void)from, (void)to;
+    return 0.0;
+  }
+
   // The sizes of the target as criteria, for teachers who need not enter each. Their ids are empty.
   virtual std::vector<MarkingCriterion> targetSizes(const ExerciseTask& task) const {
     (void)task;

@@ -98,6 +98,11 @@ std::optional<double> TurningSubject::drawingZero(const ExerciseTask& task) cons
   return turningOf(task).zero();
 }
 
+double TurningSubject::targetMove(const ExerciseTask& from, const ExerciseTask& to) const {
+  const auto &before = turningOf(from).target, &after = turningOf(to).target;
+  return before && after ? after->upperEnd() - before->upperEnd() : 0.0;
+}
+
 std::vector<MarkingCriterion> TurningSubject::targetSizes(const ExerciseTask& task) const {
   return sizesOfTarget(turningOf(task));
 }

@@ -19,6 +19,7 @@ class TurningSubject : public ExerciseSubject {
   Status applyTolerance(MarkingCriterion& criterion) const override;
   // The finished face.
   std::optional<double> drawingZero(const ExerciseTask& task) const override;
+  double targetMove(const ExerciseTask& from, const ExerciseTask& to) const override;
   std::vector<MarkingCriterion> targetSizes(const ExerciseTask& task) const override;
   // No collision, and the force and power that the lathe has.
   std::optional<double> usualLimit(const std::string& figure, const ExerciseTask& task) const override;

@@ -40,6 +40,38 @@ class ExerciseDocumentTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // What is measured on the target moves with it, in the same undo step: 3 mm for facing instead of none, and a part
+  // that is 3 mm further down gets the same measures.
+  void placesMoveWithTheTarget() {
+    const auto document = shoulderDocument();
+    const auto placesOf = [&](const char* id) { return document->exercise().exercise.find(id)->arguments; };
+    QVERIFY(document->setProperty("facing_allowance", 3.0));
+    QCOMPARE(placesOf("d"), (std::vector{59.0, 96.0}));
+    QCOMPARE(placesOf("l"), (std::vector{17.0, 57.0, 5.0, 97.0}));  // radii stay
+    QCOMPARE(placesOf("ra"), (std::vector{59.0, 96.0}));
+    QVERIFY(placesOf("force").empty());
+    QCOMPARE(document->history()->count(), 1);
+    nlohmann::json passes = shoulderWork();
+    for (nlohmann::json& pass : passes["passes"])
+      for (nlohmann::json& point : pass["points"]) point[1] = point[1].get<double>() - 3.0;
+    // Its face first, from the outside to the axis: the nose stands on Z 97.
+    const nlohmann::json facing = {
+        {"nose_radius", 0.8}, {"feed", 0.2}, {"points", {{23.0, 97.8}, {0.0, 97.8}, {0.0, 104.0}}}};
+    passes["passes"].insert(passes["passes"].begin(), facing);
+    const ExerciseSnapshot& moved = document->exercise();
+    const Marking marking = markWork(moved, *workFrom(moved, passes), {"Bob", {}, {}, 300.0, {}, {}});
+    for (const char* id : {"d", "l", "ra"}) {
+      const Mark& mark = *marking.find(id);
+      QVERIFY2(mark.points == mark.of, (std::string(id) + ": " + mark.reason.inEnglish()).c_str());
+    }
+    document->history()->undo();
+    QCOMPARE(placesOf("d"), (std::vector{62.0, 99.0}));
+    QCOMPARE(placesOf("l"), (std::vector{17.0, 60.0, 5.0, 100.0}));
+    // What moves no target moves no place.
+    QVERIFY(document->setProperty("length", 110.0));
+    QCOMPARE(placesOf("d"), (std::vector{62.0, 99.0}));
+  }
+
   // Every property can be set to what it is, and to another value, and undone.
   void everyPropertyIsSetAndUndone() {
     const auto document = shoulderDocument();
