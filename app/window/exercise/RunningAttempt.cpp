@@ -198,11 +198,19 @@ void RunningAttempt::follow(DocumentTab* tab) {
     m_changes = connect(&tab->document, &Document::changed, this, &RunningAttempt::check);
     const auto place = m_works.begin() + (find(tab) - m_works.data());
     std::rotate(place, place + 1, m_works.end());
-    m_lesson->setExercise(*m_works.back().exercise, m_works.back().attempt, true);
+    show(m_works.back());
     m_since.start();
     m_clock.start(kTickMs);
   }
   showDock(m_isCurrent && m_isDockWanted);
+}
+
+// With the sizes as they were measured, which may be old by now.
+void RunningAttempt::show(const Work& work) {
+  m_lesson->setExercise(*work.exercise, work.attempt, true);
+  if (!work.sizes) return;
+  m_lesson->setMeasured(*work.exercise, *work.sizes);
+  if (work.changes != work.measuredAfter) m_lesson->setOutdated();
 }
 
 void RunningAttempt::forget(DocumentTab* tab) {
@@ -274,33 +282,37 @@ void RunningAttempt::start(JobRunner& jobs, const QString& name, const Work& mea
   job.owner = measured.tab;
   job.work = [this, showsSizes, tab = measured.tab, exercise = measured.exercise, changes = measured.changes,
               work = measured.tab->document.snapshot(), attempt = measured.attempt](Progress progress) -> Job::Finish {
-    auto marking = std::make_shared<Marking>(markWork(*exercise, *work, attempt, progress));
+    auto marking = std::make_shared<const Marking>(markWork(*exercise, *work, attempt, progress));
     if (progress.cancelled()) return {};
     return [this, showsSizes, tab, exercise, changes, marking] {
       const Work* const now = find(tab);
       // The part is another one by now: checks were started again with that change, and so is what was asked for.
       if (now && now->changes != changes) return showsSizes ? startMeasuring(*now) : void();
-      take(tab, *exercise, *marking, showsSizes);
+      take(tab, *exercise, marking, showsSizes);
     };
   };
   jobs.start(std::move(job));
 }
 
-void RunningAttempt::take(const DocumentTab* tab, const ExerciseSnapshot& exercise, const Marking& marking,
-                          bool showsSizes) {
+void RunningAttempt::take(const DocumentTab* tab, const ExerciseSnapshot& exercise,
+                          const std::shared_ptr<const Marking>& marking, bool showsSizes) {
   Work* const work = find(tab);
   if (!work) return;
   const std::vector<bool> before = work->attempt.done;
   for (std::size_t i = 0; i < exercise.exercise.steps.size(); ++i) {
     const ExerciseStep& step = exercise.exercise.steps[i];
-    if (!step.criteria.empty()) setDone(*work, i, isMet(step, marking));
+    if (!step.criteria.empty()) setDone(*work, i, isMet(step, *marking));
+  }
+  if (showsSizes) {
+    work->sizes = marking;
+    work->measuredAfter = work->changes;
   }
   if (showsSizes || work->attempt.done != before) store(*work, true);
   if (work != current()) return;
   if (showsSizes)
-    m_lesson->setMeasured(exercise, marking);
+    m_lesson->setMeasured(exercise, *marking);
   else
-    m_lesson->setMet(exercise, marking);
+    m_lesson->setMet(exercise, *marking);
 }
 
 void RunningAttempt::handIn() {

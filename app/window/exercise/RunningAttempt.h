@@ -44,6 +44,8 @@ class RunningAttempt : public QObject {
     std::shared_ptr<const ExerciseSnapshot> origin;  // that it was begun from in this window; null: from a file
     double secondsInFile = 0.0;
     int changes = 0;  // of the document, that were seen: tells what was measured before one
+    std::shared_ptr<const Marking> sizes = nullptr;  // as measured last, on demand; null: not yet
+    int measuredAfter = 0;                           // so many of the changes
   };
   Work* find(const DocumentTab* tab);
   Work* current() { return m_works.empty() || !m_isCurrent ? nullptr : &m_works.back(); }
@@ -56,6 +58,7 @@ class RunningAttempt : public QObject {
   bool take(DocumentTab* tab);
   void forget(DocumentTab* tab);
   void showDock(bool isShown);
+  void show(const Work& work);
   void store(Work& work, bool isChange);
   void setDone(Work& work, std::size_t step, bool isDone);
   void tick();
@@ -63,7 +66,8 @@ class RunningAttempt : public QObject {
   void startMeasuring(const Work& measured);
   void check();
   void start(JobRunner& jobs, const QString& name, const Work& measured, bool showsSizes);
-  void take(const DocumentTab* tab, const ExerciseSnapshot& exercise, const Marking& marking, bool showsSizes);
+  void take(const DocumentTab* tab, const ExerciseSnapshot& exercise, const std::shared_ptr<const Marking>& marking,
+            bool showsSizes);
   void handIn();
   void writeSubmission(const QString& path);
   void fail(const QString& title, const Error& error);

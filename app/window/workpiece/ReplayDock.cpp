@@ -3,6 +3,7 @@
 #include "window/workpiece/ReplayDock.h"
 
 #include "controls/ScrolledPanel.h"
+#include "document/exercise/ExerciseSnapshot.h"
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
@@ -260,7 +261,10 @@ void ReplayDock::compareWith(const QString& path) {
   job.work = [this, path, name, failed, &kinds = m_parts.kinds, first = m_replayed](Progress progress) -> Job::Finish {
     const Result<OpenedFile> opened = kinds.open(QFile::encodeName(path).toStdString(), {}, progress.part(0.0, 0.3));
     if (!opened) return [failed, reason = errorSentence(opened.error())] { failed(reason); };
-    const auto* const work = dynamic_cast<const WorkpieceSnapshot*>(opened->content.get());
+    // What was handed in has the work within.
+    const auto* const handedIn = dynamic_cast<const ExerciseSnapshot*>(opened->content.get());
+    const Snapshot* const content = handedIn ? handedIn->work.get() : opened->content.get();
+    const auto* const work = dynamic_cast<const WorkpieceSnapshot*>(content);
     if (!work || !work->part) return [failed] { failed(tr("It is not a workpiece that was cut.")); };
     const PlayedPointer other = playedOf(name, *work, progress.part(0.3, 1.0));
     return [this, other, first] {

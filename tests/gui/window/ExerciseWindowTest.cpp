@@ -111,6 +111,15 @@ class ExerciseWindowTest : public QObject {
     partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/measure")->click();
     QVERIFY(driver.settle());
     QTRY_VERIFY(sizes->isEnabled() && !sizes->text().contains("changed since"));
+    // A look at the task, and they are there still.
+    const QString measured = sizes->text();
+    auto* const tabs = driver.find<QTabBar>("documentTabBar");
+    tabs->setCurrentIndex(0);
+    QVERIFY(driver.settle());
+    tabs->setCurrentIndex(1);
+    QVERIFY(driver.settle());
+    QCOMPARE(sizes->text(), measured);
+    QVERIFY(sizes->isEnabled());
     // What is cut while it is measured is measured, too: ⌀30 up to the shoulder at Z 50, at 0.25 mm per revolution.
     auto& work = static_cast<WorkpieceDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
     TurningPass pass;
@@ -299,6 +308,17 @@ class ExerciseWindowTest : public QObject {
       ++column;
     const double marked = rows->index(0, column).data().toString().toDouble();
     QVERIFY2(std::abs(marked - expected) < 0.02, qPrintable(QStringLiteral("%1 for %2 mm").arg(marked).arg(worst)));
+
+    // What was handed in is played beside the work.
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(1);
+    QVERIFY(driver.settle());
+    driver.choose("replayDockToggle");
+    QVERIFY(driver.settle());
+    auto* const compare = driver.find<QPushButton>("replayCompare");
+    QTRY_VERIFY(compare->isEnabled());
+    driver.click("replayCompare");
+    QVERIFY(driver.enterFileName("replayCompareDialog", path) && driver.settle());
+    QTRY_VERIFY2(compare->text().contains("ada.handwheel"), qPrintable(compare->text()));
   }
 
   // The dialog says how much that changes; one undo step.
