@@ -71,6 +71,7 @@ class ExerciseTest : public QObject {
     QVERIFY2(csv.count('\n') == 3 && csv.contains("'=Bob"), csv);
     const QByteArray html = bench.content("class.html");
     QVERIFY(html.contains("Ada") && html.contains("=Bob"));
+    QCOMPARE(html.count("<h2 style=\"page-break-before: always\">"), 2);  // on paper each begins a page
     // A heading of one word is not broken; eleven criteria with long names are numbered, and named below.
     QVERIFY(html.contains("<th style=\"white-space: nowrap\">Points</th>"));
     QVERIFY(html.contains("<th style=\"white-space: nowrap\">11</th>") && html.contains("The numbered columns"));
@@ -213,6 +214,27 @@ class ExerciseTest : public QObject {
         0);
     const QByteArray both = bench.run({"mark", kShaftExercise, "ada.handwheel", "eve.handwheel"}).out;
     QVERIFY2(both.contains("the same as that of Ada (ada.handwheel)") && both.contains("that of Eve (eve."), both);
+    // Nor do they move alike for the larger part of the time: all passes but the last, a fifth of the time.
+    nlohmann::json copied = exercise["solution"];
+    nlohmann::json& last = copied["passes"].back()["feed"];
+    last = 1.1 * last.get<double>();
+    bench.put("copied.json", QByteArray::fromStdString(copied.dump()));
+    QCOMPARE(bench.run({"exercise", kShaftExercise, "--hand-in", "copied.json", "--name", "Bob", "-o", "bob.handwheel"})
+                 .code,
+             0);
+    const QByteArray partly = bench.run({"mark", kShaftExercise, "ada.handwheel", "bob.handwheel"}).out;
+    QVERIFY2(partly.contains(" % of the recording is the same as in that of Ada (ada.handwheel)."), partly);
+    QVERIFY2(!partly.contains("The recording is the same"), partly);
+    // The other way round: only the last pass is the same.
+    copied = exercise["solution"];
+    for (nlohmann::json& pass : copied["passes"])
+      if (&pass != &copied["passes"].back()) pass["feed"] = 1.1 * pass["feed"].get<double>();
+    bench.put("own.json", QByteArray::fromStdString(copied.dump()));
+    QCOMPARE(
+        bench.run({"exercise", kShaftExercise, "--hand-in", "own.json", "--name", "Cleo", "-o", "cleo.handwheel"}).code,
+        0);
+    const QByteArray own = bench.run({"mark", kShaftExercise, "ada.handwheel", "cleo.handwheel"}).out;
+    QVERIFY2(!own.contains("is the same"), own);
     exercise["criteria"][0]["lower"] = 1.0;
     exercise["criteria"][0]["upper"] = 99.0;
     bench.put("other.exercise.json", QByteArray::fromStdString(exercise.dump()));

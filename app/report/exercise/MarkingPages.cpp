@@ -122,8 +122,10 @@ std::string figureLine(const ClassReport& report, const ReportMeasurement& each)
 std::string workSection(const ClassReport& report, const ReportedWork& work, const std::string& name,
                         const ImageElement& image) {
   const ClassRow& row = work.row;
+  // On paper each student of a class begins a page, to be given away.
+  const char* const heading = report.works.size() > 1 ? "<h2 style=\"page-break-before: always\">" : "<h2>";
   std::string html =
-      "<h2>" + escaped(nameOf(work)) + "</h2>\n<p>" + said(QT_TRANSLATE_NOOP("Note", "File: %1"), {row.file});
+      heading + escaped(nameOf(work)) + "</h2>\n<p>" + said(QT_TRANSLATE_NOOP("Note", "File: %1"), {row.file});
   if (row.attempt.isHandedIn())
     html += "<br/>" + said(QT_TRANSLATE_NOOP("Note", "Handed in: %1"), {localTime(row.attempt.handedIn)});
   html += "</p>\n";
@@ -146,6 +148,11 @@ std::string workSection(const ClassReport& report, const ReportedWork& work, con
   }
   html += "</table>\n";
   for (const ReportMeasurement& each : work.details.figures) html += figureLine(report, each);
+  if (work.isKept)
+    html +=
+        "<p>" +
+        said(QT_TRANSLATE_NOOP("Note", "Pictures and curves are not kept: mark the file again to have them here.")) +
+        "</p>\n";
   if (!work.details.events.empty()) {
     html += "<h3>" + said(QT_TRANSLATE_NOOP("Note", "Events")) + "</h3>\n<ul>\n";
     for (const ReportEvent& event : work.details.events)

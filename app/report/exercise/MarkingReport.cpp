@@ -4,12 +4,13 @@
 
 #include "document/DocumentKind.h"
 #include "document/exercise/ExerciseErrors.h"
+#include "document/exercise/ShippedExercises.h"
 #include "document/exercise/Submission.h"
 #include "report/exercise/MarkingWords.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 namespace handwheel {
 
@@ -65,12 +66,38 @@ std::vector<std::string> damageRemarks(const DocumentFile& file, std::string (*d
   return remarks;
 }
 
+constexpr double kLargerPart = 0.5;  // share of what was moved by hand
+
+bool isSameRecording(const std::vector<RecordedPiece>& a, const std::vector<RecordedPiece>& b) {
+  return !a.empty() && std::ranges::equal(a, b, {}, &RecordedPiece::fingerprint, &RecordedPiece::fingerprint);
+}
+
+// The share of what was moved by hand that another recording has, too, by time; each of its pieces counts once.
+double sharedByHand(const std::vector<RecordedPiece>& mine, const std::vector<RecordedPiece>& others) {
+  std::unordered_map<std::uint64_t, std::size_t> left;
+  for (const RecordedPiece& piece : others)
+    if (piece.isByHand) ++left[piece.fingerprint];
+  double all = 0.0, shared = 0.0;
+  for (const RecordedPiece& piece : mine) {
+    if (!piece.isByHand) continue;
+    all += piece.seconds;
+    const auto found = left.find(piece.fingerprint);
+    if (found == left.end() || found->second == 0) continue;
+    --found->second;
+    shared += piece.seconds;
+  }
+  return all > 0.0 ? shared / all : 0.0;
+}
+
 }  // namespace
 
 ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::path& path, const DocumentKinds& kinds,
                       std::string (*describe)(const Error&), Progress progress) {
   ReportedWork work;
   work.row.file = path.filename().string();
+  std::error_code ignored;
+  work.path = std::filesystem::absolute(path, ignored).string();
+  work.scheme = schemeMark(scheme.exercise);
   const Result<OpenedFile> opened = kinds.open(path, {}, progress.part(0.0, 0.3));
   const auto submission = opened ? std::dynamic_pointer_cast<const ExerciseSnapshot>(opened->content) : nullptr;
   const auto marked = [&]() -> Result<ClassRow> {
@@ -94,26 +121,35 @@ ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::pat
 }
 
 void remarkEqualWorks(std::vector<ReportedWork>& works) {
-  const auto isEqual = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };  // NaN: a gap
-  const auto isSamePoint = [&](const auto& p, const auto& q) {
-    return isEqual(p.first, q.first) && isEqual(p.second, q.second);
-  };
-  const auto isSameSeries = [&](const ReportCurve::Series& a, const ReportCurve::Series& b) {
-    return std::ranges::equal(a.points, b.points, isSamePoint);
-  };
-  const auto isSameCurve = [&](const ReportCurve& a, const ReportCurve& b) {
-    return std::ranges::equal(a.series, b.series, isSameSeries);
-  };
-  const auto isSame = [&](const ReportDetails& a, const ReportDetails& b) {
-    return a.seconds > 0.0 && a.seconds == b.seconds && std::ranges::equal(a.curves, b.curves, isSameCurve);
-  };
   const auto nameOf = [](const ClassRow& row) {
     return row.attempt.student.empty() ? row.file : row.attempt.student + " (" + row.file + ")";
   };
   for (std::size_t i = 0; i < works.size(); ++i)
-    for (std::size_t j = 0; j < works.size(); ++j)
-      if (i != j && isSame(works[i].details, works[j].details))
-        works[i].row.remarks.push_back("The recording is the same as that of " + nameOf(works[j].row) + ".");
+    for (std::size_t j = 0; j < works.size(); ++j) {
+      if (i == j) continue;
+      const std::vector<RecordedPiece>&mine = works[i].details.pieces, &others = works[j].details.pieces;
+      std::vector<std::string>& remarks = works[i].row.remarks;
+      if (works[i].details.seconds > 0.0 && isSameRecording(mine, others)) {
+        remarks.push_back("The recording is the same as that of " + nameOf(works[j].row) + ".");
+      } else if (const double share = sharedByHand(mine, others); share > kLargerPart) {
+        remarks.push_back(std::to_string(static_cast<int>(100.0 * share)) +
+                          " % of the recording is the same as in that of " + nameOf(works[j].row) + ".");
+      }
+    }
+}
+
+ClassReport classReportOf(const ExerciseSnapshot& exercise) {
+  ClassReport report{inLanguage(exercise), measurementTypes(*exercise.subject), {}};
+  if (!exercise.marked) return report;
+  const std::uint64_t scheme = schemeMark(exercise.exercise);
+  for (const auto& work : *exercise.marked) {
+    report.works.push_back(*work);
+    if (work->scheme != scheme && work->row.problem.empty())
+      report.works.back().row.remarks.emplace_back(
+          "The marking scheme was changed after it was marked: mark its file again.");
+  }
+  remarkEqualWorks(report.works);
+  return report;
 }
 
 Json toJson(const ClassReport& report) {

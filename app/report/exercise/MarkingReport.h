@@ -3,18 +3,11 @@
 #pragma once
 
 #include "document/exercise/ExerciseSnapshot.h"
-#include "exercise/ClassTable.h"
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
 namespace handwheel {
-
-// One student's work for a report.
-struct ReportedWork {
-  ClassRow row;
-  ReportDetails details;
-};
 
 // The marks of a class for a report.
 struct ClassReport {
@@ -27,8 +20,12 @@ struct ClassReport {
 ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::path& path, const DocumentKinds& kinds,
                       std::string (*describe)(const Error&), Progress progress);
 
-// Adds a remark to works that have the same recording as another one: nobody moves twice alike. O(works² · points).
+// Adds a remark to works whose recording, or the larger part of it, is the same as that of another one: nobody moves
+// twice alike. The larger part is of what was moved by hand, by time. O(works² · pieces).
 void remarkEqualWorks(std::vector<ReportedWork>& works);
+
+// The report of what an exercise has of its class. Works that were marked by another scheme say so in a remark.
+ClassReport classReportOf(const ExerciseSnapshot& exercise);
 
 // All figures, marks and reasons as JSON, without pictures and curves.
 nlohmann::ordered_json toJson(const ClassReport& report);

@@ -30,7 +30,7 @@ ResultCell timeCell(const std::string& utc) {
   return {QLocale().toString(at.toLocalTime(), QLocale::ShortFormat), static_cast<double>(at.toSecsSinceEpoch())};
 }
 
-ResultCell cellOf(const ClassTable& table, std::size_t row, std::size_t column) {
+ResultCell cellOf(const Exercise& exercise, const ClassTable& table, std::size_t row, std::size_t column) {
   if (column == ClassTable::HandedIn) return timeCell(table.rows()[row].attempt.handedIn);
   ResultCell cell{QString::fromStdString(table.cell(row, column))};
   if (column == ClassTable::Made && !cell.text.isEmpty())
@@ -45,15 +45,13 @@ ResultCell cellOf(const ClassTable& table, std::size_t row, std::size_t column) 
     for (const std::string& remark : shown.remarks) reasons += QString::fromStdString(remark);
     cell.state = ResultCell::State::Bad;
     cell.reason = reasons.join(QLatin1Char('\n'));
-    if (cell.text.isEmpty()) cell.text = QStringLiteral("–");
   }
+  if (column == ClassTable::Student && cell.text.isEmpty()) cell.text = QString::fromStdString(shown.file);
   if (column < ClassTable::FirstCriterion) return cell;
-  const std::vector<Mark>& marks = table.rows()[row].marking.marks;
-  const std::size_t criterion = column - ClassTable::FirstCriterion;
-  if (criterion >= marks.size()) return cell;
-  const bool isFull = marks[criterion].points == marks[criterion].of;
-  cell.state = isFull ? ResultCell::State::Good : ResultCell::State::Bad;
-  cell.reason = reasonText(marks[criterion]);
+  const Mark* const mark = shown.marking.find(exercise.criteria[column - ClassTable::FirstCriterion].id);
+  if (!mark) return cell;
+  cell.state = mark->points == mark->of ? ResultCell::State::Good : ResultCell::State::Bad;
+  cell.reason = reasonText(*mark);
   return cell;
 }
 
@@ -93,6 +91,8 @@ ClassView::ClassView(QWidget* parent)
   m_writeTable = button(tr("&Table…"), "classTable");
   m_compare = button(tr("&Compare…"), "classCompare");
   m_compare->setToolTip(tr("Write a report of the two selected works side by side (Ctrl+click selects a second one)"));
+  m_remove = button(tr("Remo&ve"), "classRemove");
+  m_remove->setToolTip(tr("Remove the selected works from the class; their files stay"));
   m_table->setObjectName(QStringLiteral("classRows"));
   m_table->setAccessibleName(tr("Submissions"));
   column->addLayout(buttons);
@@ -102,6 +102,7 @@ ClassView::ClassView(QWidget* parent)
   connect(m_writeReport, &QPushButton::clicked, this, &ClassView::reportRequested);
   connect(m_writeTable, &QPushButton::clicked, this, &ClassView::tableRequested);
   connect(m_compare, &QPushButton::clicked, this, &ClassView::comparisonRequested);
+  connect(m_remove, &QPushButton::clicked, this, [this] { emit removalRequested(selected()); });
   connect(m_table, &ResultTable::rowActivated, this, &ClassView::openRequested);
   connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ClassView::showRecordings);
   setReport({});
@@ -119,7 +120,7 @@ void ClassView::setReport(ClassReport report) {
   }
   std::vector<ResultModel::Row> rows(table.rows().size());
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    for (std::size_t i = 0; i < table.columns(); ++i) rows[row].push_back(cellOf(table, row, i));
+    for (std::size_t i = 0; i < table.columns(); ++i) rows[row].push_back(cellOf(m_report.exercise, table, row, i));
   }
   m_table->setTable(std::move(headings), std::move(rows));
   m_writeReport->setEnabled(!m_report.works.empty());
@@ -139,21 +140,30 @@ std::vector<std::size_t> ClassView::selected() const {
   std::vector<std::size_t> works;
   for (const QModelIndex& row : m_table->selectionModel()->selectedRows()) {
     const std::size_t source = model->source(row.row());
-    if (source < m_report.works.size() && m_report.works[source].row.problem.empty()) works.push_back(source);
+    if (source < m_report.works.size()) works.push_back(source);
   }
+  return works;
+}
+
+std::vector<std::size_t> ClassView::selectedMarked() const {
+  std::vector<std::size_t> works = selected();
+  std::erase_if(works, [&](std::size_t work) { return !m_report.works[work].row.problem.empty(); });
   return works;
 }
 
 ClassReport ClassView::comparedReport() const {
   ClassReport compared{m_report.exercise, m_report.figures, {}};
-  for (const std::size_t work : selected()) compared.works.push_back(m_report.works[work]);
+  for (const std::size_t work : selectedMarked()) compared.works.push_back(m_report.works[work]);
   return compared;
 }
 
 void ClassView::showRecordings() {
   std::vector<TimeLineRecording> recordings;
-  for (const std::size_t work : selected()) recordings.push_back(recordingOf(m_report.works[work]));
-  m_compare->setEnabled(recordings.size() == 2);
+  const std::vector<std::size_t> marked = selectedMarked();
+  for (const std::size_t work : marked)
+    if (!m_report.works[work].isKept) recordings.push_back(recordingOf(m_report.works[work]));
+  m_compare->setEnabled(marked.size() == 2);
+  m_remove->setEnabled(!selected().empty());
   m_recordings->setVisible(!recordings.empty());
   m_recordings->setRecordings(std::move(recordings));
 }

@@ -33,16 +33,19 @@ class ClassView : public QWidget {
   void comparisonRequested();
   void tableRequested();
   void openRequested(std::size_t work);  // of the report
+  void removalRequested(const std::vector<std::size_t>& works);
 
  private:
   void showRecordings();
-  std::vector<std::size_t> selected() const;  // works that were marked, of the report
+  std::vector<std::size_t> selected() const;        // works of the report
+  std::vector<std::size_t> selectedMarked() const;  // those that could be marked
 
   ClassReport m_report;
   ResultTable* m_table;
   QPushButton* m_writeReport;
   QPushButton* m_writeTable;
   QPushButton* m_compare;
+  QPushButton* m_remove;
   TimeLinePanel* m_recordings;
 };
 

@@ -22,6 +22,7 @@
 #include "window/kinds/SuggestedName.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QLocale>
 #include <QStackedWidget>
 
@@ -57,9 +58,10 @@ ExerciseUi::ExerciseUi(const WindowContext& window)
   connect(table, &ClassView::tableRequested, this, [this] { writeClass(ClassFile::Table); });
   connect(table, &ClassView::comparisonRequested, this, [this] { writeClass(ClassFile::Comparison); });
   connect(table, &ClassView::openRequested, this, [this](std::size_t work) {
-    const QStringList paths = m_classes[document()].paths;
-    if (const auto i = static_cast<qsizetype>(work); i < paths.size()) parts().openFile(paths[i]);
+    if (m_shownClass && work < m_shownClass->size())
+      parts().openFile(QFile::decodeName(QByteArray::fromStdString((*m_shownClass)[work]->path)));
   });
+  connect(table, &ClassView::removalRequested, this, &ExerciseUi::removeWorks);
   refresh();
 }
 
@@ -110,13 +112,11 @@ void ExerciseUi::setDocument(DocumentTab* document) {
   RigidPartsUi::setDocument(document);
   if (current() != nullptr) connect(current(), &Document::changed, this, &ExerciseUi::refresh);
   m_editor->setDocument(current() && !current()->exercise().isForStudents ? current() : nullptr);
-  if (current()) m_editor->classView()->setReport(m_classes[document].report);
   refresh();
 }
 
 void ExerciseUi::forget(DocumentTab* document) {
   parts().jobs.cancelOf(document);
-  m_classes.erase(document);
 }
 
 // A title that is changed is none of the shape. Work that takes long to prepare would take as long to be shown here:
@@ -143,6 +143,7 @@ void ExerciseUi::refresh() {
   const ExerciseSnapshot& exercise = current()->exercise();
   const bool isStudent = exercise.isForStudents;
   m_pages->setCurrentWidget(isStudent ? static_cast<QWidget*>(m_student) : m_editor);
+  showClass();
   if (isStudent) m_student->setExercise(exercise, exercise.attempt.value_or(Attempt()), false);
   const bool hasWork = m_attempt->workOn(*document()) != nullptr;
   m_preview->setEnabled(!isStudent);

@@ -6,7 +6,6 @@
 #include "window/kinds/RigidPartsUi.h"
 
 #include <QAction>
-#include <map>
 
 class QStackedWidget;
 
@@ -66,7 +65,10 @@ class ExerciseUi : public RigidPartsUi {
   void askToRound();
   void chooseSubmissions();
   void mark(const QStringList& paths);
-  void reportMarked(const ClassReport& report);
+  void takeMarked(DocumentTab* owner, std::vector<ReportedWork> works);
+  void reportMarked(const std::vector<ReportedWork>& works);
+  void removeWorks(const std::vector<std::size_t>& works);
+  void showClass();
   // name: that is suggested, without its ending.
   void chooseFile(const QString& title, const QString& filter, const QString& name, const QString& suffix,
                   const std::function<void(const QString& path)>& chosen);
@@ -79,12 +81,9 @@ class ExerciseUi : public RigidPartsUi {
   ExerciseEditor* m_editor;
   ExerciseLesson* m_student;
   RunningAttempt* m_attempt;
-  // The class of each exercise that was marked: the report, and the paths of its works.
-  struct MarkedClass {
-    ClassReport report;
-    QStringList paths;
-  };
-  std::map<const DocumentTab*, MarkedClass> m_classes;
+  // The class that is shown, and what else of the exercise is in its table and report.
+  std::shared_ptr<const MarkedClass> m_shownClass;
+  std::string m_shownScheme;
   // What is shown, and what it was made from.
   mutable DisplayModel m_displayed;
   mutable TaskPointer m_displayedTask;

@@ -3,6 +3,7 @@
 
 // Marking what a class has handed in, and writing what came out.
 #include "document/AtomicFile.h"
+#include "document/exercise/ExerciseDocument.h"
 #include "document/exercise/ShippedExercises.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
@@ -52,35 +53,61 @@ void ExerciseUi::mark(const QStringList& paths) {
   job.name = tr("Marking");
   job.owner = document();
   job.work = [this, paths, scheme = snapshot(), &kinds = parts().kinds, owner = document()](Progress progress) {
-    auto marked =
-        std::make_shared<ClassReport>(ClassReport{inLanguage(*scheme), measurementTypes(*scheme->subject), {}});
+    auto marked = std::make_shared<std::vector<ReportedWork>>();
     const double share = 1.0 / static_cast<double>(paths.size());
     for (int i = 0; i < paths.size() && !progress.cancelled(); ++i)
-      marked->works.push_back(markFile(*scheme, QFile::encodeName(paths[i]).toStdString(), kinds, markProblem,
-                                       progress.part(i * share, (i + 1) * share)));
-    remarkEqualWorks(marked->works);
-    return Job::Finish([this, marked, paths, owner] {
-      if (!parts().tabs.contains(owner)) return;
-      m_classes[owner] = {std::move(*marked), paths};
-      if (owner != document()) return;
-      m_editor->classView()->setReport(m_classes[owner].report);
-      m_editor->setCurrentWidget(m_editor->classView());
-      if (!parts().isPanelVisible()) parts().showPanel->trigger();
-      raiseKindPanel(parts());
-      reportMarked(m_classes[owner].report);
-    });
+      marked->push_back(markFile(*scheme, QFile::encodeName(paths[i]).toStdString(), kinds, markProblem,
+                                 progress.part(i * share, (i + 1) * share)));
+    return Job::Finish([this, marked, owner] { takeMarked(owner, std::move(*marked)); });
   };
   parts().jobs.start(std::move(job));
 }
 
+// More works are added; a file that is marked again replaces its row. One undo step.
+void ExerciseUi::takeMarked(DocumentTab* owner, std::vector<ReportedWork> works) {
+  if (!parts().tabs.contains(owner) || works.empty()) return;
+  auto& exercise = static_cast<ExerciseDocument&>(owner->document);
+  ExerciseSnapshot changed = exercise.exercise();
+  changed.marked =
+      std::make_shared<const MarkedClass>(withMarked(changed.marked ? *changed.marked : MarkedClass(), works));
+  exercise.change(tr("Mark"), std::move(changed));
+  if (owner != document()) return;
+  m_editor->setCurrentWidget(m_editor->classView());
+  if (!parts().isPanelVisible()) parts().showPanel->trigger();
+  raiseKindPanel(parts());
+  reportMarked(works);
+}
+
+void ExerciseUi::removeWorks(const std::vector<std::size_t>& works) {
+  if (!current() || !m_shownClass) return;
+  MarkedClass left;
+  for (std::size_t i = 0; i < m_shownClass->size(); ++i)
+    if (std::find(works.begin(), works.end(), i) == works.end()) left.push_back((*m_shownClass)[i]);
+  ExerciseSnapshot changed = current()->exercise();
+  changed.marked = left.empty() ? nullptr : std::make_shared<const MarkedClass>(std::move(left));
+  current()->change(tr("Remove from the class"), std::move(changed));
+}
+
+// Each change of the exercise comes here, and few are of the class or of what its report says.
+void ExerciseUi::showClass() {
+  const ExerciseSnapshot& exercise = current()->exercise();
+  const Exercise shown = inLanguage(exercise);
+  std::string scheme = std::to_string(schemeMark(shown)) + shown.title + '\n' + shown.text;
+  for (const MarkingCriterion& c : shown.criteria) scheme += '\n' + c.name;
+  if (exercise.marked == m_shownClass && (!m_shownClass || scheme == m_shownScheme)) return;
+  m_shownClass = exercise.marked;
+  m_shownScheme = std::move(scheme);
+  m_editor->classView()->setReport(classReportOf(exercise));
+}
+
 // What came out in short: the table is in the panel.
-void ExerciseUi::reportMarked(const ClassReport& report) {
+void ExerciseUi::reportMarked(const std::vector<ReportedWork>& works) {
   const QLocale locale;
   std::vector<const ReportedWork*> marked;
-  for (const ReportedWork& work : report.works) {
+  for (const ReportedWork& work : works) {
     if (work.row.problem.empty()) marked.push_back(&work);
   }
-  const auto count = static_cast<int>(marked.size()), failed = static_cast<int>(report.works.size()) - count;
+  const auto count = static_cast<int>(marked.size()), failed = static_cast<int>(works.size()) - count;
   QStringList details;
   if (count == 1) {
     const ClassRow& row = marked.front()->row;

@@ -25,7 +25,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kDescriptionEnding = ".exercise.json";
-constexpr const char *kSolution = "solution", *kWork = "work", *kTask = "task";
+constexpr const char *kSolution = "solution", *kWork = "work", *kTask = "task", *kClass = "class";
 
 const ExerciseSnapshot& exerciseOf(const Snapshot& content) {
   return static_cast<const ExerciseSnapshot&>(content);
@@ -148,6 +148,8 @@ Result<WrittenFile> ExerciseKind::exportTo(const Snapshot& content, const std::f
          {},
          true});
   if (exercise.work) file.notes.push_back({QT_TRANSLATE_NOOP("Note", "The work is not in the description."), {}, true});
+  if (exercise.marked)
+    file.notes.push_back({QT_TRANSLATE_NOOP("Note", "The class and its marks are not in the description."), {}, true});
   const std::string text = json.dump(1) + "\n";
   const Status written = writeFileAtomically(path, text, progress);
   if (!written) return written.error();
@@ -161,6 +163,7 @@ void ExerciseKind::save(const Snapshot& content, Container& container) const {
   if (!document.is_object()) document = Json::object();
   document.update(withOthers(exercise, description(exercise)));
   document["attempt"] = exercise.attempt ? toJson(*exercise.attempt) : Json();
+  if (exercise.marked) document[kClass] = toJson(*exercise.marked);
   writeInner(container, kSolution, exercise.subject->kind(), exercise.solution);
   writeInner(container, kWork, exercise.subject->kind(), exercise.work);
 }
@@ -178,6 +181,12 @@ Result<SnapshotPointer> ExerciseKind::load(const Container& container, std::vect
       isForStudents != document->end() && isForStudents->is_boolean() && isForStudents->get<bool>();
   const auto attempt = document->find("attempt");
   if (attempt != document->end() && attempt->is_object()) exercise.attempt = attemptFrom(*attempt, damage);
+  // A copy for students has none, whoever wrote it.
+  const auto marked = document->find(kClass);
+  if (marked != document->end() && !exercise.isForStudents) {
+    MarkedClass works = markedClassFrom(*marked, damage);
+    if (!works.empty()) exercise.marked = std::make_shared<const MarkedClass>(std::move(works));
+  }
   Result<SnapshotPointer> solution =
       readInner(container, kSolution, exercise.subject->kind(), damage, progress.part(0.0, 0.5));
   Result<SnapshotPointer> work =
@@ -186,7 +195,7 @@ Result<SnapshotPointer> ExerciseKind::load(const Container& container, std::vect
   if (!work) return work.error();
   exercise.solution = std::move(solution.value());
   exercise.work = std::move(work.value());
-  keepOthers(exercise, *document, {kSolution, kWork, "attempt"});
+  keepOthers(exercise, *document, {kSolution, kWork, "attempt", kClass});
   return SnapshotPointer(std::make_shared<const ExerciseSnapshot>(std::move(exercise)));
 }
 

@@ -34,6 +34,7 @@ ExerciseSnapshot forStudents(ExerciseSnapshot exercise) {
   exercise.solution.reset();
   exercise.work.reset();
   exercise.attempt.reset();
+  exercise.marked.reset();
   exercise.others.reset();
   exercise.describedSolution.reset();
   exercise.madeOfDescription.reset();

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/Snapshot.h"
-#include "document/exercise/ExerciseSubject.h"
+#include "document/exercise/MarkedClass.h"
 #include "exercise/Attempt.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,12 +15,13 @@ namespace handwheel {
 struct ExerciseSnapshot : Snapshot {
   std::string key;  // the same in the teacher's file, the students' and what they hand in
   Exercise exercise;
-  const ExerciseSubject* subject = nullptr;  // never null in a document
-  TaskPointer task;                          // never null in a document
-  SnapshotPointer solution;                  // the model solution; null: none
-  SnapshotPointer work;                      // of the student, as far as it is; null: nothing yet
-  std::optional<Attempt> attempt;            // present since the student has begun
-  bool isForStudents = false;                // it has no answers, and cannot be changed
+  const ExerciseSubject* subject = nullptr;   // never null in a document
+  TaskPointer task;                           // never null in a document
+  SnapshotPointer solution;                   // the model solution; null: none
+  SnapshotPointer work;                       // of the student, as far as it is; null: nothing yet
+  std::optional<Attempt> attempt;             // present since the student has begun
+  bool isForStudents = false;                 // it has no answers, and cannot be changed
+  std::shared_ptr<const MarkedClass> marked;  // what was handed in, as it was marked; null: nothing yet
   // What the file that it was read from has beside what this program knows: it is written back into files. What rows
   // have is in them. Null: nothing.
   std::shared_ptr<const nlohmann::json> others;
@@ -30,7 +31,7 @@ struct ExerciseSnapshot : Snapshot {
   SnapshotPointer madeOfDescription;
 };
 
-// The exercise for students: without marking scheme, model solution and work.
+// The exercise for students: without marking scheme, model solution, work and class.
 ExerciseSnapshot forStudents(ExerciseSnapshot exercise);
 
 // Marks the work of an exercise by the scheme of another, the teacher's. Measures the common figures as well. The

@@ -58,13 +58,21 @@ struct ReportMeasurement {
   double value = 0.0;
 };
 
+// A piece of a recording, as a pass: nobody who moves by hand makes the same one twice.
+struct RecordedPiece {
+  std::uint64_t fingerprint = 0;  // of the movement and its times (base/Fingerprint.h)
+  double seconds = 0.0;
+  bool isByHand = true;  // else a program has made it, as it makes it for everybody
+};
+
 // What a report shows of a student's work besides the marks.
 struct ReportDetails {
   std::vector<ReportPicture> pictures;
   std::vector<ReportMeasurement> figures;
   std::vector<ReportCurve> curves;
   std::vector<ReportEvent> events;
-  double seconds = 0.0;  // that the recorded work took
+  std::vector<RecordedPiece> pieces;  // of the recorded work, in order
+  double seconds = 0.0;               // that it took
 };
 
 // What a kind of document brings to exercises: what is prepared and what is measured. Turning and drilling are two;

@@ -14,6 +14,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QItemSelectionModel>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
@@ -48,6 +49,13 @@ bool beginTurning(TurningWindow& turning, const char* command) {
     QTest::qWait(200);
   } while (turning.view->size() != before);
   return turning.driver.settle();
+}
+
+// The students in the table of a class.
+QStringList namesIn(const QAbstractItemView* rows) {
+  QStringList names;
+  for (int row = 0; row < rows->model()->rowCount(); ++row) names << rows->model()->index(row, 0).data().toString();
+  return names;
 }
 
 QString labelsOf(QWidget* widget) {
@@ -246,6 +254,23 @@ class ExerciseWindowTest : public QObject {
     driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
     QVERIFY(driver.settle());
     QCOMPARE(rows->model()->rowCount(), 1);
+    // Late ones come to the others, the same file again takes its row; each is an undo step.
+    const QString late = folder.filePath("late.handwheel"), broken = folder.filePath("broken.handwheel");
+    QVERIFY(QFile::copy(path, late));
+    QFile junk(broken);
+    QVERIFY(junk.open(QIODevice::WriteOnly) && junk.write("no file of ours") > 0);
+    junk.close();
+    for (const QString& more : {late, path, broken}) {
+      driver.choose("markExercise");
+      QVERIFY(driver.enterFileName("markDialog", more));
+      QVERIFY(driver.settle());
+    }
+    QTRY_COMPARE(rows->model()->rowCount(), 3);
+    QVERIFY(namesIn(rows).contains(QStringLiteral("broken.handwheel")));  // it has no name
+    Document& marked = driver.find<DocumentTabs>("tabRow")->current()->document;
+    QVERIFY(marked.isModified());  // closing asks
+    marked.history()->undo();
+    QTRY_COMPARE(rows->model()->rowCount(), 2);
     driver.click("classReport");
     const QString report = folder.filePath("class.html");
     QVERIFY(driver.enterFileName("classFileDialog", report));
@@ -255,6 +280,45 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray html = file.readAll();
     QVERIFY(html.contains("Ada") && html.contains("0 / 15") && html.contains("data:image/png;base64,"));
+  }
+
+  // Saved with the exercise, the class is there again; whom the teacher takes out is not.
+  void theClassIsKept() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("ada.handwheel"), teachers = folder.filePath("teacher.handwheel");
+    {
+      WindowDriver driver;
+      driver.choose("exercise/shaft");
+      QVERIFY(driver.settle());
+      driver.choose("beginExercise");
+      QVERIFY(driver.settle());
+      QTest::keyClicks(partOfLesson<QLineEdit>(driver, "exerciseLesson", "lesson/name"), "Ada");
+      partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->click();
+      QVERIFY(driver.enterFileName("handInDialog", path));
+      QVERIFY(driver.settle());
+      driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+      QVERIFY(driver.settle());
+      driver.choose("markExercise");
+      QVERIFY(driver.enterFileName("markDialog", path));
+      QVERIFY(driver.settle());
+      QTRY_COMPARE(namesIn(driver.find<QAbstractItemView>("classRows")), QStringList{"Ada"});
+      driver.choose("saveFile");
+      QVERIFY(driver.enterFileName("saveDialog", teachers));
+      QVERIFY(driver.settle());
+      QTRY_VERIFY(QFile::exists(teachers));
+    }
+    WindowDriver driver;
+    QVERIFY(driver.open(teachers));
+    QVERIFY(driver.settle());
+    auto* const rows = driver.find<QAbstractItemView>("classRows");
+    QTRY_COMPARE(namesIn(rows), QStringList{"Ada"});
+    rows->selectionModel()->select(rows->model()->index(0, 0), QItemSelectionModel::Select | QItemSelectionModel::Rows);
+    auto* const remove = driver.find<QPushButton>("classRemove");
+    QVERIFY(remove->isEnabled());
+    remove->click();
+    QTRY_COMPARE(namesIn(rows), QStringList());
+    driver.find<DocumentTabs>("tabRow")->current()->document.history()->undo();
+    QTRY_COMPARE(namesIn(rows), QStringList{"Ada"});
   }
 
   // A pass by the mouse: the marks are those of the radii that the part has.

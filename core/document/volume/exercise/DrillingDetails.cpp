@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/volume/exercise/DrillingDetails.h"
 
+#include "base/Fingerprint.h"
 #include "base/NumberText.h"
 #include "document/volume/exercise/HolePicture.h"
 
@@ -58,6 +59,22 @@ void addEvent(ReportDetails& details, const std::vector<DrillMoment>& moments, I
   if (found != moments.end()) details.events.push_back({found->time, {text, std::move(arguments)}});
 }
 
+// Of a hole, each second by itself: who copied it may have gone on otherwise.
+void addRecordedPieces(ReportDetails& details, const DrillRecord& hole) {
+  constexpr std::size_t kPoses = 1000;  // in one piece
+  for (std::size_t first = 0; first < hole.poses.size(); first += kPoses) {
+    const std::size_t last = std::min(first + kPoses, hole.poses.size()) - 1;
+    Fingerprint mark;
+    for (std::size_t i = first; i <= last; ++i) {
+      const DrillPose& pose = hole.poses[i];
+      mark.add(pose.micros);
+      for (const std::int64_t at : pose.at) mark.add(static_cast<std::uint64_t>(at));
+      for (const float direction : pose.axis) mark.add(static_cast<double>(direction));
+    }
+    details.pieces.push_back({mark.value(), hole.poses[last].seconds() - hole.poses[first].seconds()});
+  }
+}
+
 }  // namespace
 
 ReportCurve thrustCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments) {
@@ -112,6 +129,7 @@ ReportDetails drillingDetails(const DrillingTask& task, const DrilledHoles& hole
                             "The hole in section along the planned path. Grey: material that is left. Light blue: "
                             "drilled. Red: drilled beside the planned hole or in the forbidden region, which is pink. "
                             "Green: the planned path, with its tolerance. Black: the path of the tip.")}});
+  for (const auto& hole : holes) addRecordedPieces(details, *hole);
   if (moments.empty()) return details;
   if (review.figures.contact)
     details.figures = {

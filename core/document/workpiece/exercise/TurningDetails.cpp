@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/exercise/TurningDetails.h"
 
+#include "base/Fingerprint.h"
 #include "base/NumberText.h"
 #include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/target/SectionPicture.h"
@@ -192,6 +193,14 @@ void addPeak(ReportDetails& details, const char* figure, const std::vector<Measu
   details.events.push_back({largest->time, {text, {roundedText((*largest).*which, digits), roundedText(limit, 4)}}});
 }
 
+// By the path that cut, so that a pass is found again wherever it stands among others.
+RecordedPiece recordedPieceOf(const TurningPass& pass) {
+  Fingerprint mark;
+  for (const ProfilePoint& p : pass.path) mark.add(p.x()), mark.add(p.y());
+  for (const double time : pass.times) mark.add(time);
+  return {mark.value(), pass.times.empty() ? 0.0 : pass.times.back(), !pass.isOfProgram};
+}
+
 }  // namespace
 
 ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& work, Progress progress) {
@@ -200,6 +209,7 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
   details.pictures.push_back(pictureOf(task, part.profile()));
   details.curves.push_back(shapeCurve(task, part.profile()));
   if (!work.part || !part.review()) return details;
+  for (const auto& pass : work.part->passes) details.pieces.push_back(recordedPieceOf(*pass));
   details.curves.push_back(pathCurve(task, work));
   if (ReportCurve finish = finishCurve(part); !finish.series.empty()) details.curves.push_back(std::move(finish));
   const std::vector<MeasuredPart::Load> loads = part.loads();

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/exercise/ExerciseSubject.h"
+#include "exercise/ClassTable.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace handwheel {
+
+// One student's work that was marked.
+struct ReportedWork {
+  ClassRow row;
+  ReportDetails details;     // without pictures and curves where it was read from the file of the exercise
+  std::string path = {};     // of the file that was marked, absolute, as bytes
+  std::uint64_t scheme = 0;  // schemeMark() that it was marked by
+  bool isKept = false;       // it was read from the file of the exercise
+};
+
+// What a class has handed in, as it was marked, in the order in which it came. The teacher's alone.
+using MarkedClass = std::vector<std::shared_ptr<const ReportedWork>>;
+
+inline constexpr std::size_t kMostMarkedWorks = 5000;
+
+// Tells marking schemes apart that may give other marks: not by names of criteria.
+std::uint64_t schemeMark(const Exercise& exercise);
+
+// The class with more works. A file that was marked before takes the place of its row, by its path.
+MarkedClass withMarked(MarkedClass marked, std::vector<ReportedWork> more);
+
+// As the file of an exercise has it; docs/format.md lists the keys. Pictures and curves are left out.
+nlohmann::json toJson(const MarkedClass& marked);
+// Reads untrusted JSON. What cannot be taken is left out and added to the damage.
+MarkedClass markedClassFrom(const nlohmann::json& json, std::vector<Error>& damage);
+
+}  // namespace handwheel
