@@ -34,9 +34,13 @@ bool isClockTime(double value, const std::string& unit) {
   return unit == "s" && std::abs(value) >= 60.0;
 }
 
-// Of a limit, as the teacher has written it.
+// Of a limit, as the teacher has written it; of angles, which follow from sizes, two decimals.
+std::string limitNumber(double value, const std::string& unit) {
+  return unit == "°" ? measuredText(value, unit) : roundedText(value);
+}
+
 std::string withUnit(double value, const std::string& unit) {
-  return isClockTime(value, unit) ? minutesText(value) : roundedText(value) + unitAfter(unit);
+  return isClockTime(value, unit) ? minutesText(value) : limitNumber(value, unit) + unitAfter(unit);
 }
 
 std::string measuredWithUnit(double value, const std::string& unit) {
@@ -46,7 +50,7 @@ std::string measuredWithUnit(double value, const std::string& unit) {
 ExerciseText limitsText(const MarkingCriterion& c, const std::string& value, const std::string& unit) {
   if (c.lower && c.upper)
     return {translatable("Note", "%1 is within %2 and %3"),
-            {value, unit == "s" ? withUnit(*c.lower, unit) : roundedText(*c.lower), withUnit(*c.upper, unit)}};
+            {value, unit == "s" ? withUnit(*c.lower, unit) : limitNumber(*c.lower, unit), withUnit(*c.upper, unit)}};
   if (c.upper) return {translatable("Note", "%1 is not above %2"), {value, withUnit(*c.upper, unit)}};
   if (c.lower) return {translatable("Note", "%1 is not below %2"), {value, withUnit(*c.lower, unit)}};
   return {translatable("Note", "%1, without a limit"), {value}};

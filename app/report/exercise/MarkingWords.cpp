@@ -13,10 +13,12 @@ namespace handwheel {
 
 namespace {
 
-std::string limitsOf(const MarkingCriterion& c) {
-  if (c.lower && c.upper) return roundedText(*c.lower) + " … " + roundedText(*c.upper);
-  if (c.upper) return "≤ " + roundedText(*c.upper);
-  return c.lower ? "≥ " + roundedText(*c.lower) : std::string();
+// Those of an angle follow from sizes: they have as many decimals as what is measured.
+std::string limitsOf(const MarkingCriterion& c, const std::string& unit) {
+  const auto text = [&](double limit) { return unit == "°" ? measuredText(limit, unit) : roundedText(limit); };
+  if (c.lower && c.upper) return text(*c.lower) + " … " + text(*c.upper);
+  if (c.upper) return "≤ " + text(*c.upper);
+  return c.lower ? "≥ " + text(*c.lower) : std::string();
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ std::vector<std::array<std::string, 5>> rowsOf(const ClassReport& report, const 
     if (!c) continue;
     const std::string symbol = unitOf(report, *c), unit = unitAfter(symbol);
     const std::string remark = mark.remark.text.empty() ? std::string() : translatedText(mark.remark);
-    rows.push_back({c->name, c->hasLimit() ? limitsOf(*c) + unit : std::string(),
+    rows.push_back({c->name, c->hasLimit() ? limitsOf(*c, symbol) + unit : std::string(),
                     mark.value ? measuredText(*mark.value, symbol) + unit : "–",
                     roundedText(mark.points) + " / " + roundedText(mark.of),
                     translatedText(mark.reason) + (remark.empty() ? "" : " (" + remark + ")")});

@@ -72,16 +72,19 @@ bool saysTolerance(const QString& name, const QString& tolerance) {
   return false;
 }
 
-// "⌀30", and "h10" behind it where the name does not say that already.
+// "⌀30", and "h10" behind it where the name does not say that already; of "6g pitch diameter" the class alone.
 QString nameWithTolerance(const MarkingCriterion& c) {
-  const QString name = QString::fromStdString(c.name), tolerance = QString::fromStdString(c.tolerance);
+  const QString name = QString::fromStdString(c.name);
+  const QString tolerance = QString::fromStdString(c.tolerance).section(QLatin1Char(' '), 0, 0);
   return tolerance.isEmpty() || saysTolerance(name, tolerance) ? name : name + QLatin1Char(' ') + tolerance;
 }
 
 // "⌀30 h10: 29.916 … 30 mm", and where it is measured.
 QString sizeText(const MarkingCriterion& c, const MeasurementType& type, double zero) {
+  constexpr double kShownOfDegree = 100.0;  // parts
   const bool isTime = type.unit == "s";
   const auto value = [&](double figure) {
+    if (type.unit == "°") figure = std::round(figure * kShownOfDegree) / kShownOfDegree;
     return isTime ? QString::fromStdString(minutesText(figure)) : QLocale().toString(figure, 'g', 8);
   };
   const QString unit = type.unit.empty() || isTime ? QString() : QLatin1Char(' ') + QString::fromStdString(type.unit);

@@ -68,8 +68,14 @@ std::optional<std::vector<double>> numbersIn(const std::string& text) {
   return numbers;
 }
 
-std::string limitText(const std::optional<double>& limit) {
-  return limit ? shortestText(*limit) : std::string();
+// What one of the unit in which a figure is shown is in that of files: the time of the work is in minutes, as the one
+// that the task allows.
+double shownUnit(const MeasurementType* type) {
+  return type && type->id == "time" ? kSecondsOfMinute : 1.0;
+}
+
+std::string limitText(const std::optional<double>& limit, double unit) {
+  return limit ? shortestText(*limit / unit) : std::string();
 }
 
 // A criterion in the words of the teacher; its id where these would not find it again.
@@ -171,23 +177,24 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
     shown = std::move(place);
   }
   if (!type) add("arguments", QT_TRANSLATE_NOOP("Property", "Measured at"), numbersText(c.arguments)).isNumbers = true;
+  const double unit = shownUnit(type);
   const auto addNumber = [&](const char* id, const char* label, PropertyValue value) -> Property& {
     Property& made = add(id, label, std::move(value));
-    made.label = labelWithUnit(label, type ? type->unit : std::string());
+    made.label = labelWithUnit(label, unit != 1.0 ? "min" : type ? type->unit : std::string());
     made.translated = false;
     return made;
   };
-  addNumber("nominal", QT_TRANSLATE_NOOP("Property", "Nominal size"), limitText(c.nominal)).isNumbers = true;
+  addNumber("nominal", QT_TRANSLATE_NOOP("Property", "Nominal size"), limitText(c.nominal, unit)).isNumbers = true;
   add("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance on the drawing"), c.tolerance).isNumbers = true;
-  addNumber("lower", QT_TRANSLATE_NOOP("Property", "Lower limit"), limitText(c.lower)).isNumbers = true;
-  addNumber("upper", QT_TRANSLATE_NOOP("Property", "Upper limit"), limitText(c.upper)).isNumbers = true;
+  addNumber("lower", QT_TRANSLATE_NOOP("Property", "Lower limit"), limitText(c.lower, unit)).isNumbers = true;
+  addNumber("upper", QT_TRANSLATE_NOOP("Property", "Upper limit"), limitText(c.upper, unit)).isNumbers = true;
   if (exercise.isForStudents) return all;
   Property& points = add("points", QT_TRANSLATE_NOOP("Property", "Points"), c.points);
   points.least = 0.0;
   points.largest = Exercise::kMostPoints;
   if (c.points > 0.0 && !c.hasLimit())
     points.problem = QT_TRANSLATE_NOOP("Property", "they cannot be scored without a limit");
-  Property& slack = addNumber("slack", QT_TRANSLATE_NOOP("Property", "No points this far beyond"), c.slack);
+  Property& slack = addNumber("slack", QT_TRANSLATE_NOOP("Property", "No points this far beyond"), c.slack / unit);
   slack.least = 0.0;
   slack.largest = Exercise::kLargestFigure;
   add("hidden", QT_TRANSLATE_NOOP("Property", "Hidden from students"), c.isHidden);
@@ -195,18 +202,18 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
   return all;
 }
 
-Status setLimit(std::optional<double>& limit, const std::string& id, const std::string& text) {
+Status setLimit(std::optional<double>& limit, const std::string& id, const std::string& text, double unit) {
   const auto numbers = numbersIn(text);
   if (!numbers || numbers->size() > 1) return malformed(id, "a number was expected, or nothing");
-  limit = numbers->empty() ? std::nullopt : std::optional(numbers->front());
+  limit = numbers->empty() ? std::nullopt : std::optional(unit * numbers->front());
   return Done{};
 }
 
 // A limit that is set by hand is not that of a class any more.
-Status setLimitByHand(MarkingCriterion& c, std::optional<double>& limit, const std::string& id,
-                      const std::string& text) {
+Status setLimitByHand(MarkingCriterion& c, std::optional<double>& limit, const std::string& id, const std::string& text,
+                      double unit) {
   const std::optional<double> before = limit;
-  const Status set = setLimit(limit, id, text);
+  const Status set = setLimit(limit, id, text, unit);
   if (set && limit != before) c.tolerance.clear();
   return set;
 }
@@ -222,6 +229,7 @@ Status setField(MarkingCriterion& c, const std::string& field, const std::string
                 const std::vector<MeasurementType>& types) {
   const auto* text = std::get_if<std::string>(&value);
   const auto* number = std::get_if<double>(&value);
+  const double unit = shownUnit(measurementType(types, c.figure));
   if (field == "hidden" || field == "decisive") {
     const auto* flag = std::get_if<bool>(&value);
     if (!flag) return malformed(id, "a switch was expected");
@@ -231,7 +239,7 @@ Status setField(MarkingCriterion& c, const std::string& field, const std::string
   if (field == "points" || field == "slack" || field == "figure") {
     if (!number) return malformed(id, "a number was expected");
     if (field == "points") c.points = *number;
-    if (field == "slack") c.slack = *number;
+    if (field == "slack") c.slack = unit * *number;
     if (field != "figure") return Done{};
     if (!(*number >= 0.0 && *number < static_cast<double>(types.size())))
       return malformed(id, "there is no such choice");
@@ -245,9 +253,9 @@ Status setField(MarkingCriterion& c, const std::string& field, const std::string
     return Done{};
   }
   if (!text || !isUtf8(*text)) return malformed(id, "a text in UTF-8 was expected");
-  if (field == "lower") return setLimitByHand(c, c.lower, id, *text);
-  if (field == "upper") return setLimitByHand(c, c.upper, id, *text);
-  if (field == "nominal") return setLimit(c.nominal, id, *text);
+  if (field == "lower") return setLimitByHand(c, c.lower, id, *text, unit);
+  if (field == "upper") return setLimitByHand(c, c.upper, id, *text, unit);
+  if (field == "nominal") return setLimit(c.nominal, id, *text, unit);
   if (field == "name") c.name = *text;
   if (field == "tolerance") c.tolerance = *text;
   if (field == "arguments") {
@@ -272,13 +280,13 @@ Status setAndResolve(const ExerciseSnapshot& exercise, MarkingCriterion& c, cons
 
 // The heights at which the criteria are measured, where these are on a target that has moved.
 void movePlaces(ExerciseSnapshot& exercise, double move) {
-  constexpr double kSteps = 1e9;  // of a mm: what is below is rounding
+  constexpr double kShares = 1e9;  // of a mm: what is below is rounding
   if (move == 0.0) return;
   const std::vector<MeasurementType> types = measurementTypes(*exercise.subject);
   for (MarkingCriterion& c : exercise.exercise.criteria) {
     const MeasurementType* const type = measurementType(types, c.figure);
     for (std::size_t i = 0; type && i < std::min(c.arguments.size(), type->arguments.size()); ++i) {
-      if (type->arguments[i].ends_with('Z')) c.arguments[i] = std::round((c.arguments[i] + move) * kSteps) / kSteps;
+      if (type->arguments[i].ends_with('Z')) c.arguments[i] = std::round((c.arguments[i] + move) * kShares) / kShares;
     }
   }
 }

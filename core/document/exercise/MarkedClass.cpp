@@ -208,13 +208,13 @@ MarkedClass markedClassFrom(const Json& json, std::vector<Error>& damage) {
   for (const Json& each : json) {
     if (marked.size() == kMostMarkedWorks) {
       damage.push_back(
-          {ErrorCode::FileTooLarge, {"works", std::to_string(json.size()), std::to_string(kMostMarkedWorks)}, {}, {}});
+          {ErrorCode::FileTooLarge, {"rows", std::to_string(json.size()), std::to_string(kMostMarkedWorks)}, {}, {}});
       break;
     }
     if (each.is_object())
       marked.push_back(std::make_shared<const ReportedWork>(workFrom(each, damage)));
     else
-      damage.push_back({ErrorCode::ElementMalformed, {"class", "its rows are objects"}, {}, {}});
+      damage.push_back({ErrorCode::ElementMalformed, {"class", "an object was expected"}, {}, {}});
   }
   return marked;
 }

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Names the calling process: no other one that ran since the computer was started, in whatever container, has the same
-// text. Empty where the system does not say what is needed.
+// Names the calling process. No other one that ran since the computer was started has the same text, in whatever
+// container. Empty where the system does not say what is needed.
 std::string ownProcessMark();
 
 // Whether a process can run no more code: it has ended, or it was killed and the system has not yet let go of its

@@ -129,7 +129,7 @@ TaperReading readingOf(Points points, const Piece& piece) {
     rz += (p.x() - mean.x()) * (p.y() - mean.y());
   }
   const double slope = rz / zz;
-  TaperReading reading{std::atan(slope), 0.0, {taper.front().y(), taper.back().y()}};
+  TaperReading reading{std::atan(slope), 0.0, {taper.front().y(), taper.back().y()}, mean.x()};
   for (const ProfilePoint& p : taper)
     reading.deviation = std::max(reading.deviation, std::abs(p.x() - mean.x() - slope * (p.y() - mean.y())));
   return reading;

@@ -11,6 +11,7 @@ struct TaperReading {
   double angle = 0.0;      // radian, between the axis and the side; positive where the radius grows upwards
   double deviation = 0.0;  // mm, the largest distance of a sample from the line, in r
   AxisRange range;         // from its first to its last sample
+  double radius = 0.0;     // mm, of the line in the middle of the range
 };
 
 // The taper of the samples of a range, by least squares in r. What the range has beyond the ends of the taper is left

@@ -117,6 +117,15 @@ class MarkingTest : public QObject {
       return markMeasurements(only(c), {{"d1", value, {}}}, {unit}).marks[0].reason.inEnglish();
     };
     QCOMPARE(reason(45.0, "°"), std::string("45° is within 44 and 46°"));
+    // Limits of an angle follow from sizes: two decimals are what is read.
+    MarkingCriterion taper;
+    taper.id = "t";
+    taper.lower = 10.809932;
+    taper.upper = 11.809932;
+    Exercise angle;
+    angle.criteria = {taper};
+    QCOMPARE(markMeasurements(angle, {{"t", 11.309932, {}}}, {"°"}).marks[0].reason.inEnglish(),
+             std::string("11.31° is within 10.81 and 11.81°"));
     QCOMPARE(reason(47.0, "°"), std::string("47° is 1° above the upper limit, 46°"));
     QCOMPARE(reason(45.0, "mm"), std::string("45 mm is within 44 and 46 mm"));
     QVERIFY(unitAfter("").empty() && unitAfter("°") == "°" && unitAfter("kW") == " kW");

@@ -5,6 +5,7 @@
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/exercise/TurningTask.h"
+#include "exercise/LessonWidgets.h"
 #include "haptics/TurningWindow.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
@@ -14,7 +15,6 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QItemSelectionModel>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
@@ -25,14 +25,6 @@ using namespace handwheel;
 using namespace handwheel::test;
 
 namespace {
-
-// A widget of a lesson, of which there are two: the page of a student's file, and the panel while the work is done.
-template <class Widget>
-Widget* partOfLesson(WindowDriver& driver, const char* lesson, const char* name) {
-  auto* widget = driver.find<QWidget>(lesson)->findChild<Widget*>(QString::fromLatin1(name));
-  if (!widget) qFatal("there is no %s", name);
-  return widget;
-}
 
 // Begins the exercise with this command, seen from above with the turning tool in use.
 bool beginTurning(TurningWindow& turning, const char* command) {
@@ -49,19 +41,6 @@ bool beginTurning(TurningWindow& turning, const char* command) {
     QTest::qWait(200);
   } while (turning.view->size() != before);
   return turning.driver.settle();
-}
-
-// The students in the table of a class.
-QStringList namesIn(const QAbstractItemView* rows) {
-  QStringList names;
-  for (int row = 0; row < rows->model()->rowCount(); ++row) names << rows->model()->index(row, 0).data().toString();
-  return names;
-}
-
-QString labelsOf(QWidget* widget) {
-  QString text;
-  for (const QLabel* label : widget->findChildren<QLabel*>()) text += label->text() + QLatin1Char('\n');
-  return text;
 }
 
 }  // namespace
@@ -209,118 +188,6 @@ class ExerciseWindowTest : public QObject {
     driver.find<QFileDialog>("saveDialog")->reject();
   }
 
-  void handedInAndMarked() {
-    const QTemporaryDir folder;
-    WindowDriver driver;
-    driver.choose("exercise/shaft");
-    QVERIFY(driver.settle());
-    driver.choose("beginExercise");
-    QVERIFY(driver.settle());
-    auto* name = partOfLesson<QLineEdit>(driver, "exerciseLesson", "lesson/name");
-    QTest::keyClicks(name, "Ada");
-    auto* handIn = partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn");
-    QVERIFY(handIn->isEnabled());
-    // Who thinks better of it has handed in nothing.
-    handIn->click();
-    auto* dialog = driver.find<QFileDialog>("handInDialog");
-    QTRY_VERIFY(dialog->isVisible());
-    dialog->reject();
-    QVERIFY(driver.settle());
-    QVERIFY(driver.tabs() == 2 && !labelsOf(&driver.window()).contains("Handed in by"));
-    handIn->click();
-    const QString path = folder.filePath("ada.handwheel");
-    QVERIFY(driver.enterFileName("handInDialog", path));
-    QVERIFY(driver.settle());
-    QTRY_VERIFY(QFile::exists(path));
-    QTRY_VERIFY(driver.text("messageText").contains("Handed in by Ada"));
-    QCOMPARE(driver.tabs(), 2);
-
-    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
-    QVERIFY(driver.settle());
-    QVERIFY(!driver.find<QWidget>("messageBar")->isVisible());  // the student's is over the student's work only
-    driver.choose("markExercise");
-    QVERIFY(driver.enterFileName("markDialog", path));
-    QVERIFY(driver.settle());
-    auto* rows = driver.find<QAbstractItemView>("classRows");
-    QTRY_COMPARE(rows->model()->rowCount(), 1);
-    QVERIFY(driver.find<QWidget>("messageBar")->isVisible());
-    QVERIFY(driver.text("messageText").contains("1 work marked"));
-    QVERIFY(driver.text("messageText").contains("Ada: "));
-    QCOMPARE(rows->model()->index(0, 0).data().toString(), QStringLiteral("Ada"));
-    QVERIFY(rows->isVisible());
-    // Another document for a moment, and the class is there still.
-    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(1);
-    QVERIFY(driver.settle());
-    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
-    QVERIFY(driver.settle());
-    QCOMPARE(rows->model()->rowCount(), 1);
-    // Late ones come to the others, the same file again takes its row; each is an undo step.
-    const QString late = folder.filePath("late.handwheel"), broken = folder.filePath("broken.handwheel");
-    QVERIFY(QFile::copy(path, late));
-    QFile junk(broken);
-    QVERIFY(junk.open(QIODevice::WriteOnly) && junk.write("no file of ours") > 0);
-    junk.close();
-    for (const QString& more : {late, path, broken}) {
-      driver.choose("markExercise");
-      QVERIFY(driver.enterFileName("markDialog", more));
-      QVERIFY(driver.settle());
-    }
-    QTRY_COMPARE(rows->model()->rowCount(), 3);
-    QVERIFY(namesIn(rows).contains(QStringLiteral("broken.handwheel")));  // it has no name
-    Document& marked = driver.find<DocumentTabs>("tabRow")->current()->document;
-    QVERIFY(marked.isModified());  // closing asks
-    marked.history()->undo();
-    QTRY_COMPARE(rows->model()->rowCount(), 2);
-    driver.click("classReport");
-    const QString report = folder.filePath("class.html");
-    QVERIFY(driver.enterFileName("classFileDialog", report));
-    QVERIFY(driver.settle());
-    QTRY_VERIFY(QFile::exists(report));
-    QFile file(report);
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QByteArray html = file.readAll();
-    QVERIFY(html.contains("Ada") && html.contains("0 / 15") && html.contains("data:image/png;base64,"));
-  }
-
-  // Saved with the exercise, the class is there again; whom the teacher takes out is not.
-  void theClassIsKept() {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath("ada.handwheel"), teachers = folder.filePath("teacher.handwheel");
-    {
-      WindowDriver driver;
-      driver.choose("exercise/shaft");
-      QVERIFY(driver.settle());
-      driver.choose("beginExercise");
-      QVERIFY(driver.settle());
-      QTest::keyClicks(partOfLesson<QLineEdit>(driver, "exerciseLesson", "lesson/name"), "Ada");
-      partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->click();
-      QVERIFY(driver.enterFileName("handInDialog", path));
-      QVERIFY(driver.settle());
-      driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
-      QVERIFY(driver.settle());
-      driver.choose("markExercise");
-      QVERIFY(driver.enterFileName("markDialog", path));
-      QVERIFY(driver.settle());
-      QTRY_COMPARE(namesIn(driver.find<QAbstractItemView>("classRows")), QStringList{"Ada"});
-      driver.choose("saveFile");
-      QVERIFY(driver.enterFileName("saveDialog", teachers));
-      QVERIFY(driver.settle());
-      QTRY_VERIFY(QFile::exists(teachers));
-    }
-    WindowDriver driver;
-    QVERIFY(driver.open(teachers));
-    QVERIFY(driver.settle());
-    auto* const rows = driver.find<QAbstractItemView>("classRows");
-    QTRY_COMPARE(namesIn(rows), QStringList{"Ada"});
-    rows->selectionModel()->select(rows->model()->index(0, 0), QItemSelectionModel::Select | QItemSelectionModel::Rows);
-    auto* const remove = driver.find<QPushButton>("classRemove");
-    QVERIFY(remove->isEnabled());
-    remove->click();
-    QTRY_COMPARE(namesIn(rows), QStringList());
-    driver.find<DocumentTabs>("tabRow")->current()->document.history()->undo();
-    QTRY_COMPARE(namesIn(rows), QStringList{"Ada"});
-  }
-
   // A pass by the mouse: the marks are those of the radii that the part has.
   void turnedHandedInAndMarked() {
     const QTemporaryDir folder;
@@ -383,6 +250,18 @@ class ExerciseWindowTest : public QObject {
     driver.click("replayCompare");
     QVERIFY(driver.enterFileName("replayCompareDialog", path) && driver.settle());
     QTRY_VERIFY2(compare->text().contains("ada.handwheel"), qPrintable(compare->text()));
+  }
+
+  // The class of a tolerance is said once, also where the name has it and the tolerance more than it.
+  void aToleranceIsSaidOnce() {
+    WindowDriver driver;
+    driver.choose("exercise/thread-m20");
+    QVERIFY(driver.settle());
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    const QString sizes = labelsOf(driver.find<QWidget>("exerciseLesson"));
+    QVERIFY2(sizes.contains(QStringLiteral("Pitch diameter 18.376 6g:")), qPrintable(sizes));
+    QVERIFY2(!sizes.contains(QStringLiteral("6g 6g")) && !sizes.contains(QStringLiteral("h11 h11")), qPrintable(sizes));
   }
 
   // The dialog says how much that changes; one undo step.

@@ -61,9 +61,9 @@ void addEvent(ReportDetails& details, const std::vector<DrillMoment>& moments, I
 
 // Of a hole, each second by itself: who copied it may have gone on otherwise.
 void addRecordedPieces(ReportDetails& details, const DrillRecord& hole) {
-  constexpr std::size_t kPoses = 1000;  // in one piece
-  for (std::size_t first = 0; first < hole.poses.size(); first += kPoses) {
-    const std::size_t last = std::min(first + kPoses, hole.poses.size()) - 1;
+  constexpr std::size_t kPosesOfPiece = 1000;  // in one piece
+  for (std::size_t first = 0; first < hole.poses.size(); first += kPosesOfPiece) {
+    const std::size_t last = std::min(first + kPosesOfPiece, hole.poses.size()) - 1;
     Fingerprint mark;
     for (std::size_t i = first; i <= last; ++i) {
       const DrillPose& pose = hole.poses[i];

@@ -15,7 +15,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kSizes = {"diameter", "bore", "length", "depth", "arc", "bore_arc"};
+constexpr std::array<std::string_view, 8> kSizes = {"diameter", "bore",     "length",         "depth",
+                                                    "arc",      "bore_arc", "taper_diameter", "taper_length"};
 constexpr std::array<std::string_view, 2> kRoughness = {"roughness", "bore_roughness"};
 
 Error malformedTolerance(const MarkingCriterion& c, const char* what) {

@@ -22,6 +22,8 @@ constexpr double kMargin = 0.1;         // of the length: so far from the ends o
 constexpr double kLargestMargin = 1.0;  // mm, at most
 constexpr double kBeside = 1e-4;        // mm, above and below a face
 constexpr double kShortestCurve = 3.0;  // mm: shorter ones are fillets of many lines
+constexpr double kShortestCone = 3.0;   // mm: shorter tapers are chamfers, which have an angle alone
+constexpr double kBesideCone = 2.0;     // mm: so far beyond its ends the ends of a taper are looked for
 constexpr double kStraight = 4.0;  // by the pieces beside it: a cylinder of that length is one, also within a curve
 
 struct GeneralTolerance {
@@ -49,7 +51,8 @@ class TargetSizes {
   explicit TargetSizes(const TurningTask& task) : m_task(task), m_target(*task.target) {}
 
   std::vector<MarkingCriterion> find() {
-    const std::vector<ProfileFeature> pieces = featuresOf(m_target, kFeature);
+    m_pieces = featuresOf(m_target, kFeature);
+    const std::vector<ProfileFeature>& pieces = m_pieces;
     for (const ProfileFeature& feature : pieces) {
       if (feature.kind == ProfileFeature::Kind::FlatFace && isTop(feature)) m_top = feature;
     }
@@ -99,7 +102,33 @@ class TargetSizes {
     } else if (f.kind == ProfileFeature::Kind::Taper && !f.isInner) {
       c.figure = "taper";
       add(std::move(c), "∠", f.value * 180.0 / std::numbers::pi, deviationOf(kAngleLimits, (f.high - f.low).norm()));
+      if (from == f.low.y() && length >= kShortestCone) addTaperSizes(f);
     }
+  }
+
+  // The diameters at its ends, where no cylinder beside it has them, and its length.
+  void addTaperSizes(const ProfileFeature& taper) {
+    const double length = taper.length(), margin = std::min(kMargin * length, kLargestMargin);
+    for (const ProfilePoint& end : {taper.high, taper.low}) {
+      const double diameter = 2.0 * end.x();
+      if (diameter <= kShortest || isOfCylinder(end)) continue;
+      MarkingCriterion c;
+      c.figure = "taper_diameter";
+      c.arguments = {taper.low.y() + margin, taper.high.y() - margin, end.y()};
+      add(std::move(c), "⌀", diameter, deviationOf(kLengthLimits, diameter));
+    }
+    MarkingCriterion c;
+    c.figure = "taper_length";
+    c.arguments = {std::max(taper.low.y() - kBesideCone, m_task.lathe.chuckHeight),
+                   std::min(taper.high.y() + kBesideCone, m_target.upperEnd())};
+    add(std::move(c), {}, length, deviationOf(kLengthLimits, length));
+  }
+
+  bool isOfCylinder(const ProfilePoint& end) const {
+    return std::any_of(m_pieces.begin(), m_pieces.end(), [&](const ProfileFeature& f) {
+      return f.kind == ProfileFeature::Kind::Cylinder && !f.isInner && std::abs(f.value - 2.0 * end.x()) <= kFeature &&
+             (std::abs(f.low.y() - end.y()) <= kFeature || std::abs(f.high.y() - end.y()) <= kFeature);
+    });
   }
 
   // Its form, and the cylinders in it, as the stem of a glass: these are longer than lines that a curve is made of.
@@ -163,6 +192,7 @@ class TargetSizes {
   const TurningTask& m_task;
   const TargetProfile& m_target;
   std::optional<ProfileFeature> m_top;
+  std::vector<ProfileFeature> m_pieces;
   std::vector<Form> m_forms;
   std::vector<MarkingCriterion> m_found;
 };

@@ -108,6 +108,25 @@ Measurement taper(const MarkingCriterion& c, const TurnedProfile& profile, doubl
            {roundedText(reading->range.from - zero, 4), roundedText(reading->range.to - zero, 4)}}};
 }
 
+// Of the line nearest to the taper, at one of its ends: there the part may have a broken edge.
+Measurement taperDiameter(const MarkingCriterion& c, const TurnedProfile& profile, double zero) {
+  const auto reading = measureTaper(profile, TurningSide::Outside, rangeOf(c));
+  if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no such surface in the range"));
+  const double middle = 0.5 * (reading->range.from + reading->range.to), at = c.arguments[2];
+  return {c.id,
+          2.0 * (reading->radius + std::tan(reading->angle) * (at - middle)),
+          {QT_TRANSLATE_NOOP("Note", "at Z %1 mm"), {measuredText(at - zero, "mm")}}};
+}
+
+Measurement taperLength(const MarkingCriterion& c, const TurnedProfile& profile, double zero) {
+  const auto reading = measureTaper(profile, TurningSide::Outside, rangeOf(c));
+  if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no such surface in the range"));
+  return {c.id,
+          reading->range.to - reading->range.from,
+          {QT_TRANSLATE_NOOP("Note", "between Z %1 and %2 mm"),
+           {roundedText(reading->range.from - zero, 4), roundedText(reading->range.to - zero, 4)}}};
+}
+
 double ThreadReading::*threadFigure(const std::string& figure) {
   if (figure == "thread_pitch") return &ThreadReading::pitch;
   if (figure == "major_diameter") return &ThreadReading::major;
@@ -218,6 +237,12 @@ const std::vector<MeasurementType>& turningMeasurementTypes() {
         {"arc", QT_TRANSLATE_NOOP("Figure", "Radius of an arc"), "mm", range},
         {"bore_arc", QT_TRANSLATE_NOOP("Figure", "Radius of an arc inside"), "mm", range},
         {"taper", QT_TRANSLATE_NOOP("Figure", "Angle of a taper to the axis"), "°", range},
+        {"taper_diameter",
+         QT_TRANSLATE_NOOP("Figure", "Diameter at an end of a taper"),
+         "mm",
+         {QT_TRANSLATE_NOOP("Property", "From Z"), QT_TRANSLATE_NOOP("Property", "To Z"),
+          QT_TRANSLATE_NOOP("Property", "End, at Z")}},
+        {"taper_length", QT_TRANSLATE_NOOP("Figure", "Length of a taper"), "mm", range},
         {"profile", QT_TRANSLATE_NOOP("Figure", "Largest deviation from the target"), "mm", range},
         {"thread_pitch", QT_TRANSLATE_NOOP("Figure", "Pitch of a thread"), "mm", range},
         {"major_diameter", QT_TRANSLATE_NOOP("Figure", "Major diameter of a thread"), "mm", range},
@@ -239,9 +264,11 @@ std::string placeProblem(const MarkingCriterion& c, const StockCylinder& bar) {
   if (!type || type->arguments.empty()) return {};
   if (c.arguments.size() < type->arguments.size())
     return QT_TRANSLATE_NOOP("Property", "the place to measure is missing");
-  if (type->arguments.size() == 2) {
+  if (type->arguments.size() <= 3) {
     if (!(c.arguments[1] > c.arguments[0])) return QT_TRANSLATE_NOOP("Property", "“To Z” must be above “From Z”");
-    if (c.arguments[0] < 0.0 || c.arguments[1] > bar.length)
+    const auto last = c.arguments.begin() + static_cast<std::ptrdiff_t>(type->arguments.size());
+    const auto [least, largest] = std::minmax_element(c.arguments.begin(), last);
+    if (*least < 0.0 || *largest > bar.length)
       return QT_TRANSLATE_NOOP("Property", "the range goes beyond the bar, which begins at Z 0");
     return {};
   }
@@ -377,6 +404,8 @@ Measurement MeasuredPart::ofShape(const MarkingCriterion& c, Progress progress) 
   if (c.figure == "arc") return arc(c, m_profile, TurningSide::Outside, m_task.target);
   if (c.figure == "bore_arc") return arc(c, m_profile, TurningSide::Bore, m_task.target);
   if (c.figure == "taper") return taper(c, m_profile, zero());
+  if (c.figure == "taper_diameter") return taperDiameter(c, m_profile, zero());
+  if (c.figure == "taper_length") return taperLength(c, m_profile, zero());
   if (threadFigure(c.figure)) return threadReading(c, m_profile, m_threads.get());
   if (!m_task.target) return none(c, QT_TRANSLATE_NOOP("Note", "the exercise has no target"));
   const TargetDeviation deviation = deviationFrom(*m_task.target, m_profile, 0.0, progress, rangeOf(c));

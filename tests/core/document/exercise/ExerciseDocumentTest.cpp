@@ -216,7 +216,12 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(document->property("criterion.l.at4") && !document->property("criterion.l.at5"));
     QVERIFY(!document->property("criterion.crash.at1"));
     QCOMPARE(document->property("criterion.d.upper")->label, std::string("Upper limit (mm)"));
-    QCOMPARE(document->property("criterion.time.upper")->label, std::string("Upper limit (s)"));
+    // Times in minutes, as that of the task is: 600 s are 10 min.
+    QCOMPARE(document->property("criterion.time.upper")->label, std::string("Upper limit (min)"));
+    QVERIFY(document->property("criterion.time.upper")->value == PropertyValue(std::string("10")));
+    QVERIFY(document->property("criterion.time.slack")->value == PropertyValue(10.0));
+    QVERIFY(document->setProperty("criterion.time.upper", std::string("12.5")));
+    QCOMPARE(*document->exercise().exercise.find("time")->upper, 750.0);
     QCOMPARE(document->property("criterion.crash.upper")->label, std::string("Upper limit"));
     QVERIFY(document->property("criterion.d.at2")->problem.empty());
     QVERIFY(document->setProperty("criterion.d.at2", 61.0));  // below the first: it says so, and can be mended

@@ -3,10 +3,12 @@
 #include "document/workpiece/exercise/TargetSizes.h"
 
 #include "TestClass.h"
+#include "document/workpiece/exercise/TurningSubject.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 using namespace handwheel;
 
@@ -55,6 +57,49 @@ class TargetSizesTest : public QObject {
     const MarkingCriterion* taper = sizeOf(sizes, "taper", 45.0);
     QVERIFY(taper);
     QVERIFY(std::abs(*taper->lower - 44.0) < 1e-9);  // up to 10 mm: ±1°
+  }
+
+  // A taper has the diameters of its ends and its length, but for what a cylinder beside it has: 24 to 32 mm over 20
+  // mm. A part that is made so, by a nose of 0.8 mm that goes along its normals, has these sizes.
+  void aTaper() {
+    const std::vector<ProfilePoint> alone = {{0, 0}, {20, 0}, {20, 80}, {16, 80}, {12, 100}, {0, 100}};
+    const auto sizes = sizesOfTarget(taskWith(alone));
+    QCOMPARE(countOf(sizes, "taper_diameter"), std::ptrdiff_t(2));
+    const MarkingCriterion *thin = sizeOf(sizes, "taper_diameter", 24.0),
+                           *thick = sizeOf(sizes, "taper_diameter", 32.0);
+    const MarkingCriterion* length = sizeOf(sizes, "taper_length", 20.0);
+    QVERIFY(thin && thick && length);
+    QCOMPARE(thin->arguments, std::vector<double>({81.0, 99.0, 100.0}));
+    QCOMPARE(thick->arguments, std::vector<double>({81.0, 99.0, 80.0}));
+    QVERIFY(std::abs(*thin->lower - 23.8) < 1e-9 && std::abs(*thick->upper - 32.3) < 1e-9);
+    QCOMPARE(length->arguments, std::vector<double>({78.0, 100.0}));
+    QVERIFY(std::abs(*length->upper - 20.2) < 1e-9);
+
+    const std::vector<ProfilePoint> onCylinder = {{0, 0}, {20, 0}, {20, 60}, {16, 60}, {16, 80}, {12, 100}, {0, 100}};
+    const auto besides = sizesOfTarget(taskWith(onCylinder));
+    QVERIFY(sizeOf(besides, "diameter", 32.0) && !sizeOf(besides, "taper_diameter", 32.0));
+    QVERIFY(sizeOf(besides, "taper_diameter", 24.0) && sizeOf(besides, "taper_length", 20.0));
+
+    const TurningSubject subject;
+    const auto task = std::make_shared<TurningTask>(taskWith(onCylinder));
+    task->stock.length = 100.0;
+    const double angle = std::atan(0.2), r = 0.8 * std::cos(angle), z = 0.8 * std::sin(angle);
+    nlohmann::json pass = {{"nose_radius", 0.8}, {"feed", 0.2}}, passes;
+    pass["points"] = {{11.4 + r, 103.0 + z}, {16.0 + r, 80.0 + z}, {16.8, 80.0}, {16.8, 60.8}, {22.0, 60.8}};
+    passes["passes"].push_back(pass);
+    const auto work = subject.makeWork(*task, passes, {});
+    QVERIFY(work.hasValue());
+    Exercise exercise;
+    exercise.criteria = {*thin, *sizeOf(besides, "taper_length", 20.0), *thick};
+    const std::vector<Measurement> figures = subject.measure(exercise, *task, **work, {});
+    QCOMPARE(figures.size(), std::size_t(3));
+    const double wanted[] = {24.0, 20.0, 32.0}, within[] = {0.01, 0.2, 0.01};
+    for (std::size_t i = 0; i < 3; ++i) {
+      QVERIFY(figures[i].value.has_value());
+      QVERIFY2(std::abs(*figures[i].value - wanted[i]) < within[i], std::to_string(*figures[i].value).c_str());
+    }
+    // Each of them can be measured there.
+    for (const MarkingCriterion& c : besides) QVERIFY2(subject.placeProblem(c, *task).empty(), c.figure.c_str());
   }
 
   // A groove has two faces, and the bar beside it none of its sizes. A blind bore has a diameter and a depth.
