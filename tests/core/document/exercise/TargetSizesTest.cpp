@@ -80,7 +80,7 @@ class TargetSizesTest : public QObject {
     QVERIFY(sizeOf(besides, "diameter", 32.0) && !sizeOf(besides, "taper_diameter", 32.0));
     QVERIFY(sizeOf(besides, "taper_diameter", 24.0) && sizeOf(besides, "taper_length", 20.0));
 
-    const TurningSubject subject;
+    const TurningSubject subject{};
     const auto task = std::make_shared<TurningTask>(taskWith(onCylinder));
     task->stock.length = 100.0;
     const double angle = std::atan(0.2), r = 0.8 * std::cos(angle), z = 0.8 * std::sin(angle);
