@@ -54,7 +54,8 @@ double classNumberIn(const Json& object, const char* key) {
 std::vector<Json> classElementsOf(const Json& object, const char* key, std::size_t most) {
   const Json& found = JsonFieldReader(object).member(key);
   if (!found.is_array()) return {};
-  return {found.begin(), found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), most))};
+  // In parentheses: in braces the two ends could be taken for elements.
+  return std::vector<Json>(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), most)));
 }
 
 std::vector<std::string> classTextsIn(const Json& object, const char* key) {
