@@ -57,6 +57,11 @@ QString textOfRule(const CutWarning& warning) {
     case CutWarning::Rule::Chatter:
       return LatheEvents::tr("Chatter: the depth of cut is %1 mm; up to %2 mm is stable at any spindle speed.")
           .arg(value, limit);
+    case CutWarning::Rule::Pressing:
+      return LatheEvents::tr(
+                 "Pressing: this tool is laid on the surface and cannot be fed %1 mm into the work; its full force is "
+                 "reached at %2 mm.")
+          .arg(value, limit);
     case CutWarning::Rule::Rubbing:
       break;
   }

@@ -64,6 +64,9 @@ std::string textOf(const CutWarning& warning) {
       return "Deflection: the work gives way and becomes " + value + " mm thicker here; the limit is " + limit + " mm.";
     case CutWarning::Rule::Chatter:
       return "Chatter: " + value + " mm of depth; up to " + limit + " mm is stable at any spindle speed.";
+    case CutWarning::Rule::Pressing:
+      return "Pressing: the tool is laid on the work, and cannot be fed " + value + " mm into it; all its force goes " +
+             limit + " mm.";
     case CutWarning::Rule::Rubbing:
       break;
   }
@@ -72,7 +75,7 @@ std::string textOf(const CutWarning& warning) {
 }
 
 const char* wordFor(CutWarning::Rule rule) {
-  constexpr std::array kWords{"power", "torque", "l/d", "deflection", "chatter", "rubbing"};
+  constexpr std::array kWords{"power", "torque", "l/d", "deflection", "chatter", "rubbing", "pressing"};
   return kWords[static_cast<std::size_t>(rule)];
 }
 

@@ -40,6 +40,7 @@ struct CutWarning {
     Deflection,   // mm, twice that of the axis, so as the diameter shows it
     Chatter,      // mm, depth of cut
     Rubbing,      // mm, thickness of the chip
+    Pressing,     // mm, that a tool which is laid on the work was pressed into it
   };
   Rule rule = Rule::Power;
   double value = 0.0;  // of this cut
@@ -47,7 +48,7 @@ struct CutWarning {
   bool operator==(const CutWarning&) const = default;
 };
 
-inline constexpr std::size_t kCutRules = 6;
+inline constexpr std::size_t kCutRules = 7;
 
 // The limits of the rules that are no property of a machine.
 struct CutRules {

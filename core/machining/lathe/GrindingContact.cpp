@@ -60,6 +60,23 @@ GrindingContact grindingContact(const TurnedProfile& profile, const LatheTool& t
   return {sum / static_cast<double>(count), normals};
 }
 
+double pressedDepth(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
+                    const ProfilePoint& to) {
+  double deepest = 0.0;
+  for (const RoundedSection& section : tool.cutting) {
+    const SectionSweep sweep(section, from, to);
+    if (sweep.empty()) continue;
+    const TurnedProfile::Range below = samplesWithin(profile, sweep.first(), sweep.last());
+    for (std::size_t i = below.first; i < below.last; ++i) {
+      const double z = profile.z(i), low = sweep.lowest(z), high = sweep.highest(z);
+      if (!profile.hasMaterial(i) || !(low < profile.radius(i) && high > profile.inner(i))) continue;
+      deepest =
+          std::max(deepest, tool.side == TurningSide::Outside ? profile.radius(i) - low : high - profile.inner(i));
+    }
+  }
+  return deepest;
+}
+
 GrindingHold holdOf(const LatheTool& tool) {
   return tool.kind == LatheToolKind::GrindingDisk ? kInSlide : kInHand;
 }

@@ -17,11 +17,19 @@ struct GrindingContact {
 // below it).
 GrindingContact grindingContact(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& tip);
 
+// How deep a tool whose tip moves straight from one place to another would be in the material, mm along r, from the
+// surface on its side. Beyond the axis, too, where there is no material to count: there a cut is no deeper than the
+// work is thick. 0: no contact. O(samples below it).
+double pressedDepth(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
+                    const ProfilePoint& to);
+
 // How stiffly a tool is held, and how hard it can be pressed: a disk stands in a slide, file and paper are in a hand.
 struct GrindingHold {
   double stiffness = 0.0;  // N/mm
   double damping = 0.0;    // N·s/mm
   double most = 0.0;       // N
+  // mm: no force presses the tool deeper than this; beyond it a hand, or a slide, cannot go.
+  double deepest() const { return stiffness > 0.0 ? most / stiffness : 0.0; }
 };
 GrindingHold holdOf(const LatheTool& tool);
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/lathe/GrindingContact.h"
 #include "machining/lathe/LatheRunTry.h"
 
 #include <algorithm>
@@ -8,6 +9,14 @@
 namespace handwheel {
 
 namespace {
+
+// mm along z that a tool springs aside while it is drawn back: 5 mm deep, an edge of 95° leans by 0.44.
+constexpr double kSpring = 0.5;
+
+// How far a move goes away from the axis, or in a bore towards it; mm.
+double wayBack(const LatheTool& tool, const ProfilePoint& way) {
+  return tool.side == TurningSide::Outside ? way.x() : -way.x();
+}
 
 double largestRadius(const TurnedProfile& profile) {
   double largest = 0.0;
@@ -70,11 +79,42 @@ LatheRun::Try LatheRun::attempt(const LatheState& before, double dt, double most
   tried.cut = previewCut(m_profile, *tried.tool, tried.from, tried.to);
   tried.pushed = tried.cut.depth;
   if (tried.tool->kind == LatheToolKind::Threading && !tried.isIndexed && !tried.isQuill) meetThreads(tried);
+  if (std::abs(m_machine.state().speed) < kAtRest && isDrawnOut(tried)) tried.takesNothing = true;
   return tried;
 }
 
+// Whether a turning tool is drawn away from the axis, or in a bore towards it, or aside from a shoulder, with no more
+// of it in the work than before but the shoulder that it has left: that leans by the angle of the edge, and the tool
+// springs along it. So a turner draws back a tool that has stopped in the work.
+bool LatheRun::isDrawnOut(const Try& tried) const {
+  if (tried.isQuill || tried.isIndexed || tried.motion.isRapid || tried.tool->isAbrasive()) return false;
+  const ProfilePoint way = tried.to - tried.from;
+  const double back = wayBack(*tried.tool, way);
+  const bool isStraight = back > 0.0 && std::abs(way.y()) <= back;
+  if (!(back >= 0.0)) return false;
+  const auto depthAt = [&](const ProfilePoint& a, const ProfilePoint& b) {
+    return previewCut(m_profile, *tried.tool, a, b).depth;
+  };
+  if (isStraight && depthAt(tried.to, tried.to) <= std::max(kTouch, depthAt(tried.from, tried.from))) return true;
+  for (const double along : {kSpring, -kSpring}) {
+    const ProfilePoint beside(0.0, along);
+    if (!isStraight && !(way.y() * along > 0.0)) continue;
+    if (depthAt(tried.to + beside, tried.to + beside) <= kTouch) return true;
+  }
+  return false;
+}
+
+// Whether a tool that has come as far as its edge leans behind the front of the jaws goes back from them, outward or
+// away from the chuck. What was struck is counted already.
+bool LatheRun::isAwayFromChuck(const Try& tried, const std::vector<LatheSolid>& solids) const {
+  if (tried.isQuill || tried.isIndexed || !tried.tool) return false;
+  const ProfilePoint way = tried.to - tried.from, beside(0.0, kSpring);
+  const bool isBack = way.y() >= 0.0 && wayBack(*tried.tool, way) >= 0.0 && !way.isZero();
+  return isBack && !contactBetween(solids, tried.to + beside, m_chuck);
+}
+
 std::optional<LatheCollision> LatheRun::cutCrash(const Try& tried) const {
-  if (!tried.tool || !(tried.cut.depth > kTouch)) return std::nullopt;
+  if (!tried.tool || tried.takesNothing || !(tried.cut.depth > kTouch)) return std::nullopt;
   if (tried.tool->isAbrasive() && !tried.motion.isRapid && !tried.isIndexed) return std::nullopt;  // it gives way
   const double speed = m_machine.state().speed;
   LatheCollision collision;
@@ -109,7 +149,7 @@ std::optional<LatheCollision> LatheRun::crashOf(const Try& tried) const {
   if (!inPost) return std::nullopt;
   const std::vector<LatheSolid>& solids = m_solids[indexOf(inPost.get())];
   const ProfilePoint tip = m_machine.tip();
-  if (auto crash = contactBetween(solids, tip, m_chuck)) return crash;
+  if (auto crash = contactBetween(solids, tip, m_chuck); crash && !isAwayFromChuck(tried, solids)) return crash;
   if (auto crash = contactBetween(solids, tip, tail)) return crash;
   return contactWithWork(solids, tried.isQuill || tried.isIndexed ? tip : tried.from, tip, m_profile, m_within);
 }
@@ -153,7 +193,8 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
   step.from = goesOn ? m_lastPlace : tried.from;
   step.to = tried.to;
   if (tool.isAbrasive()) {
-    const double lift = std::max(0.0, tried.cut.depth - tool.depthPerTurn * tried.motion.turns);
+    const double pressed = pressedDepth(m_profile, tool, tried.from, tried.to);
+    const double lift = std::max(0.0, pressed - tool.depthPerTurn * tried.motion.turns);
     step.to.x() += tool.side == TurningSide::Outside ? lift : -lift;
     if (!goesOn) step.from = step.to;  // its slide may be in the work already
   } else if (tool.side == TurningSide::Outside) {
@@ -165,7 +206,7 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
     const ThreadsInWork::Cut groove = m_threads.cut(m_profile, tool, *step.thread, step.from.y(), place);
     step.cut = groove.removed;
     step.edge = groove.edge;
-  } else if (!tried.isInGroove) {
+  } else if (!tried.takesNothing) {
     step.cut = cutWithTool(m_profile, tool, step.from, step.to);
   }
   m_isInThread = step.thread.has_value();
@@ -176,6 +217,42 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
     m_behindCut = m_lastPlace.y();
   else if (!step.cut.isEmpty())
     m_behindCut = m_profile.z(step.cut.changed.first) - m_profile.spacing();
+}
+
+// What is laid on the work is pressed into it no deeper than the force of a hand, or of its slide, goes: the cross
+// slide and the compound slide stay where they were. The carriage goes on along the work, until a shoulder is there
+// that is higher than that again. A warning says it. Drawing back is free. Returns whether anything was held.
+bool LatheRun::holdPressed(Try& tried, const LatheState& before) {
+  if (!tried.tool || !tried.tool->isAbrasive() || tried.isIndexed || tried.isQuill) return false;
+  const LatheTool& tool = *tried.tool;
+  const double limit = holdOf(tool).deepest(), pressed = pressedDepth(m_profile, tool, tried.to, tried.to);
+  const double was = pressedDepth(m_profile, tool, tried.from, tried.from), highest = std::max(2.0 * limit, was);
+  if (!(pressed > std::max(limit, was))) return false;
+  constexpr std::array kInward{LatheAxis::Cross, LatheAxis::Compound};
+  LatheState held = m_machine.state();
+  const auto keep = [&](LatheAxis axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    held.wheels[i] = before.wheels[i];
+    held.slides[i] = before.slides[i];
+    held.demands[i] = 0.0;
+    held.rapids[i] = 0;
+    if (held.feedAxis == axis) held.feed = 0.0;
+  };
+  const std::array<double, kLatheAxes> slides = held.slides;
+  for (const LatheAxis axis : kInward) keep(axis);
+  const bool isPushed = held.slides != slides;
+  if (!isPushed && pressed <= highest) return false;
+  m_machine.restore(held);
+  if (pressedDepth(m_profile, tool, m_machine.tip(), m_machine.tip()) > highest) {
+    keep(LatheAxis::Carriage);
+    held.lead = 0.0;
+    held.isNutClosed = false;
+    m_machine.restore(held);
+  }
+  m_warnings.judge({{CutWarning::Rule::Pressing, pressed, limit}}, held.time, tool.id);
+  tried.to = m_machine.tip();
+  tried.cut = previewCut(m_profile, tool, tried.from, tried.to);
+  return true;
 }
 
 LatheStep LatheRun::step(double dt, std::span<const LatheCommand> commands) {
@@ -236,6 +313,7 @@ LatheStep LatheRun::move(double dt, std::span<const LatheCommand> commands) {
     tried.cut = previewCut(m_profile, *tried.tool, tried.from, tried.to);
   }
   m_isBlocked = false;
+  step.isHeld = holdPressed(tried, before) || step.isHeld;
   if (tried.tool) cut(step, tried);
   return step;
 }

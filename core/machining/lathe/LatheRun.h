@@ -24,7 +24,7 @@ struct LatheStep {
   double time = 0.0;                          // s, of the machine after the step
   bool isCrash = false;                       // the last of LatheRun::collisions() is of this step
   bool isRing = false;                        // the end of a groove that was there has become a ring
-  bool isHeld = false;                        // the depth limit, or the work, held the slide back
+  bool isHeld = false;                        // the depth limit, the work, or a hand's force held the slide back
 
   bool hasMoved() const { return from != to; }
   bool cutsThread() const { return thread && cut.depth > 0.0; }
@@ -35,9 +35,10 @@ struct LatheStep {
 
 // A simulated manual lathe with a part in it, which commands move step by step. Material leaves, crashes stop it. A
 // step that would be a crash is not made: the slides stay where they were, the spindle stops, and the crash is
-// recorded. A cut loads the spindle, which slows down where its drive has less, and stalls, which is a crash; it bends
-// the work, which gives way and is left thicker; and the rules that it breaks are recorded as warnings. Deterministic:
-// all of it is a function of the calls.
+// recorded. A tool that is drawn back from what it has struck strikes nothing again. File, paper and disk are laid on
+// the work, and pressed on no harder than a hand or their slide can. A cut loads the spindle, which slows down where
+// its drive has less, and stalls, which is a crash; it bends the work, which gives way and is left thicker; and the
+// rules that it breaks are recorded as warnings. Deterministic: all of it is a function of the calls.
 class LatheRun {
  public:
   static constexpr double kTouch = TurningPass::kTouch;
@@ -72,6 +73,10 @@ class LatheRun {
   Try attempt(const LatheState& before, double dt, double mostByHand);
   std::optional<LatheCollision> crashOf(const Try& tried) const;
   std::optional<LatheCollision> cutCrash(const Try& tried) const;
+  bool isDrawnOut(const Try& tried) const;
+  bool isAwayFromChuck(const Try& tried, const std::vector<LatheSolid>& solids) const;
+  bool isAwayFromChuck(const Try& tried, const std::vector<LatheSolid>& solids) const;
+  bool holdPressed(Try& tried, const LatheState& before);
   std::size_t indexOf(const LatheTool* tool) const;
   std::shared_ptr<const LatheTool> drill() const;
   void crash(LatheStep& step, LatheCollision collision, const LatheState& before);

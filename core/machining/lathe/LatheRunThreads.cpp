@@ -22,7 +22,7 @@ void LatheRun::meetThreads(Try& tried) const {
     tried.cut.depth = std::min(tried.cut.depth, chip.depth);
     const double inward = tried.from.x() - tried.to.x(), depth = tried.cut.depth;
     tried.pushed = tried.thread ? std::min(depth, tried.tool->side == TurningSide::Bore ? -inward : inward) : depth;
-    tried.isInGroove = !tried.thread && !(tried.cut.depth > kTouch);
+    tried.takesNothing = !tried.thread && !(tried.cut.depth > kTouch);
   } else if (m_isInThread && m_lastTool == tried.tool) {
     TurnedProfile ringed = m_profile;  // shares its pages
     cutWithTool(ringed, *tried.tool, m_lastPlace, tried.from);

@@ -17,8 +17,9 @@ struct LatheRun::Try {
   bool isIndexed = false;  // another tool of the post
   bool isPressed = false;  // an abrasive tool against the work
   std::optional<ThreadCut> thread;
-  bool isInGroove = false;  // a threading tool at rest, which takes nothing
-  bool isRing = false;      // the half-nut was opened in a thread, whose end is now a ring
+  // A threading tool at rest in its groove, or one that is drawn out of work at rest along its shoulder.
+  bool takesNothing = false;
+  bool isRing = false;  // the half-nut was opened in a thread, whose end is now a ring
   bool hasMoved() const { return isQuill || isIndexed || isPressed || from != to; }
 };
 
