@@ -23,8 +23,8 @@ std::vector<CutLoad> cutLoads(const TurningReview& review, const WorkMaterial& m
   const auto model = kienzleModel(material, CuttingEdge());
   std::vector<CutLoad> loads;
   for (const CutMoment& moment : review.moments()) {
-    const CutForces forces = model->at({moment.depth, moment.feed, moment.speed});
-    const CutConditions asked{moment.depth, moment.feed, moment.asked};
+    const CutForces forces = model->at({moment.depth, moment.chip, moment.speed});
+    const CutConditions asked{moment.depth, moment.chip, moment.asked};
     loads.push_back({moment.time, forces.cutting, motorPower(cuttingPower(forces, asked), SpindleDrive().efficiency)});
   }
   return loads;

@@ -22,7 +22,9 @@ void CutMeter::add(const Move& move, double spacing) {
   if (isCut) m_edge = move.edge;
   m_sinceCut = isCut ? 0.0 : m_sinceCut + move.time;
   m_isCutting = m_isCut && m_wayClear < kClear * spacing && m_sinceCut < kStill;
-  if (!m_isCutting) m_area = m_volume = m_way = m_turns = 0.0;
+  if (m_isCutting) return m_growth.add(move.length, move.turns);
+  m_area = m_volume = m_way = m_turns = 0.0;
+  m_growth.end();
 }
 
 // What begins has gone less than a sample, which leaves as a whole.
@@ -34,6 +36,13 @@ CutConditions CutMeter::cut(double speed) const {
   if (turns > 0.0) cut.feed = m_edge > 0.0 ? m_area / (turns * m_edge) : m_way / m_turns;
   cut.speed = surfaceSpeed(std::abs(speed), 2.0 * radius());
   return cut;
+}
+
+// That of a thread is measured in its groove already.
+CutConditions CutMeter::chip(double speed) const {
+  CutConditions chip = cut(speed);
+  if (!(m_edge > 0.0)) chip.feed = std::min(chip.feed, m_growth.thickness());
+  return chip;
 }
 
 // Guldin: the volume is that of the section on the way of its middle.

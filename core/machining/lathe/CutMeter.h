@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "machining/force/ChipGrowth.h"
 #include "machining/force/CuttingForceModel.h"
 #include "nurbs/StockCylinder.h"
 
@@ -48,6 +49,8 @@ class CutMeter {
   double sinceCut() const { return m_sinceCut; }  // s since material left
   // speed: of the spindle, r/min.
   CutConditions cut(double speed) const;
+  // The same as the edge feels it: in the first turn in the material the chip is thinner than the feed.
+  CutConditions chip(double speed) const;
   double radius() const;  // mm, mean, of what leaves
 
  private:
@@ -56,6 +59,7 @@ class CutMeter {
   double m_edge = 0.0;                                              // mm, of the last cut of a thread
   double m_wayClear = 0.0;                                          // mm since material left
   double m_sinceCut = 0.0;
+  ChipGrowth m_growth;
   bool m_isCut = false;  // ever
   bool m_isCutting = false;
 };

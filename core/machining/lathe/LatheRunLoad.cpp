@@ -11,6 +11,15 @@
 
 namespace handwheel {
 
+namespace {
+
+bool isOfBending(CutWarning::Rule rule) {
+  using Rule = CutWarning::Rule;
+  return rule == Rule::Slenderness || rule == Rule::Deflection || rule == Rule::Chatter;
+}
+
+}  // namespace
+
 bool LatheRun::isStalled(double speedBefore) const {
   const LatheState& now = m_machine.state();
   return now.direction != 0 && std::abs(speedBefore) >= kAtRest && std::abs(now.speed) < kAtRest &&
@@ -35,7 +44,7 @@ void LatheRun::measure(const LatheStep& step, double dt) {
   const CuttingForceModel* const law = m_material && load.isCutting ? m_material->lawOf(cuttingTool()) : nullptr;
   if (law) {
     const LatheSpindle& spindle = m_machine.setup().spindle;
-    load.forces = worn(law->at(load.cut), m_machine.setup().wear);
+    load.forces = worn(law->at(m_meter.chip(speed)), m_machine.setup().wear);
     load.torque = cuttingTorque(load.forces, 2.0 * load.radius);
     load.power = motorPower(cuttingPower(load.forces, load.cut), driveOf(spindle).efficiency);
     // Drawn out of its cut no tool pulls the work after it.
@@ -72,7 +81,8 @@ void LatheRun::press(LatheLoad& load, const ProfilePoint& velocity) {
 }
 
 // By the speed that the levers ask for: a spindle that has slowed down needs less power. What is being faced or parted
-// off holds nothing, however thin it gets: the work is that which stands behind the cut.
+// off holds nothing, however thin it gets: the work is that which stands behind the cut. A drill presses along the
+// axis: nothing bends away from it, nor swings across.
 void LatheRun::judge() {
   const LatheSetup& setup = m_machine.setup();
   SlenderWork beam = beamOf(m_profile, setup.chuck.grip, m_behindCut);
@@ -81,12 +91,14 @@ void LatheRun::judge() {
   constexpr double kOnCentre = 0.5;  // mm
   beam.hasTailstock = setup.tailstock.fitting == LatheFitting::Centre &&
                       m_machine.quillTip() <= setup.chuck.grip + beam.length + kOnCentre;
-  m_compliance = beam.place > 0.0 ? deflection(beam, 1.0) : 0.0;
+  const bool isDrilling = m_lastTool->kind == LatheToolKind::Drill;
+  m_compliance = beam.place > 0.0 && !isDrilling ? deflection(beam, 1.0) : 0.0;
   CutConditions asked = m_load.cut;
   asked.speed = surfaceSpeed(std::abs(m_machine.targetSpeed()), beam.cut);
   CutForces bending = m_load.forces;
   bending.radial = m_thrust;
-  const auto broken = warningsFor(asked, bending, edgeOf(*m_lastTool), beam, driveOf(setup.spindle));
+  auto broken = warningsFor(asked, bending, edgeOf(*m_lastTool), beam, driveOf(setup.spindle));
+  if (isDrilling) std::erase_if(broken, [](const CutWarning& warning) { return isOfBending(warning.rule); });
   m_warnings.judge(broken, m_machine.state().time, m_lastTool->id);
   m_chatter = 0.0;
   for (const CutWarning& warning : broken) {

@@ -3,6 +3,7 @@
 #include "machining/measure/TurningReview.h"
 
 #include "machining/finish/FinishMeter.h"
+#include "machining/force/ChipGrowth.h"
 #include "machining/lathe/LatheTool.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ double askedAt(const TurningPass& pass, std::size_t i, double speed) {
 
 // How much a cut asks of the lathe; only to compare.
 double weightOf(const CutMoment& moment) {
-  return moment.depth * moment.feed * moment.asked;
+  return moment.depth * moment.chip * moment.asked;
 }
 
 }  // namespace
@@ -51,6 +52,7 @@ struct TurningReview::Way {
   static constexpr double kLongest = 0.5;  // mm: hands move in steps that are shorter than the samples are apart
 
   double length = 0.0, seconds = 0.0, turns = 0.0, time = 0.0;
+  double chip = 0.0;     // mm, the thickest
   double asked = 0.0;    // turns that the spindle would have made at the speed that was asked for
   double area = 0.0;     // mm², that left the section
   double largest = 0.0;  // mm, the largest radius that was cut
@@ -86,7 +88,10 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
   constexpr std::size_t kLook = 256;  // points between two looks at the cancel flag
   const double start = m_seconds;
   bool wasInChuck = false, wasRapid = false;
+  constexpr double kClear = 3.0;  // samples: on a shorter way without a cut the tool is in the material still
   Way cutting;
+  ChipGrowth chip;
+  double wayClear = 0.0;              // mm
   std::size_t inJaws = kMostCrashes;  // number of the crash that goes on there
   const auto crash = [&](CrashMoment::What what, double time, std::size_t point) {
     if (m_crashes.size() < kMostCrashes) m_crashes.push_back({what, number, time, pass.path[point], 0.0, point, point});
@@ -118,6 +123,11 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
       m_crashes.back().feed = std::max(m_crashes.back().feed, meter.feed());
       m_crashes.back().last = i;
     }
+    wayClear = changed.isEmpty() ? wayClear + way : 0.0;
+    if (wayClear > kClear * m_profile.spacing())
+      chip.end();
+    else if (!changed.isEmpty() || chip.thickness() > 0.0)
+      chip.add(way, turns);
     if (changed.isEmpty()) {
       endWay(cutting);
       continue;
@@ -125,6 +135,7 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     cutting.length += way;
     cutting.seconds += seconds;
     cutting.turns += turns;
+    cutting.chip = std::max(cutting.chip, chip.thickness());
     cutting.asked += seconds * askedAt(pass, i, speed) / 60.0;
     cutting.time = time;
     cutting.place = to;
@@ -147,12 +158,14 @@ double TurningReview::take(Way& way, TurningSide side, TurnedProfile::Range chan
   return deepest;
 }
 
+// What begins has gone less than a sample, which leaves as a whole.
 void TurningReview::endWay(Way& way) {
   const Way done = std::exchange(way, Way());
   if (!(done.length > 0.0 && done.turns > 0.0)) return;  // work at rest is not cut: that is a crash
   const double feed = done.length / done.turns;
   const double perTurn = done.seconds > 0.0 ? 2.0 * M_PI * done.largest * 60.0 / done.seconds / 1000.0 : 0.0;
-  m_moments.push_back({done.time, done.place, done.area / done.length, feed, perTurn * done.turns,
+  const double depth = done.area / std::max(done.length, m_profile.spacing());
+  m_moments.push_back({done.time, done.place, depth, feed, std::min(feed, done.chip), perTurn * done.turns,
                        perTurn * std::max(done.asked, done.turns)});
   if (m_moments.size() >= 2 * kMostMoments) thinMoments();
 }

@@ -36,6 +36,7 @@ struct CutMoment {
   ProfilePoint place{0, 0};
   double depth = 0.0;  // mm, width of the cut across the feed: the area that left the section, by the way
   double feed = 0.0;   // mm per revolution
+  double chip = 0.0;   // mm, of that: as thick as the chip became, less than the feed in the first turn in the material
   double speed = 0.0;  // m/min at the largest radius that was cut
   double asked = 0.0;  // m/min, the same at the speed that the levers asked for; higher where the motor was overloaded
 };

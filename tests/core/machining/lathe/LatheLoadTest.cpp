@@ -159,6 +159,26 @@ class LatheLoadTest : public QObject {
     QVERIFY(!lathe.warningOf(Rule::Power));
   }
 
+  // A drill presses along the axis: a slender bar, of 12 mm and 150 mm out of the chuck, is not turned there, so that
+  // nothing bends away from it nor swings.
+  void drillingIsNoTurning() {
+    const StockCylinder slender{12.0, 170.0, 0.0};
+    LatheSetup setup = setupWith(0.0, 0.0);
+    setup.tailstock.fitting = LatheFitting::Drill;
+    setup.tailstock.drill = "drill-6";
+    setup.tailstock.place = 175.0;
+    LoadedLathe lathe(setup, 500.0, slender);
+    lathe.send({Lever::Place, LatheAxis::Carriage, 60.0, 210.0});
+    lathe.pass(2.0);
+    lathe.send({Lever::Spindle, LatheAxis::Carriage, 1.0});
+    lathe.pass(1.0);
+    lathe.send({Lever::Turn, LatheAxis::Quill, 20.0});
+    lathe.pass(5.0);
+    QVERIFY(lathe.run.collisions().empty());
+    QVERIFY(std::abs(lathe.run.profile().inner(lathe.run.profile().size() - 100) - 3.0) < 1e-9);
+    for (const Rule rule : {Rule::Slenderness, Rule::Deflection, Rule::Chatter}) QVERIFY(!lathe.warningOf(rule));
+  }
+
   // A shaft of one diameter is its own beam; a thick foot takes no part in the bending near the end.
   void beams() {
     const TurnedProfile bar(kLoadedShaft, 0.05);

@@ -4,6 +4,7 @@
 
 #include "TestClass.h"
 #include "machining/finish/FinishReading.h"
+#include "machining/force/ChipGrowth.h"
 
 #include <QtTest>
 #include <array>
@@ -74,6 +75,41 @@ class TurningReviewTest : public QObject {
     facing.times = {0.0, 10.0};
     const auto faced = reviewOf({std::make_shared<const TurningPass>(facing)});
     QVERIFY(faced && !faced->moments().empty() && std::abs(faced->moments().front().depth - 1.0) < 0.05);
+  }
+
+  // Whoever touches the face goes fast, but not far: the chip is no thicker than the 0.02 mm that the edge has gone in
+  // the material, and the cut no deeper than the 1.4 mm that the bar stands over the nose there.
+  void aTouchIsNoHeavyCut() {
+    TurningPass touch;
+    touch.noseRadius = 0.8;
+    touch.path = {{18.8, 105.0}, {18.8, 100.81}, {18.8, 100.79}};
+    touch.times = {0.0, 0.419, 0.421};  // 1 mm per revolution of 600 r/min
+    const auto review = reviewOf({std::make_shared<const TurningPass>(touch)});
+    QVERIFY(review.has_value());
+    QCOMPARE(review->moments().size(), std::size_t{1});
+    const CutMoment& cut = review->moments().front();
+    QVERIFY(std::abs(cut.feed - 1.0) < 1e-6 && std::abs(cut.chip - 0.02) < 1e-6);
+    QVERIFY2(cut.depth > 1.0 && cut.depth < 1.4, qPrintable(QString::number(cut.depth)));
+    const CutMoment steady = reviewOf({along(18, 105, 50, 0.4)})->moments().front();
+    QVERIFY(std::abs(steady.chip - steady.feed) < 1e-12);
+  }
+
+  // By its first turn in the material a chip is as thick as the feed; after a pause it begins anew.
+  void aChipGrowsForATurn() {
+    ChipGrowth chip;
+    for (int i = 0; i < 10; ++i) chip.add(0.01, 0.05);
+    QVERIFY(std::abs(chip.thickness() - 0.1) < 1e-12);
+    for (int i = 0; i < 30; ++i) chip.add(0.01, 0.05);
+    QVERIFY(std::abs(chip.thickness() - 0.2) < 1e-12);
+    chip.add(std::nan(""), 1.0);
+    chip.add(1.0, std::numeric_limits<double>::infinity());
+    QVERIFY(std::abs(chip.thickness() - 0.2) < 1e-12);
+    chip.add(0.0, 5.0);
+    QCOMPARE(chip.thickness(), 0.0);
+    chip.add(0.3, 3.0);
+    QVERIFY(std::abs(chip.thickness() - 0.1) < 1e-12);
+    chip.end();
+    QCOMPARE(chip.thickness(), 0.0);
   }
 
   // Each time that the tool comes into the jaws counts, with the place and the moment.
