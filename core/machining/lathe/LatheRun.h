@@ -75,7 +75,6 @@ class LatheRun {
   std::optional<LatheCollision> cutCrash(const Try& tried) const;
   bool isDrawnOut(const Try& tried) const;
   bool isAwayFromChuck(const Try& tried, const std::vector<LatheSolid>& solids) const;
-  bool isAwayFromChuck(const Try& tried, const std::vector<LatheSolid>& solids) const;
   bool holdPressed(Try& tried, const LatheState& before);
   std::size_t indexOf(const LatheTool* tool) const;
   std::shared_ptr<const LatheTool> drill() const;
