@@ -160,7 +160,7 @@ Command programCommand() {
                {"drill", 0, "MM|auto", "Also make the bore, through or blind, from a hole of this diameter"},
                {"facing", 0, "MM", "How far the bar stands over the face of the target, which is faced (default 0)"},
                {"write-tools", 0, "P.tbl", "Also write the tools of the program, for turn --tools"},
-               {"spindle", 0, "RPM", "Speed of the spindle for recorded passes (default 500)"},
+               {"spindle", 0, "RPM", "Speed of the spindle for recorded passes (default: their mean)"},
                {"help", 'h', "", "Show this help"},
            },
            "FROM -o P.ngc [--dialect NAME] [--stock cylinder:DxL [--depth MM] [--nose MM] ...]"},

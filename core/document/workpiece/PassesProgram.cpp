@@ -7,6 +7,13 @@
 
 namespace handwheel {
 
+double recordedSpindle(const WorkpieceSnapshot& workpiece) {
+  MeanSpindle mean;
+  if (workpiece.part)
+    for (const auto& pass : workpiece.part->passes) mean.add(*pass);
+  return mean.speed();
+}
+
 Result<PassesProgram> passesProgram(const WorkpieceSnapshot& workpiece, ProgramDialect dialect,
                                     const PassProgram& how) {
   if (!workpiece.part || workpiece.part->passes.empty()) return Error{WorkpieceError::NoPasses, {}, {}, {}};

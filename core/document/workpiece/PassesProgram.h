@@ -13,6 +13,9 @@ struct PassesProgram {
   ProgramTools tools;  // T1 is that of the first pass
 };
 
+// The speed of the spindle that their program has where no other is chosen, r/min.
+double recordedSpindle(const WorkpieceSnapshot& workpiece);
+
 // Writes them. Errors: NoPasses, OtherTools.
 Result<PassesProgram> passesProgram(const WorkpieceSnapshot& workpiece, ProgramDialect dialect, const PassProgram& how);
 

@@ -145,9 +145,40 @@ int toolNumberIn(const std::vector<PassTool>& tools, const TurningPass& pass) {
   return 0;
 }
 
-// The points of a path that are needed to stay within the tolerance of all.
-std::vector<ProfilePoint> thinned(const std::vector<ProfilePoint>& path, double tolerance) {
-  std::vector<ProfilePoint> kept{path.front()};
+// Of the spindle on the way to each point of a pass; empty: it does not tell.
+std::vector<double> turnsOf(const TurningPass& pass) {
+  if (pass.speeds.size() != pass.path.size() || pass.times.size() != pass.path.size()) return {};
+  std::vector<double> turns(pass.path.size(), 0.0);
+  double sum = 0.0;
+  for (std::size_t i = 1; i < turns.size(); ++i)
+    sum += turns[i] = (pass.times[i] - pass.times[i - 1]) * pass.speeds[i] / 60.0;
+  return sum > 0.0 ? turns : std::vector<double>();
+}
+
+// Whether the tool was brought to a point faster than it cuts.
+bool isTraverse(const std::vector<ProfilePoint>& path, const std::vector<double>& turns, std::size_t i) {
+  constexpr double kFastestCut = 2.0;  // mm in a turn
+  return !turns.empty() && (path[i] - path[i - 1]).norm() > kFastestCut * turns[i];
+}
+
+// mm in a turn, from one point of a path to another; as it is written.
+double feedBetween(const std::vector<ProfilePoint>& path, const std::vector<double>& turns, std::size_t from,
+                   std::size_t to) {
+  constexpr double kFastest = 10.0;  // mm in a turn, of a tool that is moved clear of the work
+  double way = 0.0, sum = 0.0;
+  for (std::size_t i = from + 1; i <= to; ++i) {
+    way += (path[i] - path[i - 1]).norm();
+    sum += turns[i];
+  }
+  const double feed = sum > 0.0 ? std::clamp(way / sum, kWritten, kFastest) : kFastest;
+  return std::round(feed / kWritten) * kWritten;
+}
+
+// The points of a path that are needed to stay within the tolerance of all, by number. Where the tool cuts after it was
+// brought there, one stays.
+std::vector<std::size_t> thinned(const std::vector<ProfilePoint>& path, const std::vector<double>& turns,
+                                 double tolerance) {
+  std::vector<std::size_t> kept{0};
   std::size_t from = 0;
   const auto fits = [&](std::size_t to) {
     const ProfilePoint along = path[to] - path[from];
@@ -161,8 +192,9 @@ std::vector<ProfilePoint> thinned(const std::vector<ProfilePoint>& path, double 
   };
   constexpr std::size_t kLongest = 1000;  // points of one line: the cost of trying is its square
   for (std::size_t to = 1; to < path.size(); ++to) {
-    if (to + 1 < path.size() && to + 1 - from < kLongest && fits(to + 1)) continue;
-    kept.push_back(path[to]);
+    const bool isSame = to + 1 < path.size() && isTraverse(path, turns, to) == isTraverse(path, turns, to + 1);
+    if (isSame && to + 1 - from < kLongest && fits(to + 1)) continue;
+    kept.push_back(to);
     from = to;
   }
   return kept;
@@ -199,7 +231,7 @@ bool isDrilled(const TurningPass& pass) {
 // and after one in a bore in front of it.
 class PassMoves {
  public:
-  PassMoves(const StockCylinder& stock, double zero, const PassProgram& how, std::uint16_t tool)
+  PassMoves(const StockCylinder& stock, double zero, const PassProgram& how, double spindle, std::uint16_t tool)
       : m_radius(0.5 * stock.diameter),
         m_above(m_radius + how.clearance),
         m_front(stock.length - zero + how.clearance),
@@ -207,7 +239,7 @@ class PassMoves {
         m_tolerance(how.tolerance) {
     m_move.tool = tool;
     m_move.spin = 1;
-    m_move.spindle = how.spindle;
+    m_move.spindle = spindle;
     m_move.from = m_move.to = {m_above, m_front};
     go(ToolMove::Kind::Rapid, m_move.to);
   }
@@ -220,18 +252,41 @@ class PassMoves {
     const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
     const ProfilePoint toTip(isBored ? nose : -nose, -nose - m_zero);
     if (pass.thread) return cutThread(pass, toTip);
-    std::vector<ProfilePoint> path = thinned(pass.path, m_tolerance);
-    for (ProfilePoint& point : path) point += toTip;
-    m_move.feed = feedOf(pass);
+    const std::vector<double> turns = turnsOf(pass);
+    std::vector<Stretch> path;
+    std::size_t before = 0;
+    for (const std::size_t i : thinned(pass.path, turns, m_tolerance)) {
+      path.push_back({pass.path[i] + toTip, turns.empty() || i == 0 ? 0.0 : feedBetween(pass.path, turns, before, i)});
+      before = i;
+    }
+    m_move.isPerRevolution = !turns.empty();
+    if (turns.empty())
+      for (Stretch& stretch : path) stretch.feed = feedOf(pass);
+    else
+      path.front().feed = path.size() > 1 ? path[1].feed : feedBetween(pass.path, turns, 0, pass.path.size() - 1);
     if (isBored)
       bore(path, isDrilled(pass));
     else
       turn(path);
+    m_move.isPerRevolution = false;
   }
 
   std::vector<ToolMove> take() { return std::move(m_moves); }
 
  private:
+  // A straight way to a point of the tip.
+  struct Stretch {
+    ProfilePoint to{0, 0};
+    double feed = 0.0;  // mm/min, or mm in a turn
+  };
+
+  void cutAlong(const std::vector<Stretch>& path) {
+    for (const Stretch& stretch : path) {
+      m_move.feed = stretch.feed;
+      go(ToolMove::Kind::Feed, stretch.to);
+    }
+  }
+
   void go(ToolMove::Kind kind, const ProfilePoint& to) {
     m_move.kind = kind;
     m_move.from = m_move.to;
@@ -239,25 +294,25 @@ class PassMoves {
     m_moves.push_back(m_move);
   }
 
-  void turn(const std::vector<ProfilePoint>& path) {
+  void turn(const std::vector<Stretch>& path) {
     go(ToolMove::Kind::Rapid, {m_above, m_move.to.y()});
-    go(ToolMove::Kind::Rapid, {m_above, path.front().y()});
-    for (const ProfilePoint& point : path) go(ToolMove::Kind::Feed, point);
+    go(ToolMove::Kind::Rapid, {m_above, path.front().to.y()});
+    cutAlong(path);
     go(ToolMove::Kind::Feed, {std::max(m_above, m_move.to.x()), m_move.to.y()});
   }
 
   // In and out along the axis, clear of what it cuts and of what passes before with the same tool have left: a pass may
   // begin in a groove behind a narrower mouth. A drill feeds all the way in: a rapid move does not drill. A path that
   // ends beside the bar goes up from there.
-  void bore(const std::vector<ProfilePoint>& path, bool isDrill) {
-    double inner = path.front().x();
-    for (const ProfilePoint& point : path) inner = std::min(inner, point.x());
+  void bore(const std::vector<Stretch>& path, bool isDrill) {
+    double inner = path.front().to.x();
+    for (const Stretch& stretch : path) inner = std::min(inner, stretch.to.x());
     inner = isDrill ? 0.0 : std::max(0.0, inner - kClearOfWall);
     double& narrowest = m_narrowest.try_emplace(m_move.tool, inner).first->second;
     inner = narrowest = std::min(narrowest, inner);
     go(ToolMove::Kind::Rapid, {inner, m_front});
-    if (!isDrill) go(ToolMove::Kind::Rapid, {inner, std::min(m_front, path.front().y() + kClearOfWall)});
-    for (const ProfilePoint& point : path) go(ToolMove::Kind::Feed, point);
+    if (!isDrill) go(ToolMove::Kind::Rapid, {inner, std::min(m_front, path.front().to.y() + kClearOfWall)});
+    cutAlong(path);
     const bool isBeside = m_move.to.x() >= m_radius;
     go(ToolMove::Kind::Feed, {isBeside ? m_above : inner, m_move.to.y()});
     go(ToolMove::Kind::Rapid, {m_move.to.x(), std::max(m_front, m_move.to.y())});
@@ -286,6 +341,19 @@ class PassMoves {
 };
 
 }  // namespace
+
+void MeanSpindle::add(const TurningPass& pass) {
+  for (const double turns : turnsOf(pass)) m_turns += turns;
+  if (pass.speeds.empty()) return;
+  for (std::size_t i = 1; i < std::min(pass.times.size(), pass.speeds.size()); ++i) {
+    if (pass.speeds[i] > 0.0) m_seconds += pass.times[i] - pass.times[i - 1];
+  }
+}
+
+double MeanSpindle::speed() const {
+  const double mean = m_seconds > 0.0 && m_turns > 0.0 ? std::round(60.0 * m_turns / m_seconds) : kUsual;
+  return std::isfinite(mean) ? std::clamp(mean, 1.0, kMostSpindle) : kUsual;
+}
 
 int PassTool::orientationIn(ProgramDialect dialect) const {
   if (tool) return handwheel::orientationOf(*tool, dialect);
@@ -339,7 +407,10 @@ std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, const StockCy
                               const PassProgram& how) {
   if (passes.empty()) return {};
   const std::vector<PassTool> tools = toolsOf(passes);
-  PassMoves moves(stock, zero, how, static_cast<std::uint16_t>(toolNumberIn(tools, passes.front())));
+  MeanSpindle recorded;
+  for (const TurningPass& pass : passes) recorded.add(pass);
+  const double spindle = how.spindle > 0.0 ? how.spindle : recorded.speed();
+  PassMoves moves(stock, zero, how, spindle, static_cast<std::uint16_t>(toolNumberIn(tools, passes.front())));
   for (const TurningPass& pass : passes) {
     if (!pass.path.empty()) moves.add(pass, static_cast<std::uint16_t>(toolNumberIn(tools, pass)));
   }

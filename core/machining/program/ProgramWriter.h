@@ -17,9 +17,20 @@ namespace handwheel {
 std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect, const std::string& title,
                         std::span<const std::string> comments = {});
 
+// The mean speed of the spindle in passes, by time.
+class MeanSpindle {
+ public:
+  static constexpr double kUsual = 500.0;  // r/min, of passes that do not tell theirs
+  void add(const TurningPass& pass);
+  double speed() const;  // r/min, a whole number
+
+ private:
+  double m_turns = 0.0, m_seconds = 0.0;
+};
+
 // How recorded passes become a program.
 struct PassProgram {
-  double spindle = 500.0;   // r/min
+  double spindle = 0.0;     // r/min; 0: the mean of the passes (MeanSpindle)
   double tolerance = 1e-3;  // mm: points nearer than this to the line between their neighbours are left out
   double clearance = 2.0;   // mm, above the part between passes
 };
@@ -41,9 +52,10 @@ std::string descriptionOf(const PassTool& tool, ProgramDialect dialect);
 bool isProgrammable(const TurningPass& pass);
 
 // The moves that repeat recorded passes, each with its tool of toolsOf(): to each pass from above, of a bore from in
-// front, along it at its mean speed, and away. A program moves the tip of a tool; of a round nose alone the corner of
-// its tangents towards the chuck and the axis, in a bore away from the axis. stock: that the first pass cuts; its
-// place does not count. zero: mm, height of z = 0 above the lower end of the part.
+// front, along it, and away. The feed per revolution is that of the pass, move by move, whatever the spindle does; of a
+// pass that does not tell its spindle it is the mean in a minute. A program moves the tip of a tool; of a round nose
+// alone the corner of its tangents towards the chuck and the axis, in a bore away from the axis. stock: that the first
+// pass cuts; its place does not count. zero: mm, height of z = 0 above the lower end of the part.
 std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, const StockCylinder& stock, double zero,
                               const PassProgram& how);
 

@@ -26,9 +26,11 @@ void ProgramSession::askForPasses() {
   if (isRefused()) return;
   auto* dialog = new NumbersDialog(
       tr("Program from passes"),
-      tr("The passes that cut this part become a program in the chosen dialect. It is shown in the editor; "
-         "undo restores the present text."),
-      tr("&Write"), {{"passesSpindle", tr("Spindle speed"), tr("r/min"), PassProgram().spindle, 1.0, kMostSpindle}},
+      tr("The passes that cut this part become a program in the chosen dialect, with their feed per revolution. It is "
+         "shown in the editor; undo restores the present text."),
+      tr("&Write"),
+      {{"passesSpindle", tr("Spindle speed"), tr("r/min"), recordedSpindle(workpiece().workpiece()), 1.0,
+        kMostSpindle}},
       m_parts.window);
   dialog->setObjectName(QStringLiteral("passesDialog"));
   connect(dialog, &NumbersDialog::chosen, this,

@@ -95,6 +95,45 @@ class ProgramWriterTest : public QObject {
     }
   }
 
+  // 0.25 mm in each turn of 1680 r/min, then drawn back at 80 mm/s: at 500 r/min it is 0.25 mm in a turn still, in both
+  // dialects. What does not tell its spindle keeps its feed in a minute.
+  void theFeedPerRevolution() {
+    TurningPass pass = bushPasses()[2];
+    pass.path.clear();
+    pass.times.clear();
+    for (int i = 0; i <= 510; ++i) {
+      pass.path.emplace_back(18.0, 101.0 - 0.1 * i);
+      pass.times.push_back(0.1 * i / (0.25 * 28.0));
+    }
+    pass.path.emplace_back(40.0, 50.0);
+    pass.times.push_back(pass.times.back() + 22.0 / 80.0);
+    pass.speeds.assign(pass.path.size(), 1680.0);
+    const std::vector<TurningPass> passes{pass};
+    PassProgram slow;
+    slow.spindle = 500.0;
+    int cuts = 0;
+    for (const ToolMove& move : movesOf(passes, kBushBar, 0.0, slow)) {
+      if (move.kind != ToolMove::Kind::Feed) continue;
+      QVERIFY(move.isPerRevolution);
+      QCOMPARE(move.spindle, 500.0);
+      if (move.to.x() != 18.0 || move.from.x() != 18.0) continue;
+      ++cuts;
+      QVERIFY2(std::abs(move.feed - 0.25) < 1e-4, qPrintable(QString::number(move.feed)));
+    }
+    QVERIFY(cuts >= 1);
+    const auto textOf = [&](ProgramDialect dialect, const PassProgram& how) {
+      return programText(movesOf(passes, kBushBar, 0.0, how), dialect, "feed");
+    };
+    const std::string cnc = textOf(ProgramDialect::LinuxCnc, slow), fanuc = textOf(ProgramDialect::Fanuc, slow);
+    QVERIFY2(cnc.find("G97 S500") != std::string::npos && cnc.find("G95") != std::string::npos, cnc.c_str());
+    QVERIFY2(fanuc.find("F0.25\n") != std::string::npos && fanuc.find("G98") == std::string::npos, fanuc.c_str());
+    QVERIFY(textOf(ProgramDialect::LinuxCnc, {}).find("G97 S1680 ") != std::string::npos);
+    for (const ToolMove& move : movesOf(bushPasses(), kBushBar, 0.0, {})) {
+      QVERIFY(!move.isPerRevolution);
+      QCOMPARE(move.spindle, MeanSpindle::kUsual);
+    }
+  }
+
   // Not even a drill of a file's making that is beside the axis, or a pass of one point, is a move that is no number.
   void strangePasses() {
     TurningPass beside = bushPasses().front(), point = bushPasses()[1], none = point;
