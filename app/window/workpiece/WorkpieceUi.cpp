@@ -9,6 +9,7 @@
 #include "document/workpiece/exercise/AssignedTask.h"
 #include "document/workpiece/exercise/TurningMeasurements.h"
 #include "fidelity/Cases.h"
+#include "machining/EndPiece.h"
 #include "machining/TurningFidelity.h"
 #include "panels/MessageBar.h"
 #include "theme/Theme.h"
@@ -81,6 +82,7 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
   connect(&window.tools, &ToolHost::updated, this, &WorkpieceUi::followTool);
   // When the tool shows the change, too, and it is in the history.
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::followSize, Qt::QueuedConnection);
+  connect(this, &KindUi::stateChanged, this, &WorkpieceUi::tellParted, Qt::QueuedConnection);
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::explainLocks, Qt::QueuedConnection);
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::watchLoads, Qt::QueuedConnection);
 }
@@ -118,6 +120,10 @@ void WorkpieceUi::forget(DocumentTab* document) {
   if (m_loaded == document) {
     m_loaded = nullptr;
     m_loadedPart.reset();
+  }
+  if (m_parted == document) {
+    m_parted = nullptr;
+    m_partedPart.reset();
   }
   m_program.forget(document);
 }
@@ -262,6 +268,27 @@ void WorkpieceUi::warnOfLoads(DocumentTab* loaded, const TurningTask& task, doub
     return static_cast<const WorkpieceDocument&>(loaded->document).workpiece().part != of;
   };
   emit message(heavy);
+}
+
+// Once for each piece that has come off: it stays shown where it was, since nobody has taken it.
+void WorkpieceUi::tellParted() {
+  if (!document()) return;
+  const auto part = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part;
+  const auto before = std::exchange(m_partedPart, part);
+  const bool isOther = std::exchange(m_parted, document()) != document();
+  if (part == before && !isOther) return;
+  const std::size_t count = part ? part->profile.pieces() : 1, known = std::exchange(m_pieces, count);
+  const auto piece = !isOther && count > known ? endPieceOf(part->profile) : std::nullopt;
+  if (!piece) return;
+  const QLocale locale;
+  const double parted = piece->profile.volume(), kept = part->profile.volume() - parted;
+  Message off{Message::Weight::Info, tr("Parted off"),
+              tr("A piece of %1 mm length has come off at the free end.").arg(locale.toString(piece->length(), 'f', 2)),
+              tr("Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP files are "
+                 "those of the piece.")
+                  .arg(locale.toString(parted, 'f', 0), locale.toString(kept, 'f', 0))};
+  off.about = &document()->document;
+  emit message(off);
 }
 
 // What was seen whole stays so in another size. Else the camera is the user's.

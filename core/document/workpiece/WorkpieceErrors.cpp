@@ -14,11 +14,6 @@ const ErrorDescription WorkpieceError::BarOfExercise{
     .sentences = {translatable("ErrorText", "the bar is that of the exercise, so it cannot change")},
     .advice = {translatable("ErrorText", "Work with this bar. The teacher changes it in the file of the exercise.")}};
 
-const ErrorDescription WorkpieceError::SeveralPieces{
-    .id = "SeveralPieces",
-    .sentences = {translatable("ErrorText", "the part is in %1 pieces, and the file can contain only one solid")},
-    .advice = {translatable("ErrorText", "Undo the pass that separated it, or export triangles, for example STL.")}};
-
 const ErrorDescription WorkpieceError::ClosedHollow{
     .id = "ClosedHollow",
     .sentences = {translatable("ErrorText", "the part has %1 closed hollows, which the file cannot contain")},

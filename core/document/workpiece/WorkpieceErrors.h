@@ -9,7 +9,6 @@ namespace handwheel::WorkpieceError {
 
 extern const ErrorDescription SizeFixed;      // the bar was cut, so that its size cannot change
 extern const ErrorDescription BarOfExercise;  // the bar is work on an exercise, and that of its file
-extern const ErrorDescription SeveralPieces;  // {pieces} a file of this format holds one solid
 extern const ErrorDescription ClosedHollow;   // {hollows} a solid of this format has none
 
 extern const ErrorDescription NoPasses;    // nothing was cut yet that could be written as a program

@@ -16,6 +16,7 @@
 #include "document/workpiece/target/TargetBlobs.h"
 #include "document/workpiece/target/TargetImport.h"
 #include "document/workpiece/target/TargetReport.h"
+#include "machining/EndPiece.h"
 #include "machining/drawing/DrawnThreads.h"
 #include "machining/lathe/LatheCrashJson.h"
 #include "machining/lathe/LatheJson.h"
@@ -55,6 +56,7 @@ Result<WrittenFile> exportStep(const WorkpieceSnapshot& workpiece, const std::fi
   const Status written = writeFileAtomically(path, *bytes, progress.part(0.9, 1.0));
   if (!written) return written.error();
   WrittenFile file{bytes->size(), {{QT_TRANSLATE_NOOP("Note", "The file contains one valid solid.")}}};
+  for (Note& note : sectionNotes(workpiece)) file.notes.push_back(std::move(note));
   if (workpiece.part && workpiece.part->threads())
     file.notes.push_back({QT_TRANSLATE_NOOP("Note", "Threads are in the file as their envelope, without grooves: %1."),
                           {threadsText(*workpiece.part->threads())},
@@ -212,6 +214,8 @@ nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
     described["bored"] = part.profile.isBored();
     if (part.threads()) described["threads"] = threadsJson(part);
     described["pieces"] = part.profile.pieces();
+    if (const auto piece = endPieceOf(part.profile))
+      described["end_piece"] = {{"length", piece->length()}, {"volume", piece->profile.volume()}};
     described["finish"] = finishJson(part);
     return described;
   }

@@ -4,6 +4,7 @@
 
 #include "document/Utf8.h"
 #include "document/workpiece/target/TargetPlace.h"
+#include "machining/EndPiece.h"
 #include "machining/force/WorkMaterials.h"
 
 #include <QCoreApplication>
@@ -160,7 +161,16 @@ std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece) {
     for (Property& each : placeProperties(workpiece.target->profile, workpiece.stock)) all.push_back(std::move(each));
   const double volume = workpiece.part ? workpiece.part->volume() : workpiece.stock.volume();
   const double area = workpiece.part ? workpiece.part->profile.area() : workpiece.stock.area();
-  all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), volume));
+  const auto piece = workpiece.part ? endPieceOf(workpiece.part->profile) : std::nullopt;
+  if (piece) {
+    const double parted = piece->profile.volume();
+    all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume that stays in the chuck (mm³)"),
+                           std::max(0.0, volume - parted)));
+    all.push_back(computed("parted_volume", QT_TRANSLATE_NOOP("Property", "Volume parted off (mm³)"), parted));
+    all.push_back(computed("parted_length", QT_TRANSLATE_NOOP("Property", "Length parted off (mm)"), piece->length()));
+  } else {
+    all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), volume));
+  }
   all.push_back(computed("area", QT_TRANSLATE_NOOP("Property", "Surface (mm²)"), area));
   if (workpiece.part) {
     const auto count = static_cast<double>(workpiece.part->passes.size());

@@ -5,6 +5,7 @@
 #include "base/Tolerance.h"
 #include "document/DocumentErrors.h"
 #include "document/workpiece/WorkpieceErrors.h"
+#include "machining/EndPiece.h"
 #include "nurbs/StepWriter.h"
 #include "nurbs/Tessellation.h"
 
@@ -54,22 +55,23 @@ Result<std::vector<TurnedCurves>> curvesWithin(const WorkpieceSnapshot& workpiec
   return all;
 }
 
-// Of a part in one piece. The nearest where none will do: walls between two samples are not at either, and a solid of
-// many faces takes the library long.
+// Of the piece at the free end. The nearest where none will do: walls between two samples are not at either, and a
+// solid of many faces takes the library long.
 Result<ProfileCurve> solidCurve(const WorkpieceSnapshot& workpiece) {
   constexpr double kVolume = 5e-5;
   constexpr std::size_t kManyArcs = 5'000;
+  const auto piece = workpiece.part ? endPieceOf(workpiece.part->profile) : std::nullopt;
+  const double bar = workpiece.part ? workpiece.part->profile.volume() : workpiece.stock.volume();
+  const double volume = piece ? piece->profile.volume() : bar;
   std::optional<ProfileCurve> best;
   double least = std::numeric_limits<double>::infinity();
   for (double chord = 0.5 * workpiece.chord; !(least <= kVolume); chord *= 0.25) {
     const Result<std::vector<TurnedCurves>> pieces = curvesWithin(workpiece, chord);
     if (!pieces && best) break;
     if (!pieces) return pieces.error();
-    if (pieces->size() != 1) return Error{WorkpieceError::SeveralPieces, {std::to_string(pieces->size())}, {}, {}};
-    const TurnedCurves& curves = pieces->front();
+    const TurnedCurves& curves = pieces->back();
     if (!curves.cavities.empty())
       return Error{WorkpieceError::ClosedHollow, {std::to_string(curves.cavities.size())}, {}, {}};
-    const double volume = workpiece.part ? workpiece.part->profile.volume() : workpiece.stock.volume();
     const double off = std::abs(curves.outside.volume() / volume - 1.0);
     if (best && (!(off < 0.9 * least) || curves.outside.arcs().size() > kManyArcs)) break;
     least = off;

@@ -16,9 +16,9 @@ Result<std::vector<TurnedCurves>> curvesOf(const WorkpieceSnapshot& workpiece);
 // Its triangles where it stands, closed and within the chord tolerance. Errors: those of tessellate().
 Result<TriangleSoup> placedTriangles(const WorkpieceSnapshot& workpiece, Progress progress);
 
-// One valid solid as a STEP file, read back and measured. Its volume is that of the samples to 1e-4: where marks of
-// feed need it, its curve is nearer to them than the chord tolerance. Errors: SeveralPieces, ClosedHollow, CheckFailed,
-// those of writeStep().
+// One valid solid as a STEP file: of a part that is parted off the piece at its free end. It is read back and measured.
+// Its volume is that of the samples to 1e-4: where marks of feed need it, its curve is nearer to them than the chord
+// tolerance. Errors: ClosedHollow, CheckFailed, those of writeStep().
 Result<std::string> checkedStep(const WorkpieceSnapshot& workpiece, Progress progress);
 
 }  // namespace handwheel

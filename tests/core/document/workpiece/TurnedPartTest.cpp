@@ -6,8 +6,9 @@
 #include "document/formats/MeshFormat.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
-#include "document/workpiece/WorkpieceErrors.h"
 #include "document/workpiece/WorkpieceKind.h"
+#include "document/workpiece/WorkpieceProperties.h"
+#include "machining/EndPiece.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "nurbs/StepWriter.h"
@@ -17,6 +18,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -248,8 +250,9 @@ class TurnedPartTest : public QObject {
     QCOMPARE(lowest, 12.0);
   }
 
-  // One file holds one solid: of a parted bar none is written, and the reason is said.
-  void twoPiecesAreNoStepFile() {
+  // One file holds one solid: of a bar of 50 mm that a nose of 1 mm has parted in its middle, that is the piece at the
+  // free end, from Z 51 to Z 100, and it is said. The volumes of both pieces are told apart.
+  void thePartedPieceIsAStepFile() {
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath("a.step").toStdString();
     WorkpieceSnapshot workpiece;
@@ -257,10 +260,26 @@ class TurnedPartTest : public QObject {
     pass.path = {{0.0, 50.0}};
     pass.times = {0.0};
     workpiece.part = withPass(workpiece, pass, 0.1);
+    const double r = 0.5 * workpiece.stock.diameter, length = workpiece.stock.length;
+    const auto piece = endPieceOf(workpiece.part->profile);
+    QVERIFY(piece.has_value());
+    QVERIFY(std::abs(piece->length() - (length - 51.0)) < 0.21);
+    const double volume = M_PI * r * r * (length - 51.0);
+    QVERIFY(std::abs(piece->profile.volume() - volume) < M_PI * r * r * 0.21);
     const auto written = m_kind.exportTo(workpiece, path, {});
-    QVERIFY(!written && written.error().code == WorkpieceError::SeveralPieces);
-    QCOMPARE(written.error().arguments.at(0), std::string("2"));
-    QVERIFY(!std::filesystem::exists(path));
+    QVERIFY(written.hasValue());
+    QVERIFY(std::any_of(written->notes.begin(), written->notes.end(), [](const Note& note) { return note.isLoss; }));
+    QVERIFY(std::filesystem::exists(path));
+    double kept = 0.0, parted = 0.0;
+    for (const Property& each : workpieceProperties(workpiece)) {
+      if (each.id == "volume") kept = std::get<double>(each.value);
+      if (each.id == "parted_volume") parted = std::get<double>(each.value);
+    }
+    QVERIFY(std::abs(parted - piece->profile.volume()) < 1e-6);
+    QVERIFY(std::abs(kept + parted - workpiece.part->volume()) < 1e-6);
+    QVERIFY(std::abs(kept - M_PI * r * r * 49.0) < M_PI * r * r * 0.21);
+    QVERIFY(!endPieceOf(TurnedProfile(workpiece.stock, 0.1)));
+    QVERIFY(!endPieceOf(TurnedProfile::fromRadii({0.0, 0.0, 0.0}, 4.0)));
   }
 
   // A copy of a document shares the blocks of triangles that a pass did not touch.
