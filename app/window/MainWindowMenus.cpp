@@ -96,6 +96,7 @@ void MainWindow::buildMenus() {
   setActionToolTip(*preferences, tr("Keyboard shortcuts, mouse, units, language, autosave"));
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
+  view->setObjectName(QStringLiteral("viewMenu"));
   view->addAction(m_viewActions->fit());
   view->addSeparator();
   view->addActions(m_viewActions->views());
@@ -157,6 +158,14 @@ void MainWindow::placeKinds() {
   auto* help = findChild<QMenu*>(QStringLiteral("helpMenu"));
   for (const auto& [id, kind] : m_uis) m_kindPlace->add(id, *kind, m_toolChoice->actions(*kind), *menuBar(), *help);
   for (const auto& [id, kind] : m_uis) help->insertActions(help->actions().first(), kind->help());
+  // The panels that kinds of documents have made, below those of the window.
+  auto* view = findChild<QMenu*>(QStringLiteral("viewMenu"));
+  const QList<QAction*> entries = view->actions();
+  QAction* const below = entries.value(entries.indexOf(docks().last()->findChild<PanelToggle*>()) + 1);
+  for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    auto* const toggle = docks().contains(dock) ? nullptr : dock->findChild<PanelToggle*>();
+    if (toggle) view->insertAction(below, toggle);
+  }
 }
 
 // At the end of the menu bar, where it takes no room from the view.

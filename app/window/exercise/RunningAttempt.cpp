@@ -10,6 +10,7 @@
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
 #include "window/JobRunner.h"
+#include "window/PanelToggle.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
@@ -60,6 +61,9 @@ RunningAttempt::RunningAttempt(const WindowContext& parts, QObject* parent)
     m_dock->setTitleBarWidget(new DockTitle(m_dock));
     window->addDockWidget(Qt::LeftDockWidgetArea, m_dock);
     m_dock->hide();
+    m_toggle = new PanelToggle(m_dock, QStringLiteral("kind-exercise"));
+    m_toggle->setToolTip(tr("Steps of the exercise, with the buttons to measure and to hand in the work"));
+    m_toggle->setEnabled(false);
   }
   connect(&parts.tabs, &DocumentTabs::currentChanged, this, &RunningAttempt::follow);
   connect(&parts.tabs, &DocumentTabs::closing, this, &RunningAttempt::forget);
@@ -203,6 +207,7 @@ void RunningAttempt::follow(DocumentTab* tab) {
     m_clock.start(kTickMs);
   }
   showDock(m_isCurrent && m_isDockWanted);
+  if (m_toggle) m_toggle->setEnabled(m_isCurrent);
 }
 
 // With the sizes as they were measured, which may be old by now.
@@ -222,6 +227,7 @@ void RunningAttempt::forget(DocumentTab* tab) {
     m_clock.stop();
     m_isCurrent = false;
     showDock(false);
+    if (m_toggle) m_toggle->setEnabled(false);
   }
   m_works.erase(m_works.begin() + (work - m_works.data()));
   emit changed();

@@ -15,6 +15,7 @@ class QDockWidget;
 namespace handwheel {
 
 class ExerciseLesson;
+class PanelToggle;
 
 // The documents that are work on an exercise, and the panel with its steps. The panel is beside the current document.
 // Exercise and attempt are kept in the document of the work, and so in its file and its autosave: who opens it goes on.
@@ -74,6 +75,7 @@ class RunningAttempt : public QObject {
 
   WindowContext m_parts;
   QDockWidget* m_dock = nullptr;
+  PanelToggle* m_toggle = nullptr;  // of the dock, for the menu View and the search; enabled where there is a lesson
   ExerciseLesson* m_lesson;
   std::vector<Work> m_works;  // the one that was current last is the last
   bool m_isCurrent = false;   // the last of them is the current document

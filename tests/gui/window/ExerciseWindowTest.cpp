@@ -145,6 +145,14 @@ class ExerciseWindowTest : public QObject {
       QVERIFY(driver.settle());
       QCOMPARE(driver.tabs(), 2);
       QVERIFY(driver.find<QDockWidget>("lessonDock")->isVisible());
+      // Closed by mistake, it comes back by the menu View; the search finds it by what it is for.
+      auto* const toggle = driver.window().findChild<QAction*>("lessonDockToggle");
+      QVERIFY(toggle && driver.window().findChild<QMenu*>("viewMenu")->actions().contains(toggle));
+      for (const char* word : {"measure", "hand in"}) QVERIFY(toggle->toolTip().contains(QLatin1String(word)));
+      driver.find<QDockWidget>("lessonDock")->close();
+      QTRY_VERIFY(!toggle->isChecked());
+      toggle->trigger();
+      QTRY_VERIFY(driver.find<QDockWidget>("lessonDock")->isVisible());
       driver.click("quickActions/saveFile");
       QVERIFY(driver.enterFileName("saveDialog", path));
       QVERIFY(driver.settle());
