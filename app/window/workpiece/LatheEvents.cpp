@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -22,12 +23,13 @@ QString eventNumber(double value, int digits) {
   return QLocale().toString(value, 'f', digits);
 }
 
-Event eventOf(const LatheCollision& crash) {
+Event eventOf(const LatheCollision& crash, double zero) {
   const auto part = [](LathePart which) { return QCoreApplication::translate("LathePart", titleOf(which)); };
   return {crash.time,
           LatheEvents::tr("%1 s: crash, %2 – %3 at R %4, Z %5. %6")
               .arg(eventNumber(crash.time, 1), part(crash.moving), part(crash.struck), eventNumber(crash.place.x(), 2),
-                   eventNumber(crash.place.y(), 2), QCoreApplication::translate("LathePart", sentenceOf(crash.cause))),
+                   eventNumber(crash.place.y() - zero, 2),
+                   QCoreApplication::translate("LathePart", sentenceOf(crash.cause))),
           true};
 }
 
@@ -88,11 +90,12 @@ LatheEvents::LatheEvents(QWidget* parent) : QListWidget(parent) {
 void LatheEvents::show(const ManualLatheTool& tool) {
   std::vector<LatheCollision> crashes = tool.collisions();
   std::vector<LatheWarning> warnings = tool.warnings();
-  if (crashes == m_crashes && warnings == m_warnings) return;
+  const double zero = tool.eventsZero(), before = std::exchange(m_zero, zero);
+  if (crashes == m_crashes && warnings == m_warnings && zero == before) return;
   m_crashes = std::move(crashes);
   m_warnings = std::move(warnings);
   std::vector<Event> events;
-  for (const LatheCollision& crash : m_crashes) events.push_back(eventOf(crash));
+  for (const LatheCollision& crash : m_crashes) events.push_back(eventOf(crash, zero));
   for (const LatheWarning& warning : m_warnings) events.push_back(eventOf(warning));
   std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
   clear();

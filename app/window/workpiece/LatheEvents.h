@@ -23,6 +23,7 @@ class LatheEvents : public QListWidget {
  private:
   std::vector<LatheCollision> m_crashes;
   std::vector<LatheWarning> m_warnings;
+  double m_zero = 0.0;  // mm, of their Z
 };
 
 }  // namespace handwheel

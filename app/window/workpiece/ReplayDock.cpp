@@ -7,6 +7,7 @@
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/target/TargetPlace.h"
 #include "machining/lathe/LatheJson.h"
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
@@ -335,11 +336,12 @@ void ReplayDock::show(double seconds) {
 // With the tool where it was then.
 void ReplayDock::shown(const std::shared_ptr<DisplayModel>& model, const PassesReplay::Moment& moment) {
   if (moment.pass) {
+    const double zero = shownZero(m_played->work, m_document && workpiece().file().assigned);
     m_text->setText(tr("Pass %1 of %2: %3, at R %4 mm, Z %5 mm")
                         .arg(moment.number + 1)
                         .arg(m_played->track->replay->passes().size())
                         .arg(toolText(*moment.pass), QLocale().toString(moment.place.x(), 'f', 2),
-                             QLocale().toString(moment.place.y(), 'f', 2)));
+                             QLocale().toString(moment.place.y() - zero, 'f', 2)));
     const LatheTool* const tool = moment.pass->tool.get();
     const bool isDrill = tool && tool->kind == LatheToolKind::Drill;
     const std::vector<DisplayPart> parts =

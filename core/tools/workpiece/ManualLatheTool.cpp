@@ -3,6 +3,7 @@
 #include "tools/workpiece/ManualLatheTool.h"
 
 #include "document/workpiece/TurnedPartDisplay.h"
+#include "document/workpiece/target/TargetPlace.h"
 #include "tools/workpiece/AxisPlane.h"
 #include "tools/workpiece/LatheChips.h"
 
@@ -112,6 +113,10 @@ LatheSlot ManualLatheTool::slotInUse() const {
 std::array<bool, 2> ManualLatheTool::isTouchedOff() const {
   const LatheSlot slot = slotInUse();
   return {slot.hasOffset[0], slot.hasOffset[1]};
+}
+
+double ManualLatheTool::eventsZero() const {
+  return shownZero(m_document.workpiece(), bool(m_document.file().assigned));
 }
 
 ProfilePoint ManualLatheTool::readout() const {

@@ -59,6 +59,8 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   std::vector<LatheCollision> collisions() const;
   // All warnings, likewise.
   std::vector<LatheWarning> warnings() const;
+  // From where crashes tell their Z, mm above the lower end of the bar: shownZero() of the document.
+  double eventsZero() const;
   // What the read-out shows: X as diameter or radius, as the setup has it, and Z; mm.
   ProfilePoint readout() const;
   // Whether the tool in use was touched off, in X and in Z: before that the read-out means nothing.

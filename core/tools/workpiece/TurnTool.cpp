@@ -4,6 +4,7 @@
 
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartDisplay.h"
+#include "document/workpiece/target/TargetPlace.h"
 #include "tools/ToolProperty.h"
 #include "tools/workpiece/AxisPlane.h"
 
@@ -196,7 +197,8 @@ std::optional<ToolLabel> TurnTool::label() const {
   const double r = std::max(0.0, centre - sideways(m_tool.side, m_tool.noseRadius));
   const double z = m_place->z() - base(), near = 0.5 * stock.diameter;
   if (r > 0.5 * stock.diameter + near || z < -near || z > stock.length + near) return std::nullopt;
-  ToolLabel label{*m_place, {{"⌀", 2.0 * r}, {"Z", z - m_tool.noseRadius}}};
+  const double zero = shownZero(workpiece, bool(m_document.file().assigned));
+  ToolLabel label{*m_place, {{"⌀", 2.0 * r}, {"Z", z - m_tool.noseRadius - zero}}};
   if (z >= 0.0 && z <= stock.length)
     label.figures.push_back({"", std::min(0.0, sideways(m_tool.side, r - radiusAt(workpiece, z, m_tool.side)))});
   if (m_start.largestFeed > 0.0 && m_gesture.isOn()) label.figures.push_back({"f", state()->fastest});

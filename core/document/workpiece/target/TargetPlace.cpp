@@ -60,6 +60,10 @@ double programZero(const WorkpieceSnapshot& workpiece) {
   return freeEnd(workpiece.stock) - programAllowance(workpiece);
 }
 
+double shownZero(const WorkpieceSnapshot& workpiece, bool isOfExercise) {
+  return isOfExercise ? programZero(workpiece) - workpiece.stock.position : 0.0;
+}
+
 double programAllowance(const WorkpieceSnapshot& workpiece) {
   return workpiece.target ? allowanceOf(workpiece.target->profile, workpiece.stock) : 0.0;
 }

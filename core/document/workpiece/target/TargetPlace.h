@@ -24,7 +24,10 @@ TargetProfile withAllowance(const TargetProfile& target, const StockCylinder& st
 
 // Z of program zero in the coordinates of the document: the finished face of the target, or the free end of the bar.
 double programZero(const WorkpieceSnapshot& workpiece);
-// How far the bar goes beyond it: 0 without a target.
+// From where Z is shown, mm above the lower end of the bar. In work on an exercise it is program zero, as in its task
+// and its marks; else the lower end itself.
+double shownZero(const WorkpieceSnapshot& workpiece, bool isOfExercise);
+// How far the bar goes beyond program zero: 0 without a target.
 double programAllowance(const WorkpieceSnapshot& workpiece);
 
 // The allowance, which can be changed, with a remark where the target does not fit into the bar; where the finished

@@ -198,6 +198,20 @@ class WorkpieceTargetTest : public QObject {
     QVERIFY(picture != targetInBar({50.0, 100.0, 0.0}, turned));
   }
 
+  // A bar of 100 mm from Z 5 on, with 2 mm left for facing: Z of work on an exercise counts from the finished face, 98
+  // mm above its lower end; other Z from that.
+  void whereShownZCountsFrom() {
+    WorkpieceSnapshot workpiece;
+    workpiece.stock = {40.0, 100.0, 5.0};
+    QCOMPARE(shownZero(workpiece, false), 0.0);
+    QCOMPARE(shownZero(workpiece, true), 100.0);
+    Result<TargetProfile> target = TargetProfile::make({{{10.0, 20.0}, {10.0, 103.0}, 0.0}});
+    QVERIFY(target.hasValue());
+    workpiece.target = std::make_shared<const WorkpieceTarget>(WorkpieceTarget{*target, std::string()});
+    QVERIFY(std::abs(shownZero(workpiece, true) - 98.0) < 1e-9);
+    QCOMPARE(shownZero(workpiece, false), 0.0);
+  }
+
   // A tool of 2 mm goes in to the axis at Z 50 of a bar of 100 mm: what is free of the chuck is above Z 51.
   void aPartedPart() {
     WorkpieceSnapshot workpiece;
