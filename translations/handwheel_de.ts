@@ -738,14 +738,6 @@
         <translation>„%1“ ist kein gültiger Name: Ein Name ist eine Zeile von 1 bis %2 Bytes</translation>
     </message>
     <message>
-        <source>the part is in %1 pieces, and the file can contain only one solid</source>
-        <translation>das Teil besteht aus %1 Stücken, und die Datei fasst einen Körper</translation>
-    </message>
-    <message>
-        <source>Undo the pass that separated it, or export triangles, for example STL.</source>
-        <translation>Machen Sie den trennenden Schnitt rückgängig, oder exportieren Sie Dreiecke, etwa STL.</translation>
-    </message>
-    <message>
         <source>Check that it is plugged in, that no other program uses it and that you have permission to use it.</source>
         <translation>Prüfen Sie, ob es angeschlossen ist, kein anderes Programm es verwendet und Sie die Berechtigung dafür haben.</translation>
     </message>
@@ -1038,10 +1030,6 @@
         <translation>bei %1 stößt der Roboter an: %2 mit %3</translation>
     </message>
     <message>
-        <source>Move the robot away there, require less clearance, or allow this pair.</source>
-        <translation>Bewegen Sie den Roboter dort weg, verlangen Sie weniger Abstand, oder erlauben Sie dieses Paar.</translation>
-    </message>
-    <message>
         <source>at %1 the joint %2 is beyond its limits</source>
         <translation>bei %1 ist das Gelenk %2 außerhalb seiner Grenzen</translation>
     </message>
@@ -1314,20 +1302,12 @@
         <translation>Planen Sie sie neu, oder schreiben Sie sie, wie sie ist; auf der Befehlszeile: --outdated.</translation>
     </message>
     <message>
-        <source>Use a joint motion, change this place or the one before, or allow this pair.</source>
-        <translation>Verwenden Sie eine Gelenkbewegung, ändern Sie diesen Punkt oder den davor, oder erlauben Sie dieses Paar.</translation>
-    </message>
-    <message>
         <source>places %1 and %2 of the curve are not connected by the surface</source>
         <translation>die Punkte %1 und %2 der Kurve sind nicht über die Oberfläche verbunden</translation>
     </message>
     <message>
         <source>Draw around the gap, or place more points.</source>
         <translation>Zeichnen Sie um die Lücke herum, oder setzen Sie mehr Punkte.</translation>
-    </message>
-    <message>
-        <source>Tilt the tool away, keep a distance from the part, or allow this pair.</source>
-        <translation>Neigen Sie das Werkzeug weg, halten Sie Abstand vom Teil, oder erlauben Sie dieses Paar.</translation>
     </message>
     <message>
         <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a jump of a joint</source>
@@ -1620,6 +1600,46 @@
     <message>
         <source>the robot stood elsewhere when the curve of the path &apos;%1&apos; was planned</source>
         <translation>der Roboter stand woanders, als die Kurve der Bahn „%1“ geplant wurde</translation>
+    </message>
+    <message>
+        <source>Move the robot away there, or let two bodies touch that are meant to.</source>
+        <translation>Den Roboter dort wegbewegen oder zwei Körper sich berühren lassen, die es sollen.</translation>
+    </message>
+    <message>
+        <source>at %1 the robot is too near: %2 is %4 mm from %3</source>
+        <translation>bei %1 ist der Roboter zu nah: %2 ist %4 mm von %3 entfernt</translation>
+    </message>
+    <message>
+        <source>Move the robot away there, or require less clearance.</source>
+        <translation>Den Roboter dort wegbewegen oder weniger Abstand verlangen.</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; leads to &apos;%2&apos; as that was stored when it was planned</source>
+        <translation>die Bahn „%1“ führt zu „%2“, wie es bei ihrer Planung gespeichert war</translation>
+    </message>
+    <message>
+        <source>Use a joint motion, change either place, or let bodies touch that are meant to.</source>
+        <translation>Eine Gelenkbewegung verwenden, eine der Stellen ändern oder Körper sich berühren lassen, die es sollen.</translation>
+    </message>
+    <message>
+        <source>on the straight line to %1 the robot is too near: %2 is %4 mm from %3</source>
+        <translation>auf der geraden Strecke zu %1 ist der Roboter zu nah: %2 ist %4 mm von %3 entfernt</translation>
+    </message>
+    <message>
+        <source>Use a joint motion, change this place or the one before, or require less clearance.</source>
+        <translation>Eine Gelenkbewegung verwenden, diese oder die vorige Stelle ändern oder weniger Abstand verlangen.</translation>
+    </message>
+    <message>
+        <source>Tilt the tool away, keep a distance or less clearance, or let it touch the part.</source>
+        <translation>Das Werkzeug wegneigen, eine Entfernung oder weniger Abstand halten oder es das Teil berühren lassen.</translation>
+    </message>
+    <message>
+        <source>the pose is in the base of the controller, which the description of %1 does not have</source>
+        <translation>die Pose gilt in der Basis der Steuerung, die die Beschreibung von %1 nicht hat</translation>
+    </message>
+    <message>
+        <source>Use the built-in robot, add a link &apos;base&apos; to the description, or give the motions joint values.</source>
+        <translation>Den eingebauten Roboter verwenden, der Beschreibung ein Glied „base“ hinzufügen oder den Bewegungen Gelenkwerte geben.</translation>
     </message>
 </context>
 <context>
@@ -3188,6 +3208,10 @@
         <source>the volume was changed without them</source>
         <translation>das Volumen wurde ohne sie geändert</translation>
     </message>
+    <message>
+        <source>the robot reaches its place in no way with this configuration</source>
+        <translation>der Roboter erreicht die Stelle mit dieser Konfiguration auf keine Weise</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -4434,6 +4458,14 @@
         <source>Torque reference (He 2008)</source>
         <translation>Referenz Drehmoment (He 2008)</translation>
     </message>
+    <message>
+        <source>Diameter at an end of a taper</source>
+        <translation>Durchmesser an einem Ende eines Kegels</translation>
+    </message>
+    <message>
+        <source>Length of a taper</source>
+        <translation>Länge eines Kegels</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -5443,6 +5475,14 @@
         <source>The part is parted off: only the piece at its free end counts.</source>
         <translation>Das Teil ist abgestochen: nur das Stück an seinem freien Ende zählt.</translation>
     </message>
+    <message>
+        <source>The class and its marks are not in the description.</source>
+        <translation>Die Klasse und ihre Noten sind nicht in der Beschreibung.</translation>
+    </message>
+    <message>
+        <source>Pictures and curves are not kept: mark the file again to have them here.</source>
+        <translation>Bilder und Kurven werden nicht aufbewahrt: die Datei noch einmal bewerten, um sie hier zu haben.</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -5650,6 +5690,26 @@
         <source>Its robot stood elsewhere when its curve was planned: the tool does not meet that any more.</source>
         <translation>Ihr Roboter stand woanders, als ihre Kurve geplant wurde: Das Werkzeug trifft sie nicht mehr.</translation>
     </message>
+    <message>
+        <source>not verified since its configurations were changed</source>
+        <translation>nicht geprüft, seit ihre Konfigurationen geändert wurden</translation>
+    </message>
+    <message>
+        <source>plan again: %1 was changed</source>
+        <translation>neu planen: %1 wurde geändert</translation>
+    </message>
+    <message>
+        <source>%1; not checked: %2</source>
+        <translation>%1; nicht geprüft: %2</translation>
+    </message>
+    <message>
+        <source>It leads to %1 as that was stored when the path was planned: it was changed since.</source>
+        <translation>Sie führt zu %1, wie es bei der Planung gespeichert war: Es wurde seither geändert.</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 mit %2</translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -5664,6 +5724,21 @@
     <message>
         <source>Place %1</source>
         <translation>%1 platzieren</translation>
+    </message>
+</context>
+<context>
+    <name>ProgramRemarks</name>
+    <message>
+        <source>These lines do not say in which way the arm comes to their poses: %1. The path has the nearest way, and a controller may take another one; give joint values or a configuration.</source>
+        <translation>Diese Zeilen sagen nicht, auf welche Weise der Arm ihre Posen erreicht: %1. Die Bahn nimmt die nächstliegende, eine Steuerung vielleicht eine andere; Gelenkwerte oder eine Konfiguration angeben.</translation>
+    </message>
+    <message>
+        <source>%1, turned by %2°</source>
+        <translation>%1, gedreht um %2°</translation>
+    </message>
+    <message>
+        <source>The tool centre point of the program is at %1, that of the cell at %2. The arm comes to the same places, but lines and blends are those of the cell&apos;s tool: set the tool centre point of the cell to that of the program, and open it again.</source>
+        <translation>Der Werkzeugmittelpunkt des Programms liegt bei %1, der der Zelle bei %2. Der Arm erreicht dieselben Stellen, doch Strecken und Überschleifen sind die des Werkzeugs der Zelle: den Werkzeugmittelpunkt der Zelle auf den des Programms setzen und es erneut öffnen.</translation>
     </message>
 </context>
 <context>
@@ -6687,10 +6762,6 @@
     <message>
         <source>Depth limit (0: none)</source>
         <translation>Grenze der Schnitttiefe (0: keine)</translation>
-    </message>
-    <message>
-        <source>Compound slide angle (°)</source>
-        <translation>Winkel des Oberschlittens (°)</translation>
     </message>
     <message>
         <source>Backlash</source>
@@ -7875,6 +7946,26 @@
     <message>
         <source>Depth of the hole</source>
         <translation>Tiefe des Lochs</translation>
+    </message>
+    <message>
+        <source>End, at Z</source>
+        <translation>Ende, bei Z</translation>
+    </message>
+    <message>
+        <source>Volume that stays in the chuck (mm³)</source>
+        <translation>Volumen, das im Futter bleibt (mm³)</translation>
+    </message>
+    <message>
+        <source>Volume parted off (mm³)</source>
+        <translation>Abgestochenes Volumen (mm³)</translation>
+    </message>
+    <message>
+        <source>Length parted off (mm)</source>
+        <translation>Abgestochene Länge (mm)</translation>
+    </message>
+    <message>
+        <source>Compound slide angle, ° (+: thicker away from the chuck)</source>
+        <translation>Winkel des Oberschlittens, ° (+: dicker vom Futter weg)</translation>
     </message>
 </context>
 <context>
@@ -11168,10 +11259,6 @@
         <translation>Koordinaten der Ziele im gewählten Bezugssystem zeigen und Programme darin schreiben; noch einmal: in keinem</translation>
     </message>
     <message>
-        <source>Replace the selected place, target or frame by the current position of the robot</source>
-        <translation>Den gewählten Ort, das Ziel oder das Bezugssystem durch die jetzige Stellung des Roboters ersetzen</translation>
-    </message>
-    <message>
         <source>Give the selected configuration, path, target or frame another name</source>
         <translation>Der gewählten Stellung, der Bahn, dem Ziel oder dem Bezugssystem einen anderen Namen geben</translation>
     </message>
@@ -11182,10 +11269,6 @@
     <message>
         <source>Select a frame in the list first.</source>
         <translation>Wählen Sie zuerst ein Bezugssystem in der Liste.</translation>
-    </message>
-    <message>
-        <source>Select a place of a path, a target or a frame first.</source>
-        <translation>Wählen Sie zuerst einen Ort einer Bahn, ein Ziel oder ein Bezugssystem.</translation>
     </message>
     <message>
         <source>Select a configuration, a path, a target or a frame first.</source>
@@ -11253,7 +11336,46 @@
     </message>
     <message numerus="yes">
         <source>%Ln blend(s) became exact stops, as not every way within their zones is proven free.</source>
-        <translation><numerusform>%Ln Überschleifen wurde zum genauen Halt, da nicht jeder Weg in seiner Zone bewiesen frei ist.</numerusform><numerusform>%Ln Überschleifen wurden zu genauen Halten, da nicht jeder Weg in ihren Zonen bewiesen frei ist.</numerusform></translation>
+        <translation>
+            <numerusform>%Ln Überschleifen wurde zum genauen Halt, da nicht jeder Weg in seiner Zone bewiesen frei ist.</numerusform>
+            <numerusform>%Ln Überschleifen wurden zu genauen Halten, da nicht jeder Weg in ihren Zonen bewiesen frei ist.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not checked, as they may touch: %1.</source>
+        <translation>Nicht geprüft, da sie sich berühren dürfen: %1.</translation>
+    </message>
+    <message>
+        <source>The blend at place %1 is at most %2 mm in place of %3 mm, which is not proven free.</source>
+        <translation>Das Überschleifen an Stelle %1 ist höchstens %2 mm statt %3 mm, die nicht bewiesen frei sind.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln more blend(s) became smaller.</source>
+        <translation><numerusform>%Ln weiteres Überschleifen wurde kleiner.</numerusform><numerusform>%Ln weitere Überschleifen wurden kleiner.</numerusform></translation>
+    </message>
+    <message>
+        <source>Replace the selected configuration, place, target or frame by the current position of the robot</source>
+        <translation>Die gewählte Konfiguration, Stelle, Zielpose oder das Koordinatensystem durch die jetzige Stellung des Roboters ersetzen</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a place of a path, a target or a frame first.</source>
+        <translation>Zuerst eine Konfiguration, eine Stelle einer Bahn, eine Zielpose oder ein Koordinatensystem wählen.</translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation>%1 wurde entfernt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln path(s) keep its joint values: %1.</source>
+        <translation><numerusform>%Ln Bahn behält seine Gelenkwerte: %1.</numerusform><numerusform>%Ln Bahnen behalten seine Gelenkwerte: %1.</numerusform></translation>
+    </message>
+    <message>
+        <source>Undo brings it back.</source>
+        <translation>Rückgängig bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>&amp;Let %1 touch %2</source>
+        <translation>%1 darf %2 &amp;berühren</translation>
     </message>
 </context>
 <context>
@@ -11417,6 +11539,14 @@
     <message>
         <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
         <translation>Einen Bericht der zwei ausgewählten Arbeiten nebeneinander schreiben (Strg+Klick wählt eine zweite aus)</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected works from the class; their files stay</source>
+        <translation>Die gewählten Arbeiten aus der Klasse entfernen; ihre Dateien bleiben</translation>
     </message>
 </context>
 <context>
@@ -12730,6 +12860,14 @@
         <source>“Criteria” are measured at the places where they were: look at them.</source>
         <translation>„Kriterien“ werden an den bisherigen Stellen gemessen: Sehen Sie sie durch.</translation>
     </message>
+    <message>
+        <source>Mark</source>
+        <translation>Bewerten</translation>
+    </message>
+    <message>
+        <source>Remove from the class</source>
+        <translation>Aus der Klasse entfernen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FidelityPanel</name>
@@ -13349,6 +13487,10 @@
     <message>
         <source>less than %1</source>
         <translation>weniger als %1</translation>
+    </message>
+    <message>
+        <source>Pressing: this tool is laid on the surface and cannot be fed %1 mm into the work; its full force is reached at %2 mm.</source>
+        <translation>Drücken: dieses Werkzeug wird auf die Oberfläche gelegt und kann nicht %1 mm ins Werkstück gefahren werden; seine volle Kraft ist bei %2 mm erreicht.</translation>
     </message>
 </context>
 <context>
@@ -14510,6 +14652,10 @@
         <source>Critical configurations and targets on the way, from the top down (drag to reorder):</source>
         <translation>Kritische Stellungen und Ziele auf dem Weg, von oben nach unten (zum Umordnen ziehen):</translation>
     </message>
+    <message>
+        <source>The robot has simplified shapes, smaller than its own in places: keep a clearance, or use its maker&apos;s shapes by a URDF.</source>
+        <translation>Der Roboter hat vereinfachte Formen, stellenweise kleiner als seine eigenen: einen Abstand halten oder die Formen des Herstellers aus einer URDF verwenden.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PlanTree</name>
@@ -15190,10 +15336,6 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo restores the present text.</source>
-        <translation>Die Schnitte, aus denen dieses Teil entstand, werden zu einem Programm im gewählten Dialekt. Es erscheint im Editor; „Rückgängig“ stellt den jetzigen Text wieder her.</translation>
-    </message>
-    <message>
         <source>Depth of a roughing cut, on the radius</source>
         <translation>Tiefe eines Schruppschnitts, am Radius</translation>
     </message>
@@ -15228,6 +15370,10 @@
     <message>
         <source>This exercise is to be done by hand: it does not allow programs to be made, run, or to cut.</source>
         <translation>Diese Übung ist von Hand zu machen: Programme dürfen nicht erstellt, ausgeführt oder zum Schneiden benutzt werden.</translation>
+    </message>
+    <message>
+        <source>The passes that cut this part become a program in the chosen dialect, with their feed per revolution. It is shown in the editor; undo restores the present text.</source>
+        <translation>Die Durchgänge, die dieses Teil geschnitten haben, werden zu einem Programm im gewählten Dialekt, mit ihrem Vorschub je Umdrehung. Es steht im Editor; Rückgängig stellt den jetzigen Text wieder her.</translation>
     </message>
 </context>
 <context>
@@ -16205,6 +16351,10 @@
     <message>
         <source>Work of %1 on %2</source>
         <translation>Arbeit von %1 an %2</translation>
+    </message>
+    <message>
+        <source>Steps of the exercise, with the buttons to measure and to hand in the work</source>
+        <translation>Schritte der Übung, mit den Tasten zum Messen und zum Abgeben der Arbeit</translation>
     </message>
 </context>
 <context>
@@ -17911,6 +18061,18 @@
     <message>
         <source>It is in the report. Undo it, and use a smaller depth or feed.</source>
         <translation>Das steht im Bericht. Machen Sie es rückgängig und nehmen Sie weniger Tiefe oder Vorschub.</translation>
+    </message>
+    <message>
+        <source>Parted off</source>
+        <translation>Abgestochen</translation>
+    </message>
+    <message>
+        <source>A piece of %1 mm length has come off at the free end.</source>
+        <translation>Am freien Ende ist ein Stück von %1 mm Länge abgefallen.</translation>
+    </message>
+    <message>
+        <source>Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP files are those of the piece.</source>
+        <translation>Sein Volumen ist %1 mm³; %2 mm³ bleiben im Futter. Maße sowie ausgegebene Zeichnungen und STEP-Dateien sind die des Stücks.</translation>
     </message>
 </context>
 </TS>

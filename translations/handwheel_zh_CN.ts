@@ -738,14 +738,6 @@
         <translation>“%1”不是有效的名称：名称应为一行，长度 1 到 %2 字节</translation>
     </message>
     <message>
-        <source>the part is in %1 pieces, and the file can contain only one solid</source>
-        <translation>零件已分成 %1 块，而文件只能包含一个实体</translation>
-    </message>
-    <message>
-        <source>Undo the pass that separated it, or export triangles, for example STL.</source>
-        <translation>请撤销将其切断的走刀，或导出三角形，例如 STL。</translation>
-    </message>
-    <message>
         <source>Check that it is plugged in, that no other program uses it and that you have permission to use it.</source>
         <translation>请检查设备是否已插入、没有其他程序正在使用它，以及您是否有权使用。</translation>
     </message>
@@ -1038,10 +1030,6 @@
         <translation>在 %1 处机器人发生碰撞：%2 与 %3</translation>
     </message>
     <message>
-        <source>Move the robot away there, require less clearance, or allow this pair.</source>
-        <translation>请在该处移开机器人，减小所需间隙，或允许该对接触。</translation>
-    </message>
-    <message>
         <source>at %1 the joint %2 is beyond its limits</source>
         <translation>在 %1 处，关节 %2 超出限位</translation>
     </message>
@@ -1314,20 +1302,12 @@
         <translation>请重新规划，或按原样写入；命令行：--outdated。</translation>
     </message>
     <message>
-        <source>Use a joint motion, change this place or the one before, or allow this pair.</source>
-        <translation>请使用关节运动，更改该位置或前一位置，或允许该对接触。</translation>
-    </message>
-    <message>
         <source>places %1 and %2 of the curve are not connected by the surface</source>
         <translation>曲线的位置 %1 与 %2 未通过曲面相连</translation>
     </message>
     <message>
         <source>Draw around the gap, or place more points.</source>
         <translation>请绕过间隙绘制，或放置更多的点。</translation>
-    </message>
-    <message>
-        <source>Tilt the tool away, keep a distance from the part, or allow this pair.</source>
-        <translation>请倾斜工具、与零件保持距离，或允许该对接触。</translation>
     </message>
     <message>
         <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a jump of a joint</source>
@@ -1620,6 +1600,46 @@
     <message>
         <source>the robot stood elsewhere when the curve of the path &apos;%1&apos; was planned</source>
         <translation>规划路径“%1”的曲线时机器人在别处</translation>
+    </message>
+    <message>
+        <source>Move the robot away there, or let two bodies touch that are meant to.</source>
+        <translation>请将机器人移离该处，或允许本应接触的两个物体接触。</translation>
+    </message>
+    <message>
+        <source>at %1 the robot is too near: %2 is %4 mm from %3</source>
+        <translation>在 %1 处机器人过近：%2 距 %3 %4 毫米</translation>
+    </message>
+    <message>
+        <source>Move the robot away there, or require less clearance.</source>
+        <translation>请将机器人移离该处，或减小要求的间隙。</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; leads to &apos;%2&apos; as that was stored when it was planned</source>
+        <translation>路径“%1”通向规划时所存的“%2”</translation>
+    </message>
+    <message>
+        <source>Use a joint motion, change either place, or let bodies touch that are meant to.</source>
+        <translation>请改用关节运动，更改其中一个位置，或允许本应接触的物体接触。</translation>
+    </message>
+    <message>
+        <source>on the straight line to %1 the robot is too near: %2 is %4 mm from %3</source>
+        <translation>在通往 %1 的直线上机器人过近：%2 距 %3 %4 毫米</translation>
+    </message>
+    <message>
+        <source>Use a joint motion, change this place or the one before, or require less clearance.</source>
+        <translation>请改用关节运动，更改此位置或前一位置，或减小要求的间隙。</translation>
+    </message>
+    <message>
+        <source>Tilt the tool away, keep a distance or less clearance, or let it touch the part.</source>
+        <translation>请将刀具倾斜避让、保持距离或减小间隙，或允许它接触零件。</translation>
+    </message>
+    <message>
+        <source>the pose is in the base of the controller, which the description of %1 does not have</source>
+        <translation>该位姿以控制器的基座为准，而 %1 的描述中没有该基座</translation>
+    </message>
+    <message>
+        <source>Use the built-in robot, add a link &apos;base&apos; to the description, or give the motions joint values.</source>
+        <translation>请使用内置机器人，在描述中添加连杆“base”，或为运动给出关节值。</translation>
     </message>
 </context>
 <context>
@@ -3188,6 +3208,10 @@
         <source>the volume was changed without them</source>
         <translation>体积在没有它们的情况下被更改</translation>
     </message>
+    <message>
+        <source>the robot reaches its place in no way with this configuration</source>
+        <translation>机器人以此构型无法到达该位置</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -4434,6 +4458,14 @@
         <source>Torque reference (He 2008)</source>
         <translation>扭矩参考值 (He 2008)</translation>
     </message>
+    <message>
+        <source>Diameter at an end of a taper</source>
+        <translation>锥面一端的直径</translation>
+    </message>
+    <message>
+        <source>Length of a taper</source>
+        <translation>锥面长度</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -5443,6 +5475,14 @@
         <source>The part is parted off: only the piece at its free end counts.</source>
         <translation>零件已被切断：只计算其自由端的那一块。</translation>
     </message>
+    <message>
+        <source>The class and its marks are not in the description.</source>
+        <translation>班级及其评分不在说明中。</translation>
+    </message>
+    <message>
+        <source>Pictures and curves are not kept: mark the file again to have them here.</source>
+        <translation>图片和曲线不予保留：请重新评分该文件以在此显示。</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -5646,6 +5686,26 @@
         <source>Its robot stood elsewhere when its curve was planned: the tool does not meet that any more.</source>
         <translation>规划其曲线时机器人在别处：刀具已不再到达该曲线。</translation>
     </message>
+    <message>
+        <source>not verified since its configurations were changed</source>
+        <translation>自其构型更改后尚未验证</translation>
+    </message>
+    <message>
+        <source>plan again: %1 was changed</source>
+        <translation>需重新规划：%1 已更改</translation>
+    </message>
+    <message>
+        <source>%1; not checked: %2</source>
+        <translation>%1；未检查：%2</translation>
+    </message>
+    <message>
+        <source>It leads to %1 as that was stored when the path was planned: it was changed since.</source>
+        <translation>它通向规划时所存的 %1：此后该构型已更改。</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 与 %2</translation>
+    </message>
 </context>
 <context>
     <name>PlaceTool</name>
@@ -5660,6 +5720,21 @@
     <message>
         <source>Place %1</source>
         <translation>放置 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ProgramRemarks</name>
+    <message>
+        <source>These lines do not say in which way the arm comes to their poses: %1. The path has the nearest way, and a controller may take another one; give joint values or a configuration.</source>
+        <translation>这些行没有说明手臂以何种方式到达其位姿：%1。路径采用最近的方式，控制器可能采用另一种；请给出关节值或构型。</translation>
+    </message>
+    <message>
+        <source>%1, turned by %2°</source>
+        <translation>%1，旋转 %2°</translation>
+    </message>
+    <message>
+        <source>The tool centre point of the program is at %1, that of the cell at %2. The arm comes to the same places, but lines and blends are those of the cell&apos;s tool: set the tool centre point of the cell to that of the program, and open it again.</source>
+        <translation>程序的工具中心点在 %1，单元的在 %2。手臂到达相同位置，但直线和圆滑过渡按单元的工具计算：请将单元的工具中心点设为程序的，再重新打开。</translation>
     </message>
 </context>
 <context>
@@ -6683,10 +6758,6 @@
     <message>
         <source>Depth limit (0: none)</source>
         <translation>切深限制（0：无）</translation>
-    </message>
-    <message>
-        <source>Compound slide angle (°)</source>
-        <translation>小拖板转角 (°)</translation>
     </message>
     <message>
         <source>Backlash</source>
@@ -7871,6 +7942,26 @@
     <message>
         <source>Depth of the hole</source>
         <translation>孔深</translation>
+    </message>
+    <message>
+        <source>End, at Z</source>
+        <translation>端部，Z 处</translation>
+    </message>
+    <message>
+        <source>Volume that stays in the chuck (mm³)</source>
+        <translation>留在卡盘中的体积 (mm³)</translation>
+    </message>
+    <message>
+        <source>Volume parted off (mm³)</source>
+        <translation>切下的体积 (mm³)</translation>
+    </message>
+    <message>
+        <source>Length parted off (mm)</source>
+        <translation>切下的长度 (mm)</translation>
+    </message>
+    <message>
+        <source>Compound slide angle, ° (+: thicker away from the chuck)</source>
+        <translation>小刀架角度，°（+：远离卡盘处变粗）</translation>
     </message>
 </context>
 <context>
@@ -11098,10 +11189,6 @@
         <translation>在所选坐标系中显示目标坐标并编写程序；再次执行：不使用坐标系</translation>
     </message>
     <message>
-        <source>Replace the selected place, target or frame by the current position of the robot</source>
-        <translation>用机器人的当前位置替换所选位置、目标或坐标系</translation>
-    </message>
-    <message>
         <source>Give the selected configuration, path, target or frame another name</source>
         <translation>为所选构型、路径、目标或坐标系重命名</translation>
     </message>
@@ -11112,10 +11199,6 @@
     <message>
         <source>Select a frame in the list first.</source>
         <translation>请先在列表中选择一个坐标系。</translation>
-    </message>
-    <message>
-        <source>Select a place of a path, a target or a frame first.</source>
-        <translation>请先选择路径的一个位置、一个目标或一个坐标系。</translation>
     </message>
     <message>
         <source>Select a configuration, a path, a target or a frame first.</source>
@@ -11183,7 +11266,45 @@
     </message>
     <message numerus="yes">
         <source>%Ln blend(s) became exact stops, as not every way within their zones is proven free.</source>
-        <translation><numerusform>%Ln 处圆滑过渡改为精确停止，因为其区域内并非每条路径都已证明无碰撞。</numerusform></translation>
+        <translation>
+            <numerusform>%Ln 处圆滑过渡改为精确停止，因为其区域内并非每条路径都已证明无碰撞。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not checked, as they may touch: %1.</source>
+        <translation>因允许接触而未检查：%1。</translation>
+    </message>
+    <message>
+        <source>The blend at place %1 is at most %2 mm in place of %3 mm, which is not proven free.</source>
+        <translation>位置 %1 处的圆滑过渡至多为 %2 毫米而非 %3 毫米，后者未证明无碰撞。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln more blend(s) became smaller.</source>
+        <translation><numerusform>另有 %Ln 处圆滑过渡变小。</numerusform></translation>
+    </message>
+    <message>
+        <source>Replace the selected configuration, place, target or frame by the current position of the robot</source>
+        <translation>用机器人的当前位置替换所选构型、位置、目标或坐标系</translation>
+    </message>
+    <message>
+        <source>Select a configuration, a place of a path, a target or a frame first.</source>
+        <translation>请先选择构型、路径位置、目标或坐标系。</translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation>已删除 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln path(s) keep its joint values: %1.</source>
+        <translation><numerusform>%Ln 条路径保留其关节值：%1。</numerusform></translation>
+    </message>
+    <message>
+        <source>Undo brings it back.</source>
+        <translation>撤销可恢复。</translation>
+    </message>
+    <message>
+        <source>&amp;Let %1 touch %2</source>
+        <translation>允许 %1 接触 %2(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -11346,6 +11467,14 @@
     <message>
         <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
         <translation>将两份所选作业写成对照报告（Ctrl+单击可选择第二份）</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>移除(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Remove the selected works from the class; their files stay</source>
+        <translation>从班级中移除所选作业；其文件保留</translation>
     </message>
 </context>
 <context>
@@ -12651,6 +12780,14 @@
         <source>“Criteria” are measured at the places where they were: look at them.</source>
         <translation>“评分标准”仍在原来的位置测量：请检查。</translation>
     </message>
+    <message>
+        <source>Mark</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>Remove from the class</source>
+        <translation>从班级中移除</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FidelityPanel</name>
@@ -13260,6 +13397,10 @@
     <message>
         <source>less than %1</source>
         <translation>小于 %1</translation>
+    </message>
+    <message>
+        <source>Pressing: this tool is laid on the surface and cannot be fed %1 mm into the work; its full force is reached at %2 mm.</source>
+        <translation>压入：此工具只贴在表面上，不能进入工件 %1 毫米；在 %2 毫米时已达到最大力。</translation>
     </message>
 </context>
 <context>
@@ -14416,6 +14557,10 @@
         <source>Critical configurations and targets on the way, from the top down (drag to reorder):</source>
         <translation>途经的关键位形和目标点，自上而下（拖动可重新排序）：</translation>
     </message>
+    <message>
+        <source>The robot has simplified shapes, smaller than its own in places: keep a clearance, or use its maker&apos;s shapes by a URDF.</source>
+        <translation>该机器人采用简化外形，局部小于真实外形：请保持间隙，或通过 URDF 使用制造商的外形。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PlanTree</name>
@@ -15092,10 +15237,6 @@
         <translation>取消</translation>
     </message>
     <message>
-        <source>The passes that cut this part become a program in the chosen dialect. It is shown in the editor; undo restores the present text.</source>
-        <translation>将切削此零件的走刀写成所选代码格式的程序。程序显示在编辑器中；撤销可恢复当前文本。</translation>
-    </message>
-    <message>
         <source>Depth of a roughing cut, on the radius</source>
         <translation>每次粗车的切深（半径值）</translation>
     </message>
@@ -15130,6 +15271,10 @@
     <message>
         <source>This exercise is to be done by hand: it does not allow programs to be made, run, or to cut.</source>
         <translation>本练习须手动完成：不允许编写、运行程序或用程序切削。</translation>
+    </message>
+    <message>
+        <source>The passes that cut this part become a program in the chosen dialect, with their feed per revolution. It is shown in the editor; undo restores the present text.</source>
+        <translation>加工此零件的各次走刀将按所选方言成为程序，并保留其每转进给。程序显示在编辑器中；撤销可恢复当前文本。</translation>
     </message>
 </context>
 <context>
@@ -16096,6 +16241,10 @@
     <message>
         <source>Work of %1 on %2</source>
         <translation>%1 对 %2 的作业</translation>
+    </message>
+    <message>
+        <source>Steps of the exercise, with the buttons to measure and to hand in the work</source>
+        <translation>练习步骤，以及测量和提交作业的按钮</translation>
     </message>
 </context>
 <context>
@@ -17793,6 +17942,18 @@
     <message>
         <source>It is in the report. Undo it, and use a smaller depth or feed.</source>
         <translation>它会写入报告。请撤消，并减小切深或进给。</translation>
+    </message>
+    <message>
+        <source>Parted off</source>
+        <translation>已切断</translation>
+    </message>
+    <message>
+        <source>A piece of %1 mm length has come off at the free end.</source>
+        <translation>自由端已切下一段长 %1 毫米的工件。</translation>
+    </message>
+    <message>
+        <source>Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP files are those of the piece.</source>
+        <translation>其体积为 %1 mm³；%2 mm³ 留在卡盘中。尺寸及导出的图纸和 STEP 文件均为该段的。</translation>
     </message>
 </context>
 </TS>
