@@ -271,7 +271,7 @@ void CellPaths::importProgram(const QString& file) {
 }
 
 // Nothing, where its places are in the base of the robot, and it is led as the program says.
-void CellPaths::reportOpened(const DocumentTab& tab, const QString& file, const TakenFrames& frames,
+void CellPaths::reportOpened(DocumentTab& tab, const QString& file, const TakenFrames& frames,
                              const QStringList& remarks) {
   const auto listed = [](const std::vector<std::string>& names) {
     QStringList list;
@@ -285,7 +285,7 @@ void CellPaths::reportOpened(const DocumentTab& tab, const QString& file, const 
     detail += tr("There are too many frames in the cell for these: %1.").arg(listed(frames.leftOut));
   if (detail.isEmpty()) return;
   // One that is worked in need not be chosen.
-  const std::string& worksIn = cellIn(tab).plans()->workFrame;
+  const std::string worksIn = cellIn(tab).plans()->workFrame;
   const auto isOther = [&](const std::string& frame) { return frame != worksIn; };
   const bool hasOther = std::ranges::any_of(frames.made, isOther) || std::ranges::any_of(frames.used, isOther);
   const bool isSound = remarks.isEmpty() && frames.leftOut.empty();

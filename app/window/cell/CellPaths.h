@@ -173,7 +173,7 @@ class CellPaths : public QObject {
   void reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
                      const QString& file, const CheckedPath& checked);
   void importProgram(const QString& file);
-  void reportOpened(const DocumentTab& tab, const QString& file, const TakenFrames& frames, const QStringList& remarks);
+  void reportOpened(DocumentTab& tab, const QString& file, const TakenFrames& frames, const QStringList& remarks);
   void verify();
   void verifyAgain();
   void reportVerified(const PathResult& result);
