@@ -58,6 +58,7 @@ void ExerciseUi::mark(const QStringList& paths) {
     for (int i = 0; i < paths.size() && !progress.cancelled(); ++i)
       marked->push_back(markFile(*scheme, QFile::encodeName(paths[i]).toStdString(), kinds, markProblem,
                                  progress.part(i * share, (i + 1) * share)));
+    if (progress.cancelled()) return Job::Finish();
     return Job::Finish([this, marked, owner] { takeMarked(owner, std::move(*marked)); });
   };
   parts().jobs.start(std::move(job));
