@@ -11351,7 +11351,10 @@
     </message>
     <message numerus="yes">
         <source>%Ln more blend(s) became smaller.</source>
-        <translation><numerusform>%Ln weiteres Überschleifen wurde kleiner.</numerusform><numerusform>%Ln weitere Überschleifen wurden kleiner.</numerusform></translation>
+        <translation>
+            <numerusform>%Ln weiteres Überschleifen wurde kleiner.</numerusform>
+            <numerusform>%Ln weitere Überschleifen wurden kleiner.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Replace the selected configuration, place, target or frame by the current position of the robot</source>
@@ -11367,7 +11370,10 @@
     </message>
     <message numerus="yes">
         <source>%Ln path(s) keep its joint values: %1.</source>
-        <translation><numerusform>%Ln Bahn behält seine Gelenkwerte: %1.</numerusform><numerusform>%Ln Bahnen behalten seine Gelenkwerte: %1.</numerusform></translation>
+        <translation>
+            <numerusform>%Ln Bahn behält seine Gelenkwerte: %1.</numerusform>
+            <numerusform>%Ln Bahnen behalten seine Gelenkwerte: %1.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Undo brings it back.</source>
@@ -16355,6 +16361,14 @@
     <message>
         <source>Steps of the exercise, with the buttons to measure and to hand in the work</source>
         <translation>Schritte der Übung, mit den Tasten zum Messen und zum Abgeben der Arbeit</translation>
+    </message>
+    <message>
+        <source>Some of it cannot be measured: %1</source>
+        <translation>Einiges davon kann nicht gemessen werden: %1</translation>
+    </message>
+    <message>
+        <source>Give that file to your teacher, or go on with the work and hand it in once more.</source>
+        <translation>Diese Datei der Lehrkraft geben, oder weiterarbeiten und noch einmal abgeben.</translation>
     </message>
 </context>
 <context>

@@ -11280,7 +11280,9 @@
     </message>
     <message numerus="yes">
         <source>%Ln more blend(s) became smaller.</source>
-        <translation><numerusform>另有 %Ln 处圆滑过渡变小。</numerusform></translation>
+        <translation>
+            <numerusform>另有 %Ln 处圆滑过渡变小。</numerusform>
+        </translation>
     </message>
     <message>
         <source>Replace the selected configuration, place, target or frame by the current position of the robot</source>
@@ -11296,7 +11298,9 @@
     </message>
     <message numerus="yes">
         <source>%Ln path(s) keep its joint values: %1.</source>
-        <translation><numerusform>%Ln 条路径保留其关节值：%1。</numerusform></translation>
+        <translation>
+            <numerusform>%Ln 条路径保留其关节值：%1。</numerusform>
+        </translation>
     </message>
     <message>
         <source>Undo brings it back.</source>
@@ -16245,6 +16249,14 @@
     <message>
         <source>Steps of the exercise, with the buttons to measure and to hand in the work</source>
         <translation>练习步骤，以及测量和提交作业的按钮</translation>
+    </message>
+    <message>
+        <source>Some of it cannot be measured: %1</source>
+        <translation>其中有些无法测量：%1</translation>
+    </message>
+    <message>
+        <source>Give that file to your teacher, or go on with the work and hand it in once more.</source>
+        <translation>请将该文件交给老师，或继续完成作业后再次提交。</translation>
     </message>
 </context>
 <context>

@@ -143,7 +143,7 @@ class PlanTest : public QObject {
     QCOMPARE(cell.run({"post", "c.handwheel", "deburr", "--controller", "csv", "-o", "deburr.csv"}).code, 0);
     // Two of the tool's places are beside the ends of the edge: 2 mm from x 360, z 100 at y ±100.
     int ends = 0;
-    for (const QByteArray& line : cell.read("deburr.csv").split('\n')) {
+    for (const QByteArray& line : cell.rowsOf("deburr.csv")) {
       const QList<QByteArray> words = line.split(',');
       for (qsizetype i = 0; i + 2 < words.size(); ++i) {
         const double away = std::hypot(words[i].toDouble() - 360.0, words[i + 2].toDouble() - 100.0);
@@ -372,7 +372,7 @@ class PlanTest : public QObject {
       QVERIFY2(ran.code == 0, ran.err);
       const Ran again = cell.run({"post", "cell.handwheel", file, "--controller", "csv", "-o", "again.csv"});
       QVERIFY2(again.code == 0, again.err);
-      const QList<QByteArray> rows = cell.read("again.csv").split('\n');
+      const QList<QByteArray> rows = cell.rowsOf("again.csv");
       QVERIFY2(rows.value(2).contains(",linear,50.000000,"), rows.value(2));
       QVERIFY2(rows.value(3).contains(",joint,0.300000,"), rows.value(3));
     }
@@ -445,7 +445,7 @@ class PlanTest : public QObject {
     const Ran ran = cell.run({"post", "cell.handwheel", "p.mod", "--controller", "csv", "-o", "p.csv"});
     QVERIFY2(ran.code == 0, ran.err);
     const double share = 100.0 / 374.0 / (250.0 * M_PI / 180.0);
-    const double got = cell.read("p.csv").split('\n').value(2).split(',').value(3).toDouble();
+    const double got = cell.rowsOf("p.csv").value(2).split(',').value(3).toDouble();
     QVERIFY2(std::abs(got - share) < 1e-3 * share, cell.read("p.csv"));
   }
 

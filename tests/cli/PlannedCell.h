@@ -25,6 +25,12 @@ class PlannedCell {
   }
   Ran run(const QStringList& words) const { return m_bench.run(words); }
   QByteArray read(const QString& name) const { return m_bench.content(name); }
+  // Of a table of motions: its heading and rows, without remarks.
+  QList<QByteArray> rowsOf(const QString& name) const {
+    QList<QByteArray> lines = read(name).split('\n');
+    lines.removeIf([](const QByteArray& line) { return line.startsWith('#'); });
+    return lines;
+  }
   void put(const QString& name, const QByteArray& content) const { m_bench.put(name, content); }
 
  private:

@@ -15,6 +15,7 @@
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
 #include "window/exercise/ExerciseLesson.h"
+#include "window/exercise/ReasonText.h"
 #include "window/kinds/SuggestedName.h"
 
 #include <QDockWidget>
@@ -321,6 +322,15 @@ void RunningAttempt::take(const DocumentTab* tab, const ExerciseSnapshot& exerci
     m_lesson->setMet(exercise, *marking);
 }
 
+// Why something of a work earns nothing, each reason once.
+QStringList RunningAttempt::unmeasured(const Marking& marking) {
+  QStringList reasons;
+  for (const Mark& mark : marking.marks)
+    if (mark.verdict == Verdict::NotMeasured && !mark.remark.text.empty()) reasons += exerciseText(mark.remark);
+  reasons.removeDuplicates();
+  return reasons;
+}
+
 void RunningAttempt::handIn() {
   auto* dialog = new QFileDialog(m_parts.window, tr("Hand in"), QString(),
                                  tr("Handwheel documents (%1)").arg(QStringLiteral("*.handwheel")));
@@ -366,10 +376,16 @@ void RunningAttempt::writeSubmission(const QString& path) {
     const Result<WrittenFile> written =
         made ? saveDocument(*kind, opened.file, *made, file, progress) : Result<WrittenFile>(made.error());
     if (!written) return [failed, error = written.error()] { failed(error); };
-    return [this, path, tab, student = QString::fromStdString(attempt.student)] {
+    return [this, path, tab, student = QString::fromStdString(attempt.student),
+            missing = unmeasured(markWork(*exercise, *content, attempt, progress))] {
       Message handed{Message::Weight::Info, tr("Handed in by %1").arg(student),
                      tr("The work is in %1.").arg(QFileInfo(path).absoluteFilePath()),
                      tr("Give that file to your teacher.")};
+      if (!missing.isEmpty()) {
+        handed.weight = Message::Weight::Warning;
+        handed.detail += QLatin1Char(' ') + tr("Some of it cannot be measured: %1").arg(missing.join(QLatin1Char(' ')));
+        handed.advice = tr("Give that file to your teacher, or go on with the work and hand it in once more.");
+      }
       // The student's: not before the eyes of who looks at the exercise by then.
       if (m_parts.tabs.contains(tab)) handed.about = &tab->document;
       emit message(handed);

@@ -69,6 +69,7 @@ class RunningAttempt : public QObject {
   void start(JobRunner& jobs, const QString& name, const Work& measured, bool showsSizes);
   void take(const DocumentTab* tab, const ExerciseSnapshot& exercise, const std::shared_ptr<const Marking>& marking,
             bool showsSizes);
+  static QStringList unmeasured(const Marking& marking);
   void handIn();
   void writeSubmission(const QString& path);
   void fail(const QString& title, const Error& error);

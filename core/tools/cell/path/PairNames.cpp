@@ -77,7 +77,6 @@ std::optional<PairNames> bodiesCalled(const std::string& one, const std::string&
 std::vector<PairNames> uncheckedPairs(const CellScene& scene, const std::set<PairNames>& allowed) {
   const RobotModel& robot = scene.robot->model;
   const std::vector<std::uint32_t> owners = armsOfLinks(robot, scene.robot->arms);
-  const std::set<LinkPair> unasked = neighbours(robot);
   const auto isOwn = [&](const PairPart& part) { return part.link != kNone && owners[part.link] == scene.armNumber; };
   std::set<PairNames> known;
   std::vector<PairNames> pairs;
@@ -85,9 +84,10 @@ std::vector<PairNames> uncheckedPairs(const CellScene& scene, const std::set<Pai
     const auto first = partNamed(scene, each.first), second = partNamed(scene, each.second);
     if (!first || !second || !(isOwn(*first) || isOwn(*second))) continue;
     if (first->link == second->link) continue;  // a body and what carries it, or both carried by one
-    const LinkPair links = std::minmax(first->link, second->link);
-    const bool areLinks = !first->isBody && !second->isBody;
-    if (areLinks && (unasked.contains(links) || scene.alwaysMeeting.contains(links))) continue;
+    if (!first->isBody && !second->isBody) {
+      const bool areOfOneRobot = isOwn(*first) && isOwn(*second);
+      if (areOfOneRobot || scene.alwaysMeeting.contains(std::minmax(first->link, second->link))) continue;
+    }
     if (known.insert(std::minmax(each.first, each.second)).second) pairs.push_back(shownNames(each, scene.bodies));
   }
   return pairs;

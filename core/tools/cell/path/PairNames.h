@@ -26,8 +26,8 @@ std::optional<PairNames> bodiesCalled(const std::string& one, const std::string&
                                       const RobotModel& robot);
 
 // The pairs that only a person has left out of the proofs of a scene, as people call them, each once: of things that
-// are there, of which the robot moves one, and not those that are left out unasked (neighbours,
-// CellScene::alwaysMeeting). allowed: as CellPlans has them.
+// are there, of which the robot moves one. Not links of one robot, which its description or table lets touch, and not
+// CellScene::alwaysMeeting. allowed: as CellPlans has them.
 std::vector<PairNames> uncheckedPairs(const CellScene& scene, const std::set<PairNames>& allowed);
 
 }  // namespace handwheel

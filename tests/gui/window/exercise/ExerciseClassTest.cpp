@@ -57,6 +57,7 @@ class ExerciseClassTest : public QObject {
     QVERIFY(driver.settle());
     QTRY_VERIFY(QFile::exists(path));
     QTRY_VERIFY(driver.text("messageText").contains("Handed in by Ada"));
+    QVERIFY(driver.text("messageText").contains("cannot be measured"));  // a bar has no shoulders
     QCOMPARE(driver.tabs(), 2);
 
     driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);

@@ -38,17 +38,17 @@ class ProgramRemarksTest : public QObject {
  private slots:
   void tools_data() {
     QTest::addColumn<QByteArray>("post");
-    QTest::addColumn<QByteArray>("text");  // with the tool for $T, in mm, or $M, in m
+    QTest::addColumn<QByteArray>("text");  // with the tool for @T, in mm, or @M, in m
     const std::string joints = std::string("[[10,0,0,0,30,0]") + kNowhere;
     QTest::newRow("rapid") << QByteArray("rapid")
                            << QByteArray::fromStdString(
-                                  "PERS tooldata grip:=[TRUE,[[0,0,$T],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\n"
+                                  "PERS tooldata grip:=[TRUE,[[0,0,@T],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\n"
                                   "MoveAbsJ " +
                                   joints + ",v100,fine,grip;\n");
     QTest::newRow("krl") << QByteArray("krl")
-                         << QByteArray("$TOOL={X 0,Y 0,Z $T,A 0,B 0,C 0}\nPTP {A1 0,A2 0,A3 0,A4 0,A5 30,A6 0}\n");
+                         << QByteArray("$TOOL={X 0,Y 0,Z @T,A 0,B 0,C 0}\nPTP {A1 0,A2 0,A3 0,A4 0,A5 30,A6 0}\n");
     QTest::newRow("urscript") << QByteArray("urscript")
-                              << QByteArray("set_tcp(p[0,0,$M,0,0,0])\nmovej([0,0,0,0,0.5,0])\n");
+                              << QByteArray("set_tcp(p[0,0,@M,0,0,0])\nmovej([0,0,0,0,0.5,0])\n");
   }
   // Both are named where they differ by more than what programs round.
   void tools() {
@@ -60,7 +60,7 @@ class ProgramRemarksTest : public QObject {
     cell.plan(plans);
     const auto told = [&](double length) {
       QByteArray program = text;
-      program.replace("$T", QByteArray::number(length)).replace("$M", QByteArray::number(1e-3 * length, 'f', 6));
+      program.replace("@T", QByteArray::number(length)).replace("@M", QByteArray::number(1e-3 * length, 'f', 6));
       return remarksOn(cell, post.constData(), program.toStdString());
     };
     QCOMPARE(told(120.0), QString());
