@@ -117,7 +117,7 @@ class ExerciseEditorTest : public QObject {
     QVERIFY(remarks && remarks->text().isEmpty());
     Document& exercise = driver.window().findChild<DocumentTabs*>()->current()->document;
     const auto places = [&] {
-      QTest::qWait(20);  // until they are laid out
+      QTest::qWait(300);  // until they are laid out
       QList<int> heights;
       for (const char* const id : {"at1", "lower", "points", "slack", "hidden"}) {
         auto* row = page->findChild<QWidget*>(QStringLiteral("property/criterion.d36.") + QLatin1String(id));
@@ -125,13 +125,22 @@ class ExerciseEditorTest : public QObject {
       }
       return heights;
     };
-    // Without its lower limit the size has no tolerance on the drawing, but is scored still.
-    QVERIFY(exercise.setProperty("criterion.d36.lower", std::string()));
-    const QList<int> before = places();
-    QVERIFY(!before.contains(-1) && remarks->text().isEmpty());
-    QVERIFY(exercise.setProperty("criterion.d36.upper", std::string()));
+    auto* const field = page->findChild<QWidget*>("property/criterion.d36.lower")->findChild<QLineEdit*>();
+    const QString good = field->text(), bad = QStringLiteral("45 min");
+    QList<int> before;
+    for (const QString& text : {bad, good, bad, good}) {
+      field->setFocus();
+      field->selectAll();
+      QTest::keyClicks(field, text);
+      QTest::keyClick(field, Qt::Key_Return);
+      QTRY_COMPARE(remarks->text().isEmpty(), text == good);
+      if (before.isEmpty() && text == good) before = places();
+      if (!before.isEmpty()) QCOMPARE(places(), before);
+    }
+    QVERIFY(!before.contains(-1));
+    for (const char* const limit : {"criterion.d36.lower", "criterion.d36.upper"})
+      QVERIFY(exercise.setProperty(limit, std::string()));
     QTRY_VERIFY2(remarks->text().contains("they cannot be scored without a limit"), qPrintable(remarks->text()));
-    QCOMPARE(places(), before);
     driver.click("quickActions/undo");
     QTRY_VERIFY(remarks->text().isEmpty());
     QCOMPARE(places(), before);
