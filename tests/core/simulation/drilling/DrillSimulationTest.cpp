@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/drilling/DrillSimulation.h"
 
+#include "DrillInput.h"
 #include "TestClass.h"
 #include "volume/VolumeReader.h"
 #include "volume/VolumeShapes.h"
@@ -28,18 +29,6 @@ DrillSetup fineDrill() {
   return setup;
 }
 
-std::shared_ptr<const DrillState> stateOf(const DrillSimulation& simulation) {
-  return std::static_pointer_cast<const DrillState>(simulation.state());
-}
-
-SimulationInput handAt(const Vec3& place, double time, std::uint32_t gesture) {
-  SimulationInput input;
-  input.tip.position = input.proxy = place;
-  input.tip.time = time;
-  input.gesture = gesture;
-  return input;
-}
-
 }  // namespace
 
 class DrillSimulationTest : public QObject {
@@ -51,18 +40,18 @@ class DrillSimulationTest : public QObject {
     DrillSimulation simulation(drilledBall(), fineDrill(), DrillFeed{Vec3::UnitZ(), 6.0},
                                std::make_shared<ClayChannel>());
     simulation.step(1.0 / 60.0, {});
-    QCOMPARE(stateOf(simulation)->removed, 0.0);  // not pressed yet
-    const SimulationInput pressed = handAt({0.0, 0.0, 5.5}, 0.0, 1);
+    QCOMPARE(test::stateOf(simulation)->removed, 0.0);  // not pressed yet
+    const SimulationInput pressed = test::handAt({0.0, 0.0, 5.5}, 0.0, 1);
     simulation.step(1.0 / 60.0, {&pressed, 1});
     for (int i = 1; i < 60; ++i) simulation.step(1.0 / 60.0, {});
-    const auto half = stateOf(simulation);
+    const auto half = test::stateOf(simulation);
     QVERIFY(half->removed > 0.0 && half->maxThrust > 0.0 && !half->breakthrough);
     // After a second the front is 6 mm below 4: at the depth of the feed.
     const VolumeReader reader(half->volume);
     QVERIFY(reader.depthAt({0.0, 0.0, -1.9}).depth < 0.0);
     QVERIFY(reader.depthAt({0.0, 0.0, -2.3}).depth > 0.0);
     for (int i = 60; i < 130; ++i) simulation.step(1.0 / 60.0, {});
-    const auto through = stateOf(simulation);
+    const auto through = test::stateOf(simulation);
     QVERIFY(through->breakthrough);
     QVERIFY(std::abs(*through->breakthrough - 8.0 / 6.0) < 0.05);
     QCOMPARE(through->surface.triangleCount(), VolumeSurface(through->volume).triangleCount());
@@ -77,10 +66,10 @@ class DrillSimulationTest : public QObject {
     const auto drilled = [](double peck, int steps) {
       DrillSimulation simulation(drilledBall(), fineDrill(), DrillFeed{Vec3::UnitZ(), 6.0, peck},
                                  std::make_shared<ClayChannel>());
-      const SimulationInput pressed = handAt({0.0, 0.0, 5.5}, 0.0, 1);
+      const SimulationInput pressed = test::handAt({0.0, 0.0, 5.5}, 0.0, 1);
       simulation.step(1.0 / 60.0, {&pressed, 1});
       for (int i = 1; i < steps; ++i) simulation.step(1.0 / 60.0, {});
-      return stateOf(simulation);
+      return test::stateOf(simulation);
     };
     const auto plain = drilled(0.0, 120), pecked = drilled(3.0, 160);
     QVERIFY(plain->breakthrough && pecked->breakthrough);
@@ -112,18 +101,18 @@ class DrillSimulationTest : public QObject {
     const auto drilled = [](int held) {
       DrillSimulation simulation(drilledBall(), fineDrill(), DrillFeed{Vec3::UnitZ(), 6.0},
                                  std::make_shared<ClayChannel>());
-      const SimulationInput pressed = handAt({0.0, 0.0, 5.5}, 0.0, 1);
+      const SimulationInput pressed = test::handAt({0.0, 0.0, 5.5}, 0.0, 1);
       simulation.step(1.0 / 60.0, {&pressed, 1});
       for (int i = 1; i < 40; ++i) simulation.step(1.0 / 60.0, {});
       simulation.holdFeed(true);
       simulation.step(1.0 / 60.0, {});
-      const double removed = stateOf(simulation)->removed;
+      const double removed = test::stateOf(simulation)->removed;
       for (int i = 1; i < held; ++i) simulation.step(1.0 / 60.0, {});
-      if (held > 1 && (stateOf(simulation)->removed != removed || stateOf(simulation)->thrust != 0.0))
+      if (held > 1 && (test::stateOf(simulation)->removed != removed || test::stateOf(simulation)->thrust != 0.0))
         qFatal("not held");
       simulation.holdFeed(false);
       for (int i = 0; i < 80; ++i) simulation.step(1.0 / 60.0, {});
-      return stateOf(simulation);
+      return test::stateOf(simulation);
     };
     const auto brief = drilled(1), lengthy = drilled(61);
     QCOMPARE(lengthy->removed, brief->removed);
@@ -139,15 +128,15 @@ class DrillSimulationTest : public QObject {
     for (int i = 0; i < 200; ++i) {
       const Vec3 place(0.1, 0.2, 6.0 - 0.02 * i);
       const std::uint32_t gesture = i < 20 ? 0 : 1;
-      const SimulationInput input = handAt(place, 0.001 * i, gesture);
+      const SimulationInput input = test::handAt(place, 0.001 * i, gesture);
       simulation.step(1.0 / 60.0, {&input, 1});
       if (gesture != 0) move(run, DrillPose::of(place, Vec3::UnitZ(), 0.001 * (i - 20)));
     }
     QVERIFY(run.removed() > 0.0);
-    QVERIFY(std::abs(stateOf(simulation)->removed - run.removed()) < 1e-9);
-    QVERIFY(std::abs(stateOf(simulation)->maxThrust / run.maxThrust() - 1.0) < 1e-6);
+    QVERIFY(std::abs(test::stateOf(simulation)->removed - run.removed()) < 1e-9);
+    QVERIFY(std::abs(test::stateOf(simulation)->maxThrust / run.maxThrust() - 1.0) < 1e-6);
 
-    const auto made = stateOf(simulation);
+    const auto made = test::stateOf(simulation);
     QCOMPARE(made->poses.size(), std::size_t{180});
     auto record = std::make_shared<DrillRecord>();
     record->setup = fineDrill();

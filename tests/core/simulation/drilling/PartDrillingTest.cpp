@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "DrillInput.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "simulation/drilling/DrillSimulation.h"
@@ -29,21 +30,9 @@ DrillSetup ballOfSixteenVoxels() {
   return setup;
 }
 
-std::shared_ptr<const DrillState> stateNow(const DrillSimulation& simulation) {
-  return std::static_pointer_cast<const DrillState>(simulation.state());
-}
-
-SimulationInput tipAt(const Vec3& place, double time, std::uint32_t gesture) {
-  SimulationInput input;
-  input.tip.position = input.proxy = place;
-  input.tip.time = time;
-  input.gesture = gesture;
-  return input;
-}
-
 // Fed down from above a place of the top.
 void feedFor(DrillSimulation& simulation, int steps) {
-  const SimulationInput pressed = tipAt({0.013, -0.021, 2.5}, 0.0, 1);
+  const SimulationInput pressed = test::handAt({0.013, -0.021, 2.5}, 0.0, 1);
   simulation.step(kPartStep, {&pressed, 1});
   for (int i = 1; i < steps; ++i) simulation.step(kPartStep, {});
 }
@@ -67,10 +56,10 @@ class PartDrillingTest : public QObject {
     DrillSimulation part(*HybridPart::of(drilledCube(), kPartVoxel), ballOfSixteenVoxels(), feed,
                          std::make_shared<ClayChannel>());
     QVERIFY(whole.part() == nullptr && part.part() != nullptr);
-    QVERIFY(stateNow(part)->tiles.empty() && stateNow(part)->volume.isEmpty());
+    QVERIFY(test::stateOf(part)->tiles.empty() && test::stateOf(part)->volume.isEmpty());
     feedFor(whole, 40);
     feedFor(part, 40);
-    const auto a = stateNow(whole), b = stateNow(part);
+    const auto a = test::stateOf(whole), b = test::stateOf(part);
     QVERIFY(b->isExact);
     QVERIFY(std::abs(a->removed - b->removed) < 1e-9 * a->removed);
     QVERIFY(std::abs(a->maxThrust - b->maxThrust) < 1e-9 * a->maxThrust);
@@ -107,7 +96,7 @@ class PartDrillingTest : public QObject {
     DrillSimulation simulation(*HybridPart::of(drilledCube(80.0), kPartVoxel), ballOfSixteenVoxels(),
                                DrillFeed{Vec3::UnitZ(), 12.0}, std::make_shared<ClayChannel>());
     feedFor(simulation, 40);
-    const auto state = stateNow(simulation);
+    const auto state = test::stateOf(simulation);
     QVERIFY(state->removed > 10.0 && !state->breakthrough);
     const double far = 2.0 * HybridPart::kTile * kPartVoxel;  // no head of 4 mm reaches a tile whose middle is there
     for (const VolumeSurface::Key& tile : state->tiles) {
@@ -126,9 +115,9 @@ class PartDrillingTest : public QObject {
                                channel);
     const double radius = 8.0 * kPartVoxel;
     const auto at = [&](const Vec3& foremost) {
-      const SimulationInput input = tipAt(foremost + radius * Vec3::UnitZ(), 0.0, 0);
+      const SimulationInput input = test::handAt(foremost + radius * Vec3::UnitZ(), 0.0, 0);
       simulation.step(kPartStep, {&input, 1});
-      return stateNow(simulation);
+      return test::stateOf(simulation);
     };
     QVERIFY(at({0.0, 0.0, 60.0})->volume.isEmpty());
     const auto near = at({1.0, 2.0, 0.2});
@@ -152,17 +141,17 @@ class PartDrillingTest : public QObject {
     DrillRun run(part, ballOfSixteenVoxels());
     for (int i = 0; i < 150; ++i) {
       const Vec3 place(0.3, -0.2, 2.5 - 0.03 * i);
-      const SimulationInput input = tipAt(place, 0.001 * i, 1);
+      const SimulationInput input = test::handAt(place, 0.001 * i, 1);
       simulation.step(kPartStep, {&input, 1});
       move(run, DrillPose::of(place, Vec3::UnitZ(), 0.001 * i));
     }
     QVERIFY(run.removed() > 1.0);
-    QVERIFY(std::abs(stateNow(simulation)->removed - run.removed()) < 1e-9);
+    QVERIFY(std::abs(test::stateOf(simulation)->removed - run.removed()) < 1e-9);
     QVERIFY(simulation.part()->cutBlocks() == part.cutBlocks());
-    const SimulationInput away = tipAt({0.0, 0.0, 90.0}, 1.0, 0);
+    const SimulationInput away = test::handAt({0.0, 0.0, 90.0}, 1.0, 0);
     simulation.step(kPartStep, {&away, 1});
     QVERIFY(simulation.part()->cutBlocks() == part.cutBlocks());
-    QVERIFY(VolumeReader(stateNow(simulation)->volume).depthAt({0.3, -0.2, -1.0}).depth < 0.0);
+    QVERIFY(VolumeReader(test::stateOf(simulation)->volume).depthAt({0.3, -0.2, -1.0}).depth < 0.0);
   }
 };
 

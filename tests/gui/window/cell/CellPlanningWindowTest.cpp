@@ -33,6 +33,22 @@ QPoint beforeABlock(PlanningWindow& driver) {
 
 }  // namespace
 
+namespace {
+
+// A path from 60 to -60 degrees of joint 1, on the time line.
+void beginToPlay(PlanningWindow& driver) {
+  driver.storeAt("joint.joint_1", "60");
+  driver.storeAt("joint.joint_1", "-60");
+  QVERIFY(driver.settle());
+  driver.planPath();
+  QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->childCount() == 1 && driver.paths()->child(0)->text(1).contains("free"),
+                           kPatienceMs);
+  driver.choose("pathDockToggle");
+  QTRY_VERIFY_WITH_TIMEOUT(driver.find<TimeLinePanel>("pathTimeLine")->isEnabled(), kPatienceMs);
+}
+
+}  // namespace
+
 // A planner's work in the window: configurations are stored, a path is planned, verified, edited and played.
 class CellPlanningWindowTest : public QObject {
   Q_OBJECT
@@ -335,15 +351,8 @@ class CellPlanningWindowTest : public QObject {
 
   void aPathIsPlayed() {
     PlanningWindow driver;
-    driver.storeAt("joint.joint_1", "60");
-    driver.storeAt("joint.joint_1", "-60");
-    QVERIFY(driver.settle());
-    driver.planPath();
-    QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->childCount() == 1 && driver.paths()->child(0)->text(1).contains("free"),
-                             kPatienceMs);
-    driver.choose("pathDockToggle");
+    beginToPlay(driver);
     auto* line = driver.find<TimeLinePanel>("pathTimeLine");
-    QTRY_VERIFY_WITH_TIMEOUT(line->isEnabled(), kPatienceMs);
     QVERIFY(driver.text("pathText").contains("place 2"));
     const QString before = driver.text("pathText");
     line->advance(0.5);
@@ -364,15 +373,7 @@ class CellPlanningWindowTest : public QObject {
   // stood.
   void aShownPoseIsEdited() {
     PlanningWindow driver;
-    driver.storeAt("joint.joint_1", "60");
-    driver.storeAt("joint.joint_1", "-60");
-    QVERIFY(driver.settle());
-    driver.planPath();
-    QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->childCount() == 1 && driver.paths()->child(0)->text(1).contains("free"),
-                             kPatienceMs);
-    driver.choose("pathDockToggle");
-    auto* line = driver.find<TimeLinePanel>("pathTimeLine");
-    QTRY_VERIFY_WITH_TIMEOUT(line->isEnabled(), kPatienceMs);
+    beginToPlay(driver);
     const auto angle = [&](const char* joint) { return driver.field(joint).split(' ').front().toDouble(); };
     QTRY_COMPARE(angle("joint.joint_1"), 60.0);  // it begins there
     driver.editInPanel("joint.joint_2", "12");
