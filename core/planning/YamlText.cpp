@@ -30,7 +30,7 @@ class JsonOfYaml : public YAML::EventHandler {
   JsonOfYaml(const JsonOfYaml&) = delete;
   JsonOfYaml& operator=(const JsonOfYaml&) = delete;
 
-  Json takeValue() { return std::move(m_value); }
+  Json takeValue() { return std::move(m_value).value_or(Json()); }
   bool isThere() const { return m_nodes > 0; }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
@@ -83,7 +83,7 @@ class JsonOfYaml : public YAML::EventHandler {
   // A container's element is never moved while it is open: only the innermost one grows.
   Json* add(const YAML::Mark& mark, Json value) {
     count(mark);
-    if (m_open.empty()) return &(m_value = std::move(value));
+    if (m_open.empty()) return &m_value.emplace(std::move(value));
     Open& within = m_open.back();
     if (within.value->is_array()) return &within.value->emplace_back(std::move(value));
     if (!within.key) throw RefusedYaml(mark, "a key of a map is not a text");
@@ -98,7 +98,7 @@ class JsonOfYaml : public YAML::EventHandler {
     m_open.push_back({add(mark, std::move(value))});
   }
 
-  Json m_value;
+  std::optional<Json> m_value;
   std::vector<Open> m_open;
   std::size_t m_nodes = 0;
 };

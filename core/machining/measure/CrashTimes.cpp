@@ -39,6 +39,7 @@ std::vector<double> crashSeconds(const TurningPasses& passes, const std::vector<
   for (const auto& pass : passes)
     begins.push_back(begins.back() + (pass->times.empty() ? 0.0 : std::max(0.0, pass->times.back())));
   std::vector<double> seconds;
+  seconds.reserve(crashes.size());
   for (const LatheCollision& crash : crashes) seconds.push_back(secondsOf(crash, passes, begins));
   return seconds;
 }

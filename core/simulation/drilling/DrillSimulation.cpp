@@ -185,6 +185,7 @@ void DrillSimulation::showTiles(DrillState& state, std::span<const VoxelIndex> c
   for (const VolumeSurface::Key& tile : touched)
     for (int k = 0; k < 27; ++k) needed.insert({tile[0] + k / 9 - 1, tile[1] + k / 3 % 3 - 1, tile[2] + k % 3 - 1});
   std::vector<VoxelIndex> tiles;
+  tiles.reserve(needed.size());
   for (const VolumeSurface::Key& tile : needed) tiles.emplace_back(tile[2], tile[1], tile[0]);
   m_part->makeAlso(tiles);
   state.surface.make(m_part->left(), touched);

@@ -232,9 +232,8 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
     place.blend = std::max(0.0, motion.blend);
     path.places.push_back(std::move(place));
   }
-  std::ranges::sort(openWays);
-  const auto repeated = std::ranges::unique(openWays);
-  openWays.erase(repeated.begin(), repeated.end());
+  std::sort(openWays.begin(), openWays.end());
+  openWays.erase(std::unique(openWays.begin(), openWays.end()), openWays.end());
   return ProgramPath{std::move(path), framesOf(*motions, basePose(cell.robot->model, scene.plannedArm())),
                      std::move(openWays), otherTool};
 }
