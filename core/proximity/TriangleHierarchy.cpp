@@ -78,6 +78,23 @@ std::optional<NearestPoint> TriangleHierarchy::nearest(const Vec3& p, double lim
   return best;
 }
 
+bool TriangleHierarchy::isWithin(const Vec3& p, double distance) const {
+  if (empty() || !p.allFinite() || !(distance > 0.0)) return false;
+  const PointToBox point(m_frame.toFrame(p));
+  const double limit = distance * distance;
+  bool isFound = false;
+  visitBestFirst(
+      m_tree, [&](const FloatBox& box) { return point.squaredDistance(box); },
+      [&] { return isFound ? -1.0 : limit * m_frame.scale() * m_frame.scale(); },
+      [&](std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t i = begin; i < end && !isFound; ++i) {
+          const auto [a, b, c] = corners(m_order[i]);
+          isFound = (closestOnTriangle(p, a, b, c) - p).squaredNorm() < limit;
+        }
+      });
+  return isFound;
+}
+
 bool TriangleHierarchy::forEachInBox(const Box& box, const std::function<bool(std::uint32_t)>& visit) const {
   // Exactly as the boxes in the frame were made, so that nothing is lost to rounding.
   const Vec3 low = m_frame.toFrame(box.min());

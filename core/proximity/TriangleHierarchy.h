@@ -58,6 +58,10 @@ class TriangleHierarchy {
   // triangles at the same distance the one with the lowest number.
   std::optional<NearestPoint> nearest(const Vec3& p, double limit = 1e300) const;
 
+  // Whether a point of the surface is nearer than the distance: as nearest() finds one, but the search ends with the
+  // first.
+  bool isWithin(const Vec3& p, double distance) const;
+
   // Calls visit(triangle) for each triangle whose box meets the box (boundaries included) until it returns false.
   // Returns false when a visit did. Slivers that were cut may come more than once, or not at all where no piece's box
   // meets it.

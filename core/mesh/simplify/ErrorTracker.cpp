@@ -61,7 +61,7 @@ bool ErrorTracker::isNear(const TrianglePoints& t) const {
   for (int i = 0; i < steps; ++i) {
     for (int j = 0; j <= i; ++j) {
       const Vec3 p = t[0] + double(i - j) / steps * (t[1] - t[0]) + double(j) / steps * (t[2] - t[0]);
-      if (!m_original.hierarchy().nearest(p, m_error)) return false;
+      if (!m_original.hierarchy().isWithin(p, m_error)) return false;
     }
   }
   return true;

@@ -55,6 +55,9 @@ void TriangleHierarchyNearestTest::nearestAgainstBruteForce() {
       RC_ASSERT(found->squaredDistance == expected->squaredDistance);
       RC_ASSERT(found->triangle == expected->triangle);
       RC_ASSERT(found->point == expected->point);
+      const double distance = std::sqrt(expected->squaredDistance);
+      RC_ASSERT(h.isWithin(p, distance * (1.0 + 1e-9) + 1e-100));
+      RC_ASSERT(!h.isWithin(p, distance * (1.0 - 1e-9)));
     }
   }));
 }
@@ -146,13 +149,14 @@ void TriangleHierarchyNearestTest::closestIsOptimal() {
 void TriangleHierarchyNearestTest::nearestKeepsToTheLimit() {
   const TriangleHierarchy h = hierarchyOf(sphere(8));
   const Vec3 p(3, 0, 0);
-  QVERIFY(!h.nearest(p, 1.999));
-  QVERIFY(!h.nearest(p, 2.0));
-  QVERIFY(h.nearest(p, 2.001));
-  QVERIFY(!h.nearest(p, 0.0));
-  QVERIFY(!h.nearest(p, -5.0));
-  QVERIFY(!h.nearest(p, kNaN));
-  QVERIFY(h.nearest(p, std::numeric_limits<double>::infinity()));
+  for (const double limit : {1.999, 2.0, 0.0, -5.0, kNaN}) {
+    QVERIFY(!h.nearest(p, limit));
+    QVERIFY(!h.isWithin(p, limit));
+  }
+  for (const double limit : {2.001, std::numeric_limits<double>::infinity()}) {
+    QVERIFY(h.nearest(p, limit));
+    QVERIFY(h.isWithin(p, limit));
+  }
 }
 
 HANDWHEEL_TEST(TriangleHierarchyNearestTest)
