@@ -26,8 +26,9 @@ using std::chrono::milliseconds;
 constexpr milliseconds kSoon{250};
 // The pause after an autosave, in the time that it took: a twentieth of the time is spent on it.
 constexpr int kPause = 19;
-// What looks alive at the start is looked at again after so long, then after twice that, up to the last pause.
-constexpr std::chrono::seconds kFirstLook{1}, kLastLook{32};
+// What is in use at the start is looked at again after so long, then after twice that, up to the last pause: for a
+// minute in all. A program that was killed keeps its lock until the system has freed its memory, or written its core.
+constexpr milliseconds kFirstLook{250}, kLastLook{32'000};
 
 }  // namespace
 
@@ -210,7 +211,7 @@ void Autosave::offer(OrphanedAutosaves found) {
 }
 
 // Of a program that goes on, and of this one, nothing is ever found.
-void Autosave::lookAgain(std::vector<std::filesystem::path> sessions, std::chrono::seconds pause) {
+void Autosave::lookAgain(std::vector<std::filesystem::path> sessions, milliseconds pause) {
   if (sessions.empty() || pause > kLastLook) return;
   QTimer::singleShot(pause, this, [this, sessions = std::move(sessions), pause] {
     OrphanedAutosaves found = OrphanedAutosaves::of(sessions);

@@ -29,8 +29,8 @@ struct DocumentTab;
 // Saves modified documents to the recovery folder. This is done soon after each edit, so that a kill takes nothing that
 // was finished; what a tool has under way is saved at intervals. Documents that take long to save are saved less often,
 // but at least once in the interval. The file is removed when its document is saved or closed. The files of a session
-// that was killed are offered at the next start, until they are recovered or discarded; those of one that looks alive
-// then, as it is not yet gone, soon after.
+// that was killed are offered at the next start, until they are recovered or discarded; those of one whose
+// lock the system has not yet released then, soon after.
 class Autosave : public QObject {
   Q_OBJECT
 
@@ -68,7 +68,7 @@ class Autosave : public QObject {
   void noteCost(DocumentTab* document, std::chrono::milliseconds cost);
   void reportFailure(DocumentTab* document, const QString& name, const Error& error);
   void offer(OrphanedAutosaves found);
-  void lookAgain(std::vector<std::filesystem::path> sessions, std::chrono::seconds pause);
+  void lookAgain(std::vector<std::filesystem::path> sessions, std::chrono::milliseconds pause);
   void askBeforeDiscarding(const std::shared_ptr<const OrphanedAutosaves>& orphans);
   void offer(const std::shared_ptr<const OrphanedAutosaves>& orphans);
   void offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& orphans);

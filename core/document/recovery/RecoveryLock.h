@@ -8,9 +8,7 @@
 namespace handwheel {
 
 // Lock file that marks a folder as used by a running process. The owner holds a lock on a file in the folder, and the
-// system releases it when the process ends, however it ends. That may take seconds after it was killed: the file says
-// who holds it, and a lock of a process that is over is taken from it. Two locks in one process exclude each other as
-// well.
+// system releases it when the process ends, however it ends. Two locks in one process exclude each other as well.
 class RecoveryLock {
  public:
   // None if the lock is held already, or the file system does not support locks, or the folder does not exist.
@@ -24,9 +22,6 @@ class RecoveryLock {
 
  private:
   explicit RecoveryLock(int descriptor) : m_descriptor(descriptor) {}
-
-  static std::optional<RecoveryLock> lockFile(const std::filesystem::path& file, int flags);
-
   int m_descriptor;
 };
 

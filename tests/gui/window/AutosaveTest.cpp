@@ -84,6 +84,32 @@ class AutosaveTest : public QObject {
     QVERIFY(second.window().isWindowModified());
   }
 
+  // A program that was just killed has its lock a while longer: its works are offered as soon as it is released.
+  void whatIsStillLockedIsOfferedSoonAfter() {
+    QString wanted;
+    {
+      WindowDriver driver;
+      driver.choose("newWorkpiece");
+      QVERIFY(driver.settle());
+      driver.edit("diameter", "33");
+      wanted = driver.text("figures");
+      QVERIFY(QTest::qWaitFor(isStored, 30000));
+    }
+    std::optional<OrphanedAutosaves> held(std::in_place);  // has the locks, as the other program had
+    QCOMPARE(held->found().size(), std::size_t{1});
+    WindowDriver driver;
+    driver.window().offerRecovery();
+    QVERIFY(driver.settle());
+    const auto isOffered = [&] { return driver.find<QPushButton>("messageAction")->isVisible(); };
+    QVERIFY(!isOffered());
+    held.reset();
+    QVERIFY(QTest::qWaitFor(isOffered, kPatienceMs));
+    driver.click("messageAction");
+    QVERIFY(QTest::qWaitFor([&] { return driver.tabs() == 1; }, kPatienceMs));
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("figures"), wanted);
+  }
+
   // What was never saved is called as before: in its tab, by Save and in the question at closing.
   void aNameWithoutAFileComesBack() {
     QString wanted;

@@ -27,6 +27,21 @@ class OrphanedAutosavesTest : public QObject {
     QVERIFY(contentsIn(rootIn(folder)).empty());
   }
 
+  // What another has in use now is found by who looks at it again.
+  void foundWhenItIsLeft() {
+    const QTemporaryDir folder;
+    std::vector<std::filesystem::path> inUse;
+    {
+      RecoverySession session(rootIn(folder));
+      QVERIFY(session.store(1, kInfo, containerOf("one")));
+      inUse = OrphanedAutosaves(rootIn(folder)).inUse();
+      QCOMPARE(inUse.size(), std::size_t{1});
+      QVERIFY(OrphanedAutosaves::of(inUse).found().empty());
+    }
+    QCOMPARE(OrphanedAutosaves::of(inUse).found().size(), std::size_t{1});
+    QVERIFY(OrphanedAutosaves::of({}).found().empty());
+  }
+
   // Saved after the autosave, changed again, and killed before the next one.
   void autosavesOlderThanTheFile() {
     QTemporaryDir folder;
