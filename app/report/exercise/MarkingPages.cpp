@@ -6,6 +6,7 @@
 #include "report/exercise/CurvePlot.h"
 #include "report/exercise/MarkingReport.h"
 #include "report/exercise/MarkingWords.h"
+#include "report/exercise/PrintedPages.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -262,7 +263,7 @@ std::string pdfOf(const ClassReport& report, Progress progress) {
   QPdfWriter writer(&buffer);
   writer.setPageSize(QPageSize(QPageSize::A4));
   writer.setTitle(QString::fromStdString(report.exercise.title));
-  document.print(&writer);
+  printWholeRows(document, writer);
   buffer.close();
   return buffer.data().toStdString();
 }
