@@ -57,7 +57,7 @@ ReportCurve::Series seriesOf(const char* name, const std::vector<ProfilePoint>& 
 }
 
 ReportCurve shapeCurve(const TurningTask& task, const TurnedProfile& profile) {
-  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Profile"), "Z", "mm", QT_TRANSLATE_NOOP("Figure", "Radius"), "mm", {}};
+  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Profile"), {}, {}, QT_TRANSLATE_NOOP("Figure", "Radius"), "mm", {}};
   constexpr double kSeen = 0.01;  // mm
   curve.series.push_back(
       seriesOf(QT_TRANSLATE_NOOP("Figure", "Part"), chainThinned(lineOf(profile, TurningSide::Outside), kSeen)));
@@ -81,7 +81,7 @@ bool isRapid(const TurningPass& pass, std::size_t i, const ReviewedLathe& lathe)
 ReportCurve pathCurve(const TurningTask& task, const WorkpieceSnapshot& workpiece) {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
   constexpr std::size_t kMostPoints = 4'000;
-  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Path of the tool"), "Z",  "mm",
+  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Path of the tool"), {},   {},
                     QT_TRANSLATE_NOOP("Figure", "Radius"),           "mm", {}};
   std::size_t count = 0;
   for (const auto& pass : workpiece.part->passes) count += pass->path.size();
@@ -148,7 +148,7 @@ ReportEvent eventOf(const CrashMoment& crash, const ReviewedLathe& lathe, double
 // The roughness along the part. Of neighbours that are too many to draw the roughest is shown.
 ReportCurve finishCurve(const MeasuredPart& part) {
   constexpr std::size_t kMostPoints = 1'000;
-  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Roughness"), "Z", "mm", "Ra", "µm", {}};
+  ReportCurve curve{QT_TRANSLATE_NOOP("Figure", "Roughness"), {}, {}, "Ra", "µm", {}};
   const TurnedProfile& profile = part.profile();
   const std::size_t stride = profile.size() / kMostPoints + 1;
   for (const TurningSide side : {TurningSide::Outside, TurningSide::Bore}) {
@@ -193,6 +193,16 @@ void addPeak(ReportDetails& details, const char* figure, const std::vector<Measu
   details.events.push_back({largest->time, {text, {roundedText((*largest).*which, digits), roundedText(limit, 4)}}});
 }
 
+// A curve over the height above the lower end of the bar, from the zero of the drawing instead, as all places are told.
+ReportCurve alongAxis(ReportCurve curve, const TurningTask& task) {
+  curve.x = task.target ? QT_TRANSLATE_NOOP("Figure", "Z from the finished face")
+                        : QT_TRANSLATE_NOOP("Figure", "Z from the free end of the bar");
+  curve.xUnit = "mm";
+  for (ReportCurve::Series& series : curve.series)
+    for (auto& point : series.points) point.first -= task.zero();
+  return curve;
+}
+
 // By the path that cut, so that a pass is found again wherever it stands among others.
 RecordedPiece recordedPieceOf(const TurningPass& pass) {
   Fingerprint mark;
@@ -207,11 +217,12 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
   const MeasuredPart part(task, work, progress);
   ReportDetails details;
   details.pictures.push_back(pictureOf(task, part.profile()));
-  details.curves.push_back(shapeCurve(task, part.profile()));
+  details.curves.push_back(alongAxis(shapeCurve(task, part.profile()), task));
   if (!work.part || !part.review()) return details;
   for (const auto& pass : work.part->passes) details.pieces.push_back(recordedPieceOf(*pass));
-  details.curves.push_back(pathCurve(task, work));
-  if (ReportCurve finish = finishCurve(part); !finish.series.empty()) details.curves.push_back(std::move(finish));
+  details.curves.push_back(alongAxis(pathCurve(task, work), task));
+  if (ReportCurve finish = finishCurve(part); !finish.series.empty())
+    details.curves.push_back(alongAxis(std::move(finish), task));
   const std::vector<MeasuredPart::Load> loads = part.loads();
   details.curves.push_back(
       loadCurve(QT_TRANSLATE_NOOP("Figure", "Cutting force"), "N", loads, &MeasuredPart::Load::force));

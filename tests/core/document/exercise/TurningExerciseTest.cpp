@@ -367,6 +367,20 @@ class TurningExerciseTest : public QObject {
              static_cast<std::ptrdiff_t>(passes - 1));
   }
 
+  // As on the drawing, and in the marks: the bar of 100 mm goes from the finished face to 100 mm below it.
+  void plotsTellPlacesFromTheFinishedFace() {
+    const auto work = workFrom(*shoulder(), shoulderWork());
+    for (const ReportCurve& curve : shoulder()->subject->details(*shoulder()->task, *work, {}).curves) {
+      if (curve.xUnit != "mm") continue;
+      QCOMPARE(curve.x, std::string("Z from the finished face"));
+      if (curve.title != "Profile") continue;
+      for (const ReportCurve::Series& series : curve.series) {
+        const auto [lowest, highest] = std::minmax_element(series.points.begin(), series.points.end());
+        QVERIFY(std::abs(highest->first) < 1e-6 && lowest->first < -50.0 && lowest->first >= -100.0 - 1e-6);
+      }
+    }
+  }
+
   // A student sees what the part is to become.
   void theBarHasTheTarget() {
     const auto bar = std::static_pointer_cast<const WorkpieceSnapshot>(shoulder()->subject->start(*shoulder()->task));
