@@ -16,6 +16,10 @@ constexpr std::string_view kShippedKey = "handwheel-";
 // NOLINTBEGIN(bugprone-suspicious-missing-comma): long texts among short ones
 constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("Exercise", "turning tool"),
+    QT_TRANSLATE_NOOP("Exercise", "boring bar"),
+    QT_TRANSLATE_NOOP("Exercise", "parting tool"),
+    QT_TRANSLATE_NOOP("Exercise", "threading tool of 60°"),
+    QT_TRANSLATE_NOOP("Exercise", "On the lathe, drill first: a boring bar needs a hole to begin in."),
     QT_TRANSLATE_NOOP("Exercise", "Ball"),
     QT_TRANSLATE_NOOP("Exercise", "A ball of 36 mm on a neck of 12 mm."),
     QT_TRANSLATE_NOOP("Exercise", "Rough"),
@@ -74,8 +78,8 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("Exercise", "The shoulder"),
     QT_TRANSLATE_NOOP("Exercise", "Let the pass end 30 mm from the end, so that a face stands there."),
     QT_TRANSLATE_NOOP("Exercise",
-                      "Z in the label is the height of the middle of the nose above the chuck's end of the bar. The "
-                      "face stands one nose radius, 0.8 mm, below it: stop at Z 50.8."),
+                      "Z in the label is the place of the face that the tool leaves, from the finished end of the bar: "
+                      "stop at Z -30."),
     QT_TRANSLATE_NOOP("Exercise", "Measure"),
     QT_TRANSLATE_NOOP("Exercise", "Press “Measure” below. Lines with ✓ are right; with ✗, take another pass."),
     QT_TRANSLATE_NOOP("Exercise", "Length 30 ±1"),

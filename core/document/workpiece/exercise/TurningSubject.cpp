@@ -67,6 +67,12 @@ std::string toolName(const AllowedTool& tool) {
   return QCoreApplication::translate("LatheTool", titleOf(mounted->kind)).toStdString() + " " + mounted->designation;
 }
 
+// A drill has none, whatever is said of it.
+bool hasNose(const AllowedTool& tool) {
+  const auto mounted = tool.tool.empty() ? nullptr : toolNamed(shippedLatheTools(), tool.tool);
+  return !mounted || mounted->noseRadius > 0.0;
+}
+
 // The machine of the exercise: so it stands when the student begins.
 LatheSetup setupOf(const TurningTask& task) {
   LatheSetup setup = defaultLatheSetup(task.stock);
@@ -166,9 +172,13 @@ std::vector<ExerciseText> TurningSubject::conditions(const ExerciseTask& task) c
     lines.push_back({QT_TRANSLATE_NOOP("Note", "Power up to %1 kW"), {shownText(turning.powerLimit)}});
   if (!turning.areProgramsAllowed)
     lines.push_back({QT_TRANSLATE_NOOP("Note", "By hand: programs are not allowed"), {}});
-  for (const AllowedTool& tool : turning.tools)
-    lines.push_back(
-        {QT_TRANSLATE_NOOP("Note", "Tool: %1, nose radius %2 mm"), {toolName(tool), shownText(tool.noseRadius)}});
+  for (const AllowedTool& tool : turning.tools) {
+    if (hasNose(tool))
+      lines.push_back(
+          {QT_TRANSLATE_NOOP("Note", "Tool: %1, nose radius %2 mm"), {toolName(tool), shownText(tool.noseRadius)}});
+    else
+      lines.push_back({QT_TRANSLATE_NOOP("Note", "Tool: %1"), {toolName(tool)}});
+  }
   return lines;
 }
 

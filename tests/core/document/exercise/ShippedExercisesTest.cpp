@@ -161,6 +161,24 @@ class ShippedExercisesTest : public QObject {
     QVERIFY(inFiles == listed);
   }
 
+  // Who is to bore is told that it needs a boring bar.
+  void theTaskNamesTheToolsThatItNeeds() {
+    const QDir folder(QStringLiteral(SHIPPED_EXERCISES));
+    for (const QString& name : folder.entryList({"*.exercise.json"})) {
+      const Json json = descriptionIn(folder.filePath(name));
+      const auto hasTool = [&](const char* wanted) {
+        const Json tools = json["task"].value("tools", Json::array());
+        return std::any_of(tools.begin(), tools.end(), [&](const Json& tool) { return tool["name"] == wanted; });
+      };
+      bool isBored = false, isThreaded = false;
+      for (const Json& pass : json["solution"].value("passes", Json::array())) {
+        isBored = isBored || pass.value("side", "") == "bore";
+        isThreaded = isThreaded || pass.contains("thread");
+      }
+      QVERIFY2(hasTool("boring bar") == isBored && hasTool("threading tool of 60°") == isThreaded, qPrintable(name));
+    }
+  }
+
   // In another language what ships is in it; an exercise of one's own stays as it was written.
   void ownWordsStay() {
     struct Shouting : QTranslator {

@@ -403,6 +403,9 @@ class TurningExerciseTest : public QObject {
     const auto bar = std::static_pointer_cast<const WorkpieceSnapshot>(subject.start(**one));
     QCOMPARE(bar->lathe->allowed, std::vector<std::string>{"right-roughing"});
     QVERIFY(subject.conditions(**one).size() == subject.conditions(*shoulder()->task).size() + 1);
+    QCOMPARE(subject.conditions(**one).back().text, std::string("Tool: %1, nose radius %2 mm"));
+    const auto drill = subject.withProperty(*shoulder()->task, "tool.drill-10", true);
+    QVERIFY(drill && subject.conditions(**drill).back().text == "Tool: %1");
     const auto none = subject.withProperty(**one, "tool.right-roughing", false);
     QVERIFY(none && subject.toJson(**none) == subject.toJson(*shoulder()->task));
     QVERIFY(!subject.withProperty(*shoulder()->task, "tool.spoon", true));
