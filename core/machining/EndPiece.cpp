@@ -8,15 +8,27 @@ double EndPiece::length() const {
   return profile.spacing() * static_cast<double>(held.size() - 1);
 }
 
+std::vector<TurnedProfile::Range> piecesOf(const TurnedProfile& part) {
+  std::vector<TurnedProfile::Range> pieces;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (!part.hasMaterial(i)) continue;
+    if (pieces.empty() || pieces.back().last < i) pieces.push_back({i, i});
+    pieces.back().last = i + 1;
+  }
+  return pieces;
+}
+
+EndPiece pieceAlone(const TurnedProfile& part, const TurnedProfile::Range& piece) {
+  EndPiece alone{part, piece};
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (i < piece.first || i >= piece.last) alone.profile.limitOuter(i, part.inner(i));
+  }
+  return alone;
+}
+
 std::optional<EndPiece> endPieceOf(const TurnedProfile& part) {
-  std::size_t end = part.size();
-  while (end > 0 && !part.hasMaterial(end - 1)) --end;
-  std::size_t first = end;
-  while (first > 0 && part.hasMaterial(first - 1)) --first;
-  EndPiece piece{part, {first, end}};
-  bool isParted = false;
-  for (std::size_t i = 0; i < first; ++i) isParted = piece.profile.limitOuter(i, part.inner(i)) || isParted;
-  return isParted ? std::optional(std::move(piece)) : std::nullopt;
+  const std::vector<TurnedProfile::Range> pieces = piecesOf(part);
+  return pieces.size() > 1 ? std::optional(pieceAlone(part, pieces.back())) : std::nullopt;
 }
 
 }  // namespace handwheel

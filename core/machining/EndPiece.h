@@ -5,6 +5,7 @@
 #include "machining/TurnedProfile.h"
 
 #include <optional>
+#include <vector>
 
 namespace handwheel {
 
@@ -17,5 +18,11 @@ struct EndPiece {
 
 // None: the part is in one piece, or nothing is left of it. O(samples).
 std::optional<EndPiece> endPieceOf(const TurnedProfile& part);
+
+// The samples of each piece of a part, from the one in the chuck to the free end. O(samples).
+std::vector<TurnedProfile::Range> piecesOf(const TurnedProfile& part);
+
+// One of these pieces alone. O(samples).
+EndPiece pieceAlone(const TurnedProfile& part, const TurnedProfile::Range& piece);
 
 }  // namespace handwheel

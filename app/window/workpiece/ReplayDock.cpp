@@ -181,7 +181,9 @@ TimeLineRecording recordingOf(const QString& name, const ReplayTrack& track) {
 }
 
 DisplayModel modelAt(const WorkpieceSnapshot& work, const PassesReplay::Moment& moment) {
-  return displayOf(TurnedSurface(moment.profile, work.chord, moment.threads), work.stock.position);
+  DisplayModel model = displayOf(TurnedSurface(moment.profile, work.chord, moment.threads), work.stock.position);
+  showPartedOff(model, moment.profile);
+  return model;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "controls/QuantityText.h"
 #include "controls/ScrolledPanel.h"
+#include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/exercise/AssignedTask.h"
@@ -28,6 +29,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QSplitter>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -70,6 +72,7 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
       m_replay(window, this),
       m_panel(makePanel()),
       m_loads(JobRunner::Policy::Latest, window.pool) {
+  layer().setFaintGroup(kPartedGroup);
   connect(&m_target, &TargetView::message, this, &KindUi::message);
   connect(&m_target, &TargetView::shownChanged, this, [this] {
     if (this->document()) show();
@@ -270,23 +273,34 @@ void WorkpieceUi::warnOfLoads(DocumentTab* loaded, const TurningTask& task, doub
   emit message(heavy);
 }
 
-// Once for each piece that has come off: it stays shown where it was, since nobody has taken it.
+// Once for each piece that has come off: it stays where it was, shown faintly, since nobody has taken it.
 void WorkpieceUi::tellParted() {
   if (!document()) return;
   const auto part = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part;
   const auto before = std::exchange(m_partedPart, part);
   const bool isOther = std::exchange(m_parted, document()) != document();
-  if (part == before && !isOther) return;
-  const std::size_t count = part ? part->profile.pieces() : 1, known = std::exchange(m_pieces, count);
-  const auto piece = !isOther && count > known ? endPieceOf(part->profile) : std::nullopt;
-  if (!piece) return;
+  if (isOther || part == before || !part) return;
+  const std::vector<TurnedProfile::Range> pieces = piecesOf(part->profile);
+  // The one over a gap in which there was material before.
+  const auto isNew = [&](const TurnedProfile::Range& piece) {
+    return !before || before->profile.size() != part->profile.size() || before->profile.hasMaterial(piece.first - 1);
+  };
+  if (pieces.size() < 2) return;
+  const auto found = std::find_if(pieces.begin() + 1, pieces.end(), isNew);
+  if (found == pieces.end() || (before && before->profile.pieces() >= pieces.size())) return;
+  const EndPiece piece = pieceAlone(part->profile, *found);
+  const double kept = pieceAlone(part->profile, pieces.front()).profile.volume();
   const QLocale locale;
-  const double parted = piece->profile.volume(), kept = part->profile.volume() - parted;
+  const QString length = locale.toString(piece.length(), 'f', 2);
+  const bool isAtEnd = found + 1 == pieces.end();
   Message off{Message::Weight::Info, tr("Parted off"),
-              tr("A piece of %1 mm length has come off at the free end.").arg(locale.toString(piece->length(), 'f', 2)),
-              tr("Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP files are "
-                 "those of the piece.")
-                  .arg(locale.toString(parted, 'f', 0), locale.toString(kept, 'f', 0))};
+              isAtEnd ? tr("A piece of %1 mm length has come off at the free end.").arg(length)
+                      : tr("A piece of %1 mm length has come off.").arg(length),
+              (isAtEnd ? tr("Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP "
+                            "files are those of the piece.")
+                       : tr("Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP "
+                            "files are still those of the piece at the free end, which came off before."))
+                  .arg(locale.toString(piece.profile.volume(), 'f', 0), locale.toString(kept, 'f', 0))};
   off.about = &document()->document;
   emit message(off);
 }

@@ -81,7 +81,6 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   const DocumentTab* m_loaded = nullptr;
   const DocumentTab* m_parted = nullptr;           // where m_partedPart is from
   std::shared_ptr<const TurnedPart> m_partedPart;  // as it was when pieces were counted last
-  std::size_t m_pieces = 1;
   std::shared_ptr<const TurnedPart> m_loadedPart;  // of m_loaded, as far as its passes have been looked at
   std::size_t m_passes = 0;                        // of the current document, as the tool was followed last
   bool m_isLathe = false;                          // its tool runs

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/TurnedPartDisplay.h"
 
+#include "machining/EndPiece.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace handwheel {
@@ -31,6 +34,29 @@ std::optional<float> meanGloss(const TurnedProfile& profile, const SurfaceFinish
   return count > 0 ? std::optional(static_cast<float>(sum / count)) : std::nullopt;
 }
 
+// The triangles of a soup that go beyond a height, or the others. At this height there is a ring of points: no triangle
+// is on both sides.
+std::shared_ptr<const TriangleSoup> sideOf(const TriangleSoup& soup, double height, bool isAbove) {
+  constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+  auto side = std::make_shared<TriangleSoup>();
+  std::vector<std::uint32_t> places(soup.points.size(), kUnused);
+  for (Triangle triangle : soup.triangles) {
+    const bool isBeyond = std::any_of(triangle.begin(), triangle.end(),
+                                      [&](std::uint32_t corner) { return soup.points[corner].z() > height; });
+    if (isBeyond != isAbove) continue;
+    for (std::uint32_t& corner : triangle) {
+      std::uint32_t& place = places[corner];
+      if (place == kUnused) {
+        place = static_cast<std::uint32_t>(side->points.size());
+        side->points.push_back(soup.points[corner]);
+      }
+      corner = place;
+    }
+    side->triangles.push_back(triangle);
+  }
+  return side;
+}
+
 }  // namespace
 
 DisplayModel displayOf(const TurnedSurface& surface, double base) {
@@ -55,6 +81,34 @@ void showFinish(DisplayModel& model, const TurnedProfile& profile, const Surface
     part.gloss = std::lerp(0.0f, kMostGloss, *share);
     for (std::size_t c = 0; c < 3; ++c) part.colour[c] = std::lerp(kDull[c], kBright[c], *share);
   }
+}
+
+PartedBlock showPartedOff(DisplayModel& model, const TurnedProfile& profile, PartedBlock before) {
+  const std::vector<TurnedProfile::Range> pieces = piecesOf(profile);
+  if (pieces.size() < 2) return {};
+  constexpr std::size_t kBlock = TurnedSurface::kBlockSamples;
+  const std::size_t end = pieces.front().last;  // the first sample that has nothing
+  const std::size_t count = model.parts.size();
+  for (std::size_t b = 0; b < count; ++b) {
+    DisplayPart& part = model.parts[b];
+    if ((b + 1) * kBlock <= end) continue;
+    if (b * kBlock >= end) {
+      part.group = kPartedGroup;
+      continue;
+    }
+    if (before.whole != part.soup || before.z != profile.z(end)) {
+      const double z = profile.z(end);
+      before = {part.soup, sideOf(*part.soup, z, false), sideOf(*part.soup, z, true), z};
+    }
+    part.soup = before.held;
+    if (before.parted->triangles.empty()) continue;
+    DisplayPart parted = part;
+    parted.name = "parted." + std::to_string(b);
+    parted.group = kPartedGroup;
+    parted.soup = before.parted;
+    model.parts.push_back(std::move(parted));
+  }
+  return before;
 }
 
 }  // namespace handwheel

@@ -234,6 +234,7 @@ DisplayModel WorkpieceKind::display(const Snapshot& content) const {
   if (workpiece.part) {
     DisplayModel turned = displayOf(workpiece.part->surface, workpiece.stock.position);
     showFinish(turned, workpiece.part->profile, workpiece.part->finish);
+    showPartedOff(turned, workpiece.part->profile);
     return turned;
   }
   DisplayPart part;

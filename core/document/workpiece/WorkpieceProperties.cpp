@@ -161,13 +161,18 @@ std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece) {
     for (Property& each : placeProperties(workpiece.target->profile, workpiece.stock)) all.push_back(std::move(each));
   const double volume = workpiece.part ? workpiece.part->volume() : workpiece.stock.volume();
   const double area = workpiece.part ? workpiece.part->profile.area() : workpiece.stock.area();
-  const auto piece = workpiece.part ? endPieceOf(workpiece.part->profile) : std::nullopt;
-  if (piece) {
-    const double parted = piece->profile.volume();
+  const auto pieces = workpiece.part ? piecesOf(workpiece.part->profile) : std::vector<TurnedProfile::Range>();
+  if (pieces.size() > 1) {
+    const TurnedProfile& part = workpiece.part->profile;
+    const auto volumeOf = [&](const EndPiece& piece) {
+      const auto& threads = workpiece.part->threads();
+      return piece.profile.volume() - (threads ? threads->volume(piece.profile) : 0.0);
+    };
+    const EndPiece piece = pieceAlone(part, pieces.back());
     all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume that stays in the chuck (mm³)"),
-                           std::max(0.0, volume - parted)));
-    all.push_back(computed("parted_volume", QT_TRANSLATE_NOOP("Property", "Volume parted off (mm³)"), parted));
-    all.push_back(computed("parted_length", QT_TRANSLATE_NOOP("Property", "Length parted off (mm)"), piece->length()));
+                           volumeOf(pieceAlone(part, pieces.front()))));
+    all.push_back(computed("parted_volume", QT_TRANSLATE_NOOP("Property", "Volume parted off (mm³)"), volumeOf(piece)));
+    all.push_back(computed("parted_length", QT_TRANSLATE_NOOP("Property", "Length parted off (mm)"), piece.length()));
   } else {
     all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), volume));
   }

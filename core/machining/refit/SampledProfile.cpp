@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/refit/SampledProfile.h"
 
+#include "machining/EndPiece.h"
 #include "machining/refit/Refit.h"
 #include "machining/target/CurveFit.h"
 
@@ -37,11 +38,9 @@ Result<TargetProfile> sectionOf(const TurnedProfile& part, double tolerance) {
 }
 
 Result<TargetProfile> sectionOfEndPiece(const TurnedProfile& part, double tolerance) {
-  std::size_t end = part.size();
-  while (end > 0 && !part.hasMaterial(end - 1)) --end;
-  std::size_t first = end;
-  while (first > 0 && part.hasMaterial(first - 1)) --first;
-  return end - first < 2 ? sectionOf(part, tolerance) : sectionBetween(part, first, end, tolerance);
+  const std::vector<TurnedProfile::Range> pieces = piecesOf(part);
+  if (pieces.empty() || pieces.back().size() < 2) return sectionOf(part, tolerance);
+  return sectionBetween(part, pieces.back().first, pieces.back().last, tolerance);
 }
 
 Result<TargetProfile> sectionOf(const ProfileCurve& curve, double tolerance) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/workpiece/ManualLatheTool.h"
 
-#include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/target/TargetPlace.h"
 #include "tools/workpiece/AxisPlane.h"
 #include "tools/workpiece/LatheChips.h"
@@ -272,6 +271,7 @@ ToolPreview ManualLatheTool::preview() const {
   const auto now = moment();
   auto shown = std::make_shared<DisplayModel>(displayOf(now->surface, base()));
   showFinish(*shown, now->profile, now->finish);
+  m_parted = showPartedOff(*shown, now->profile, std::move(m_parted));
   const std::vector<DisplayPart> lathe = m_display->parts(now->machine.turns, now->tip, now->tool.get(), now->quillTip);
   shown->parts.insert(shown->parts.end(), lathe.begin(), lathe.end());
   preview.replaced = std::move(shown);

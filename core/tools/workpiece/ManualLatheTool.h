@@ -4,6 +4,7 @@
 
 #include "document/workpiece/LatheDisplay.h"
 #include "document/workpiece/LatheSetupEdit.h"
+#include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "machining/TurningFidelity.h"
@@ -152,6 +153,7 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   Vec3 m_grab = Vec3::Zero();  // from the mouse to the tip, in its drag
   std::shared_ptr<const LatheDisplay> m_display;
   std::shared_ptr<const LatheSetup> m_displayed;  // the setup that m_display is of
+  mutable PartedBlock m_parted;                   // in the part that the preview shows
   SimulatedGesture m_gesture;
 };
 

@@ -3,7 +3,6 @@
 #include "tools/workpiece/TurnTool.h"
 
 #include "document/workpiece/LatheSetupEdit.h"
-#include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/target/TargetPlace.h"
 #include "tools/ToolProperty.h"
 #include "tools/workpiece/AxisPlane.h"
@@ -212,6 +211,7 @@ ToolPreview TurnTool::preview() const {
     m_shownState = now;
     DisplayModel model = displayOf(now->surface, base());
     if (now->isCut || m_document.workpiece().part) showFinish(model, now->profile, now->finish);
+    m_parted = showPartedOff(model, now->profile, std::move(m_parted));
     m_shown = std::make_shared<const DisplayModel>(std::move(model));
   }
   preview.label = label();

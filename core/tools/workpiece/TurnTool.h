@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "simulation/SimulatedGesture.h"
@@ -75,6 +76,7 @@ class TurnTool : public Tool {
   std::optional<Vec3> m_place;                               // of the tool's centre, where it is shown
   mutable std::shared_ptr<const TurningState> m_shownState;  // of which the preview shows the part
   mutable std::shared_ptr<const DisplayModel> m_shown;
+  mutable PartedBlock m_parted;  // in it
 };
 
 }  // namespace handwheel

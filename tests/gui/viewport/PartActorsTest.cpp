@@ -87,6 +87,25 @@ class PartActorsTest : public QObject {
     actors.set({});
   }
 
+  // What belongs no longer to the others, and comes later, too.
+  void aGroupIsFaint() {
+    PartActors actors(*m_props);
+    actors.setFaintGroup("off");
+    DisplayPart off = partAt("b", Vec3(9, 0, 0));
+    off.group = "off";
+    actors.set({partAt("a", Vec3(0, 0, 0)), off});
+    makeAll(actors);
+    std::vector<double> opacities;
+    for (vtkActor* actor : shown()) opacities.push_back(actor->GetProperty()->GetOpacity());
+    std::sort(opacities.begin(), opacities.end());
+    QCOMPARE(opacities.size(), std::size_t{2});
+    QVERIFY(opacities[0] < 1.0 && opacities[0] > 0.0);
+    QCOMPARE(opacities[1], 1.0);
+    actors.setFaintGroup({});
+    for (vtkActor* actor : shown()) QCOMPARE(actor->GetProperty()->GetOpacity(), 1.0);
+    actors.set({});
+  }
+
   void nothingIsShownBeforeTheShapeIsMade() {
     PartActors actors(*m_props);
     actors.set({partAt("a", {0, 0, 0}), partAt("b", {5, 0, 0})});

@@ -211,7 +211,8 @@ void PartActors::style(const Part& part) const {
   const bool isSelected = m_selected.contains(name);
   if (isSelected) colour = mixed(colour, m_style.colours.accent, kSelectedTint);
   if (isHighlighted(part)) colour = mixed(colour, m_style.colours.accent, kTint);
-  const double opacity = m_faded.contains(name) || (m_isCovered && !isSelected) ? kFadedOpacity : m_opacity;
+  const bool isFaded = m_faded.contains(name) || part.isIn(m_faintGroup) || (m_isCovered && !isSelected);
+  const double opacity = isFaded ? kFadedOpacity : m_opacity;
   SurfaceStyle style = m_style;
   if (!part.description.isSectioned) style.clip = nullptr;
   SurfaceMaterial material{colour, part.description.smooth, opacity, part.description.gloss};
@@ -279,6 +280,11 @@ bool PartActors::setFaded(const std::vector<DisplayPart>& proposed) {
   m_faded = std::move(names);
   for (const Part& part : m_parts) style(part);
   return true;
+}
+
+void PartActors::setFaintGroup(const std::string& group) {
+  m_faintGroup = group;
+  for (const Part& part : m_parts) style(part);
 }
 
 }  // namespace handwheel

@@ -51,6 +51,9 @@ class PartActors {
   // z-fighting. Returns false when they are the same as before.
   bool setFaded(const std::vector<DisplayPart>& proposed);
 
+  // Draws the parts of this group translucently, as what is no longer of the others; empty: none.
+  void setFaintGroup(const std::string& group);
+
   bool isEmpty() const { return m_parts.empty(); }
   // Whether some part has been uploaded, in its present or a former shape.
   bool isAnyShown() const;
@@ -111,6 +114,7 @@ class PartActors {
   SurfaceStyle m_style;
   Vec3 m_origin = Vec3::Zero();
   std::set<std::string> m_faded;
+  std::string m_faintGroup;
   std::string m_highlighted;       // a name
   std::string m_highlightedGroup;  // of that part
   std::set<std::string> m_selected;

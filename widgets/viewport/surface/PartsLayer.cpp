@@ -62,6 +62,11 @@ void PartsLayer::setFaded(const std::vector<DisplayPart>& proposed) {
   if (d->actors.setFaded(proposed)) report(LayerChange::Look);
 }
 
+void PartsLayer::setFaintGroup(const std::string& group) {
+  d->actors.setFaintGroup(group);
+  report(LayerChange::Look);
+}
+
 void PartsLayer::setSelected(const std::set<std::string>& names, bool isCovered) {
   if (d->actors.setSelected(names, isCovered)) report(LayerChange::Look);
 }

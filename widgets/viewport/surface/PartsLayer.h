@@ -24,6 +24,8 @@ class PartsLayer : public ViewLayer {
   void setPartsAtOnce(const std::vector<DisplayPart>& parts);
   // Draws the parts with the names of these, which a tool proposes, translucently.
   void setFaded(const std::vector<DisplayPart>& proposed);
+  // Draws the parts of this group translucently, from now on; empty: none.
+  void setFaintGroup(const std::string& group);
   // Marks the parts of these names by their colour. isCovered: all others are drawn translucently, so that they are
   // seen.
   void setSelected(const std::set<std::string>& names, bool isCovered);

@@ -285,8 +285,11 @@ void ProgramSession::showPart() {
   job.work = [this, trial = m_trial, position = m_position, chord = m_start.chord,
               base = m_start.stock.position](Progress progress) -> Job::Finish {
     const std::optional<TurnedProfile> profile = trial->profileAt(position, progress);
-    std::shared_ptr<const DisplayModel> model;
-    if (profile) model = std::make_shared<const DisplayModel>(displayOf(TurnedSurface(*profile, chord), base));
+    std::shared_ptr<DisplayModel> model;
+    if (profile) {
+      model = std::make_shared<DisplayModel>(displayOf(TurnedSurface(*profile, chord), base));
+      showPartedOff(*model, *profile);
+    }
     return [this, trial, position, model] {
       m_isShowing = false;
       if (trial == m_trial) {

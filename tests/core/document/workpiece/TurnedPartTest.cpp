@@ -4,6 +4,7 @@
 #include "TurnedParts.h"
 #include "document/container/Blobs.h"
 #include "document/formats/MeshFormat.h"
+#include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceKind.h"
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -280,6 +282,61 @@ class TurnedPartTest : public QObject {
     QVERIFY(std::abs(kept - M_PI * r * r * 49.0) < M_PI * r * r * 0.21);
     QVERIFY(!endPieceOf(TurnedProfile(workpiece.stock, 0.1)));
     QVERIFY(!endPieceOf(TurnedProfile::fromRadii({0.0, 0.0, 0.0}, 4.0)));
+  }
+
+  // What has come off is shown by itself: a gap of 2 mm in the middle of a bar of 100 mm. Seen again, the block of the
+  // gap is the same; each triangle is on one side.
+  void thePartedPieceIsShownByItself() {
+    WorkpieceSnapshot workpiece;
+    TurningPass pass;
+    pass.path = {{0.0, 50.0}};
+    pass.times = {0.0};
+    workpiece.part = withPass(workpiece, pass, 0.1);
+    const auto zOf = [](const TriangleSoup& soup) {
+      std::pair<double, double> range{1e9, -1e9};
+      for (const Triangle& t : soup.triangles)
+        for (const std::uint32_t corner : t)
+          range = {std::min(range.first, soup.points[corner].z()), std::max(range.second, soup.points[corner].z())};
+      return range;
+    };
+    const DisplayModel model = m_kind.display(workpiece);
+    std::size_t held = 0, parted = 0, whole = 0;
+    std::set<std::string> names;
+    for (const DisplayPart& part : model.parts) {
+      const bool isParted = part.group == kPartedGroup;
+      (isParted ? parted : held) += part.soup->triangles.size();
+      const auto [lowest, highest] = zOf(*part.soup);
+      QVERIFY(isParted ? lowest > 50.5 : highest < 49.5);
+      names.insert(part.name);
+    }
+    for (const auto& block : workpiece.part->surface.blocks()) whole += block->triangles.size();
+    QVERIFY(held > 0 && parted > 0);
+    QCOMPARE(held + parted, whole);
+    QCOMPARE(names.size(), model.parts.size());
+
+    DisplayModel first = displayOf(workpiece.part->surface, 0.0), second = first;
+    const PartedBlock cut = showPartedOff(first, workpiece.part->profile);
+    QVERIFY(cut.whole && cut.held && cut.parted);
+    QCOMPARE(showPartedOff(second, workpiece.part->profile, cut).parted, cut.parted);
+    DisplayModel bar = displayOf(TurnedSurface(TurnedProfile(workpiece.stock, 0.1), 0.05), 0.0);
+    showPartedOff(bar, TurnedProfile(workpiece.stock, 0.1));
+    for (const DisplayPart& part : bar.parts) QCOMPARE(part.group, std::string(kStockGroup));
+  }
+
+  // Two pieces parted off one after the other: the volumes of the pieces are those of their lengths.
+  void piecesAreToldApart() {
+    TurnedProfile part(StockCylinder{40.0, 100.0, 0.0}, 0.1);
+    for (const double z : {70.0, 30.0}) part.cut({0.0, z}, {0.0, z}, 1.0);
+    const std::vector<TurnedProfile::Range> pieces = piecesOf(part);
+    QCOMPARE(pieces.size(), std::size_t{3});
+    const double lengths[] = {29.0, 38.0, 29.0};
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const EndPiece piece = pieceAlone(part, pieces[i]);
+      QVERIFY(std::abs(piece.length() - lengths[i]) < 0.21);
+      QVERIFY(std::abs(piece.profile.volume() - M_PI * 400.0 * lengths[i]) < M_PI * 400.0 * 0.21);
+      QCOMPARE(piecesOf(piece.profile).size(), std::size_t{1});
+    }
+    QVERIFY(endPieceOf(part)->profile == pieceAlone(part, pieces.back()).profile);
   }
 
   // A copy of a document shares the blocks of triangles that a pass did not touch.
