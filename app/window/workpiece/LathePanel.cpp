@@ -301,7 +301,7 @@ void LathePanel::show(const ManualLatheTool& tool) {
   m_latest->setPalette(colours);
 }
 
-void LathePanel::begin(const ManualLatheTool& tool) {
+void LathePanel::begin(const ManualLatheTool& tool, const std::optional<LatheWheels::Rings>& rings) {
   const auto now = tool.moment();
   const LatheState& machine = now->machine;
   const QSignalBlocker noCommand(m_isConstant);
@@ -312,7 +312,7 @@ void LathePanel::begin(const ManualLatheTool& tool) {
   if (machine.feed != 0.0) m_feed->setValue(std::abs(machine.feed));
   if (machine.lead != 0.0) m_lead->setValue(std::abs(machine.lead));
   m_isLeft->setChecked(machine.lead > 0.0);
-  m_wheels->setZero(tool);
+  m_wheels->setRings(tool, rings);
   show(tool);
 }
 

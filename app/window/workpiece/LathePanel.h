@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tools/workpiece/ManualLatheTool.h"
+#include "window/workpiece/LatheWheels.h"
 
 #include <QWidget>
 
@@ -15,7 +16,6 @@ namespace handwheel {
 
 class LatheEvents;
 class LatheReadout;
-class LatheWheels;
 class NumberField;
 class ToolPostRow;
 
@@ -28,8 +28,9 @@ class LathePanel : public QWidget {
  public:
   explicit LathePanel(QWidget* parent = nullptr);
 
-  // A tool has begun: the rings of the dials are set to zero.
-  void begin(const ManualLatheTool& tool);
+  // A tool has begun: the rings of the dials are set to these, none: to zero.
+  void begin(const ManualLatheTool& tool, const std::optional<LatheWheels::Rings>& rings);
+  LatheWheels::Rings rings() const { return m_wheels->rings(); }
   // To be called some times a second while the lathe runs.
   void show(const ManualLatheTool& tool);
 

@@ -14,6 +14,8 @@
 #include "viewport/Viewport.h"
 #include "viewport/path/PathLayer.h"
 #include "window/WindowServices.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/haptics/SpaceMouseNavigation.h"
@@ -59,11 +61,12 @@ LatheView::~LatheView() {
 std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document, double forceLimit) {
   const SimulationServices services{m_window.servoClock, m_window.services.simulation()};
   const FidelityValues& values = m_window.fidelity.values();
-  std::shared_ptr<std::optional<ManualLatheTool::Left>>& left = m_left[&document];
+  std::shared_ptr<std::optional<ManualLatheTool::Left>>& left = m_left[&document].machine;
   if (!left) {
     left = std::make_shared<std::optional<ManualLatheTool::Left>>();
     connect(&document, &QObject::destroyed, this, [this](QObject* gone) { m_left.erase(gone); });
   }
+  m_document = &document;
   const ManualLatheTool::Start start{values.of(turnSpacingSetting()),
                                      static_cast<ForceLaw>(static_cast<int>(values.of(forceModelSetting()))),
                                      values.of(turnStepSetting()), forceLimit, left};
@@ -189,11 +192,15 @@ void LatheView::follow() {
     QTimer::singleShot(0, this, [this] {
       const ManualLatheTool* const lathe = tool();
       if (!lathe) return;
-      if (m_panel) m_panel->begin(*lathe);
+      if (m_panel) m_panel->begin(*lathe, lathe->isWhereLeft() ? m_left[m_document].rings : std::nullopt);
+      m_ringsOf = m_document;
       face(*lathe);
     });
   }
-  if (!isRunning) m_refresh.stop();
+  if (!isRunning) {
+    if (isOther) leave();
+    m_refresh.stop();
+  }
   showZero();
   if (std::exchange(m_isPushed, isRunning) != isRunning)
     m_window.spaceMouse.setTaker(isRunning ? [this](const Vec3& way) { push(way); } : SpaceMouseNavigation::Taker());
@@ -201,6 +208,25 @@ void LatheView::follow() {
   if (isTurning && !m_sounding.isActive()) m_sounding.start();
   if (!isTurning) m_sounding.stop();
   feel();
+}
+
+// A spindle that stops since another document is shown is a surprise. Said once that one is there, which shows it, too.
+void LatheView::leave() {
+  const auto left = m_left.find(m_document);
+  if (left == m_left.end()) return;
+  if (m_panel && m_ringsOf == m_document) left->second.rings = m_panel->rings();
+  const auto say = [this, document = m_document] {
+    const auto its = m_left.find(document);
+    if (its == m_left.end() || !its->second.machine->has_value() || !(*its->second.machine)->wasTurning) return;
+    const DocumentTab* const current = m_window.tabs.current();
+    if (current && &current->document == document) return;
+    Message stopped{Message::Weight::Info, tr("The spindle was stopped"),
+                    tr("The lathe of %1 stands still while another document is shown.").arg(document->name()),
+                    tr("Its slides stay where they are, and its handwheels count on.")};
+    stopped.about = document;
+    emit message(stopped);
+  };
+  QTimer::singleShot(0, this, say);
 }
 
 // Only while something moves: the sound fades out by itself.

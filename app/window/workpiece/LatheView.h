@@ -5,6 +5,7 @@
 #include "machining/lathe/LatheMaterial.h"
 #include "tools/workpiece/ManualLatheTool.h"
 #include "window/kinds/KindUi.h"
+#include "window/workpiece/LatheWheels.h"
 #include "window/workpiece/TurningSound.h"
 
 #include <QPointer>
@@ -54,6 +55,7 @@ class LatheView : public QObject {
   void touchOff(bool isX, double value, bool isConfirmed);
   void showZero();
   void sayUndone(const ManualLatheTool& lathe);
+  void leave();
 
   WindowContext m_window;
   QPointer<QDockWidget> m_dock;
@@ -63,12 +65,19 @@ class LatheView : public QObject {
   TurningSound m_turning;
   std::shared_ptr<PathLayer> m_zeroLayer;
   std::pair<double, double> m_zero;  // mm: z of the zero that is drawn, and its size; 0: none is
-  std::map<const QObject*, std::shared_ptr<std::optional<ManualLatheTool::Left>>> m_left;  // of each document
-  int m_returns = 0;                     // of the tool, as they were told last
-  std::pair<bool, bool> m_was;           // live, and with a pass under way
-  bool m_isPushed = false;               // a space mouse moves the slides
-  int m_quiet = 0;                       // timeouts of m_sounding since the lathe was live
-  std::shared_ptr<LatheChannel> m_felt;  // null: nothing of a lathe is felt
+  // How the lathe of a document was left.
+  struct Left {
+    std::shared_ptr<std::optional<ManualLatheTool::Left>> machine;
+    std::optional<LatheWheels::Rings> rings;
+  };
+  std::map<const QObject*, Left> m_left;          // of each document
+  const WorkpieceDocument* m_document = nullptr;  // of the lathe that was made last
+  const WorkpieceDocument* m_ringsOf = nullptr;   // whose rings the panel has
+  int m_returns = 0;                              // of the tool, as they were told last
+  std::pair<bool, bool> m_was;                    // live, and with a pass under way
+  bool m_isPushed = false;                        // a space mouse moves the slides
+  int m_quiet = 0;                                // timeouts of m_sounding since the lathe was live
+  std::shared_ptr<LatheChannel> m_felt;           // null: nothing of a lathe is felt
   std::shared_ptr<const LatheMaterial> m_feltMaterial;
 };
 

@@ -79,9 +79,16 @@ void LatheWheels::show(const ManualLatheTool& tool) {
   m_captions[kQuill]->setVisible(setup.tailstock.isUsed());
 }
 
-void LatheWheels::setZero(const ManualLatheTool& tool) {
+LatheWheels::Rings LatheWheels::rings() const {
+  Rings rings{};
+  for (std::size_t i = 0; i < kLatheAxes; ++i) rings[i] = m_dials[i]->zero() / m_scales[i];
+  return rings;
+}
+
+void LatheWheels::setRings(const ManualLatheTool& tool, const std::optional<Rings>& rings) {
   show(tool);
-  for (std::size_t i = 0; i < kLatheAxes; ++i) m_dials[i]->setZero(m_scales[i] * m_turned[i]);
+  const Rings set = rings.value_or(m_turned);
+  for (std::size_t i = 0; i < kLatheAxes; ++i) m_dials[i]->setZero(m_scales[i] * set[i]);
 }
 
 }  // namespace handwheel

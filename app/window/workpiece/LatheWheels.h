@@ -6,6 +6,7 @@
 
 #include <QWidget>
 #include <array>
+#include <optional>
 
 class QLabel;
 
@@ -22,8 +23,11 @@ class LatheWheels : public QWidget {
   explicit LatheWheels(QWidget* parent = nullptr);
 
   void show(const ManualLatheTool& tool);
-  // Sets all dials to zero where the slides are, without a signal.
-  void setZero(const ManualLatheTool& tool);
+  // Where the rings of the dials stand: at which travel of its slide each shows zero, mm.
+  using Rings = std::array<double, kLatheAxes>;
+  Rings rings() const;
+  // Sets the rings, without a signal; none: to zero where the slides are.
+  void setRings(const ManualLatheTool& tool, const std::optional<Rings>& rings);
 
  signals:
   void turned(handwheel::LatheAxis axis, double mm);  // on by this way of its slide

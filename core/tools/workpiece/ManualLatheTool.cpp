@@ -54,13 +54,15 @@ ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationSe
       m_material(materialCalled(m_materialName, m_law, m_tools)),
       m_part(document.workpiece().part),
       m_machine(whereLeft()),
+      m_isWhereLeft(m_machine.has_value()),
       m_gesture(services, m_channel->inputs, 1e3 / start.step, [this] { return simulation(); }) {
   showLathe(setup());
   m_places.note(m_part, moment()->machine);
 }
 
 ManualLatheTool::~ManualLatheTool() {
-  if (m_left) *m_left = Left{*m_displayed, atRest(moment()->machine)};
+  const LatheState machine = moment()->machine;
+  if (m_left) *m_left = Left{*m_displayed, atRest(machine), machine.direction != 0};
 }
 
 // Unless it is another lathe by now, or there is material in the way.

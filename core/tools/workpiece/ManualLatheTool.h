@@ -29,7 +29,8 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   // A lathe that was left, for when it is used again.
   struct Left {
     LatheSetup setup;
-    LatheState state;
+    LatheState state;         // with all levers off
+    bool wasTurning = false;  // its spindle, until then
   };
 
   // What it begins with, by the settings turn.spacing, turn.force_model and turn.step.
@@ -53,6 +54,9 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   // What the part is made of; never null, and another one when the document says another material.
   const std::shared_ptr<const LatheMaterial>& material() const { return m_material; }
   LatheSetup setup() const { return latheOf(m_document.workpiece()); }
+
+  // Whether it began where the lathe was left: all slides and wheels are as they were.
+  bool isWhereLeft() const { return m_isWhereLeft; }
 
   // The lathe now; never null.
   std::shared_ptr<const LatheMoment> moment() const;
@@ -141,7 +145,8 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   std::shared_ptr<LatheChannel> m_channel = std::make_shared<LatheChannel>();
   std::shared_ptr<const TurnedPart> m_part;  // of the document; null: nothing was cut yet
   LathePlaces m_places;
-  std::optional<LatheState> m_machine;       // with which the next simulation begins; none: at the beginning
+  std::optional<LatheState> m_machine;  // with which the next simulation begins; none: at the beginning
+  bool m_isWhereLeft;
   std::vector<LatheCollision> m_collisions;  // of simulations before
   std::vector<LatheWarning> m_warnings;      // likewise
   std::size_t m_recorded = 0;                // crashes of this simulation that the document has
