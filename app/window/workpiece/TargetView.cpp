@@ -19,6 +19,7 @@
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
 #include "window/kinds/TargetPlaceView.h"
+#include "window/tools/ToolHost.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -107,12 +108,15 @@ TargetView::TargetView(const WindowContext& parts, QObject* parent)
       m_roughness(tr("Rou&ghness in colours"), this),
       m_panel(new TargetPanel(actions(), parts.window)),
       m_measuring(JobRunner::Policy::Latest, parts.pool),
-      m_layer(std::make_shared<PathLayer>()) {
+      m_layer(std::make_shared<PathLayer>()),
+      m_legend(std::make_shared<LegendLayer>()) {
   m_outline.setObjectName(QStringLiteral("targetOutline"));
   m_outline.setCheckable(true);
   m_outline.setChecked(true);
   setActionToolTip(m_outline, tr("Show the outline of the target over the part"));
   parts.viewport.addLayer(m_layer);
+  parts.viewport.addLayer(m_legend);
+  connect(&parts.tools, &ToolHost::updated, this, &TargetView::showLegend);
   connect(&m_outline, &QAction::toggled, this, &TargetView::showOutline);
   m_import.setObjectName(QStringLiteral("importTarget"));
   m_turn.setObjectName(QStringLiteral("turnWorkpieceTarget"));
@@ -136,11 +140,13 @@ TargetView::TargetView(const WindowContext& parts, QObject* parent)
 
 TargetView::~TargetView() {
   m_parts.viewport.removeLayer(*m_layer);
+  m_parts.viewport.removeLayer(*m_legend);
 }
 
 void TargetView::setVisible(bool isVisible) {
   m_isVisible = isVisible;
   showOutline();
+  showLegend();
 }
 
 void TargetView::showOutline() {
@@ -149,6 +155,16 @@ void TargetView::showOutline() {
   const auto target = !isShown ? nullptr : m_proposed ? m_proposed : owner->workpiece().target;
   if (std::exchange(m_outlined, target) == target) return;
   m_layer->setLines(target ? outlineOf(target->profile) : nullptr);
+}
+
+// As that of a mesh: what the colours mean in the view, where the panel may be out of sight. A tool that cuts shows the
+// part in its own.
+void TargetView::showLegend() {
+  const Tool* const tool = m_parts.tools.runner().tool();
+  const bool isCutting = tool && (tool->id() == "lathe" || tool->id() == "turn");
+  const bool isShown =
+      workpiece() && workpiece()->workpiece().target && m_isVisible && m_colours.isChecked() && !isCutting;
+  m_legend->setScale(isShown ? std::optional(ColourScale{m_range}) : std::nullopt);
 }
 
 // One of the two is shown at a time.
@@ -179,6 +195,7 @@ void TargetView::refresh() {
   m_outline.setEnabled(hasTarget);
   m_colours.setEnabled(hasTarget);
   showOutline();
+  showLegend();
   if (!owner) return;
   Job job;
   job.name = tr("Measuring");

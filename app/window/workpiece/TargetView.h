@@ -6,6 +6,7 @@
 
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/target/TargetImport.h"
+#include "viewport/overlay/LegendLayer.h"
 #include "viewport/path/PathLayer.h"
 #include "window/JobRunner.h"
 #include "window/kinds/KindUi.h"
@@ -53,6 +54,7 @@ class TargetView : public QObject {
   void measured(const PartMeasurement& measurement);
   void choose(const QAction& shown, QAction& other);
   void showOutline();
+  void showLegend();
 
   WindowContext m_parts;
   QAction m_import, m_turn, m_remove, m_outline, m_colours, m_roughness;
@@ -60,6 +62,7 @@ class TargetView : public QObject {
   DocumentTab* m_document = nullptr;
   JobRunner m_measuring;
   std::shared_ptr<PathLayer> m_layer;
+  std::shared_ptr<LegendLayer> m_legend;
   std::shared_ptr<const WorkpieceTarget> m_outlined;  // in the layer
   std::shared_ptr<const WorkpieceTarget> m_proposed;  // in the outline, while it is asked for its place; null: none is
   bool m_isVisible = true;

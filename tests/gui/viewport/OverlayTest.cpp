@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ShapeModels.h"
 #include "TestClass.h"
+#include "viewport/overlay/Legend.h"
+#include "viewport/overlay/LegendLayer.h"
 #include "viewport/overlay/Overlay.h"
 #include "viewport/overlay/StrokeText.h"
 
 #include <rapidcheck.h>
 #include <QtTest>
+#include <functional>
 
 using namespace handwheel;
 
@@ -65,6 +68,34 @@ class OverlayTest : public QObject {
     const ScaleBar bar = scaleBar(unitsPerPixel, 160, static_cast<LengthUnit>(unit));
     QTEST(bar.pixels, "pixels");
     QTEST(bar.label(), "label");
+  }
+
+  // The legend of what another layer has coloured is the one of coloured meshes; without a scale there is none.
+  void aLayerWithALegendAlone() {
+    const auto picture = [](const std::function<void(QPainter&, const QSizeF&)>& paint) {
+      QImage image(400, 500, QImage::Format_RGB888);
+      image.fill(Qt::white);
+      QPainter painter(&image);
+      paint(painter, image.size());
+      return image;
+    };
+    const SceneColours colours = sceneColours(false);
+    LegendLayer layer;
+    const auto ofLayer = [&] {
+      return picture([&](QPainter& painter, const QSizeF& size) {
+        layer.paintOver(painter, size, LengthUnit::Millimetre, colours);
+      });
+    };
+    const QImage blank = picture([](QPainter&, const QSizeF&) {});
+    QVERIFY(ofLayer() == blank);
+    layer.setScale(ColourScale{0.1});
+    const QImage legend = picture([&](QPainter& painter, const QSizeF& size) {
+      paintLegend(painter, size, ColourScale{0.1}, LengthUnit::Millimetre, colours);
+    });
+    QVERIFY(legend != blank && ofLayer() == legend);
+    QVERIFY(layer.bounds().isEmpty());
+    layer.setScale(std::nullopt);
+    QVERIFY(ofLayer() == blank);
   }
 
   void scaleBarsFillTheirRoom() {
