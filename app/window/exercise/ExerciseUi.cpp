@@ -152,8 +152,8 @@ void ExerciseUi::refresh() {
   m_openSolution->setEnabled(!isStudent && exercise.solution);
   m_import->setEnabled(!isStudent);
   m_target->setEnabled(!isStudent && hasWork);
-  m_turn->setEnabled(!isStudent && exercise.subject->endsNote(*exercise.task));
-  m_round->setEnabled(!isStudent);
+  const bool hasTarget = exercise.subject->endsNote(*exercise.task).has_value();
+  for (QAction* const change : {m_turn, m_round}) change->setEnabled(!isStudent && hasTarget);
   emit stateChanged();
 }
 

@@ -184,8 +184,11 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
     made.translated = false;
     return made;
   };
-  addNumber("nominal", QT_TRANSLATE_NOOP("Property", "Nominal size"), limitText(c.nominal, unit)).isNumbers = true;
-  add("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance on the drawing"), c.tolerance).isNumbers = true;
+  // What is measured nowhere on a drawing, as time and collisions, has no size there.
+  if (!type || !type->arguments.empty() || c.nominal || !c.tolerance.empty()) {
+    addNumber("nominal", QT_TRANSLATE_NOOP("Property", "Nominal size"), limitText(c.nominal, unit)).isNumbers = true;
+    add("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance on the drawing"), c.tolerance).isNumbers = true;
+  }
   addNumber("lower", QT_TRANSLATE_NOOP("Property", "Lower limit"), limitText(c.lower, unit)).isNumbers = true;
   addNumber("upper", QT_TRANSLATE_NOOP("Property", "Upper limit"), limitText(c.upper, unit)).isNumbers = true;
   if (exercise.isForStudents) return all;

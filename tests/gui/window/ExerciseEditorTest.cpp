@@ -33,6 +33,7 @@ class ExerciseEditorTest : public QObject {
     WindowDriver driver;
     driver.choose("newExercise");
     QVERIFY(driver.settle());
+    QVERIFY(!driver.find<QAction>("roundTargetAction")->isEnabled());  // there is none yet
     driver.find<QTabWidget>("exerciseEditor")->setCurrentIndex(1);
     QMenu* menu = driver.find<QToolButton>("criteria/add")->menu();
     emit menu->aboutToShow();

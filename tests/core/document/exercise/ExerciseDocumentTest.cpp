@@ -105,6 +105,19 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(changed > 60);
   }
 
+  // Time and collisions are on no drawing: they have no nominal size.
+  void sizesOfADrawingAlone() {
+    const auto document = shoulderDocument();
+    for (const char* each : {"d", "l", "ra"})
+      QVERIFY2(document->property(std::string("criterion.") + each + ".nominal").has_value(), each);
+    for (const char* each : {"crash", "force", "time"}) {
+      const std::string criterion = std::string("criterion.") + each;
+      QVERIFY2(!document->property(criterion + ".nominal") && !document->property(criterion + ".tolerance"), each);
+      QVERIFY2(document->property(criterion + ".upper").has_value(), each);
+    }
+    QVERIFY(!document->setProperty("criterion.time.nominal", std::string("5")));
+  }
+
   void whatIsRefused() {
     const auto document = shoulderDocument();
     const auto refuses = [&](const char* id, const PropertyValue& value) { return !document->setProperty(id, value); };
