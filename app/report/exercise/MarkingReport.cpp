@@ -9,6 +9,7 @@
 #include "report/exercise/MarkingWords.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
@@ -72,21 +73,31 @@ bool isSameRecording(const std::vector<RecordedPiece>& a, const std::vector<Reco
   return !a.empty() && std::ranges::equal(a, b, {}, &RecordedPiece::fingerprint, &RecordedPiece::fingerprint);
 }
 
-// The share of what was moved by hand that another recording has, too, by time; each of its pieces counts once.
-double sharedByHand(const std::vector<RecordedPiece>& mine, const std::vector<RecordedPiece>& others) {
-  std::unordered_map<std::uint64_t, std::size_t> left;
-  for (const RecordedPiece& piece : others)
-    if (piece.isByHand) ++left[piece.fingerprint];
-  double all = 0.0, shared = 0.0;
-  for (const RecordedPiece& piece : mine) {
+// How often each work of a class has each piece that was moved by hand.
+using HandPieces = std::unordered_map<std::uint64_t, std::map<std::size_t, std::size_t>>;
+
+HandPieces handPiecesOf(const std::vector<ReportedWork>& works) {
+  HandPieces pieces;
+  for (std::size_t i = 0; i < works.size(); ++i)
+    for (const RecordedPiece& piece : works[i].details.pieces)
+      if (piece.isByHand) ++pieces[piece.fingerprint][i];
+  return pieces;
+}
+
+// The shares of what was moved by hand in a work that the others have, too, by time; each of their pieces counts once.
+std::vector<double> sharedByHand(const std::vector<ReportedWork>& works, std::size_t work, const HandPieces& pieces) {
+  std::vector<double> shares(works.size(), 0.0);
+  std::unordered_map<std::uint64_t, std::size_t> seen;
+  double all = 0.0;
+  for (const RecordedPiece& piece : works[work].details.pieces) {
     if (!piece.isByHand) continue;
     all += piece.seconds;
-    const auto found = left.find(piece.fingerprint);
-    if (found == left.end() || found->second == 0) continue;
-    --found->second;
-    shared += piece.seconds;
+    const std::size_t before = seen[piece.fingerprint]++;
+    for (const auto& [other, count] : pieces.at(piece.fingerprint))
+      if (before < count) shares[other] += piece.seconds;
   }
-  return all > 0.0 ? shared / all : 0.0;
+  for (double& share : shares) share = all > 0.0 ? share / all : 0.0;
+  return shares;
 }
 
 }  // namespace
@@ -124,18 +135,20 @@ void remarkEqualWorks(std::vector<ReportedWork>& works) {
   const auto nameOf = [](const ClassRow& row) {
     return row.attempt.student.empty() ? row.file : row.attempt.student + " (" + row.file + ")";
   };
-  for (std::size_t i = 0; i < works.size(); ++i)
+  const HandPieces pieces = handPiecesOf(works);
+  for (std::size_t i = 0; i < works.size(); ++i) {
+    const std::vector<double> shares = sharedByHand(works, i, pieces);
     for (std::size_t j = 0; j < works.size(); ++j) {
       if (i == j) continue;
-      const std::vector<RecordedPiece>&mine = works[i].details.pieces, &others = works[j].details.pieces;
       std::vector<std::string>& remarks = works[i].row.remarks;
-      if (works[i].details.seconds > 0.0 && isSameRecording(mine, others)) {
+      if (works[i].details.seconds > 0.0 && isSameRecording(works[i].details.pieces, works[j].details.pieces)) {
         remarks.push_back("The recording is the same as that of " + nameOf(works[j].row) + ".");
-      } else if (const double share = sharedByHand(mine, others); share > kLargerPart) {
-        remarks.push_back(std::to_string(static_cast<int>(100.0 * share)) +
+      } else if (shares[j] > kLargerPart) {
+        remarks.push_back(std::to_string(static_cast<int>(100.0 * shares[j])) +
                           " % of the recording is the same as in that of " + nameOf(works[j].row) + ".");
       }
     }
+  }
 }
 
 ClassReport classReportOf(const ExerciseSnapshot& exercise) {

@@ -21,7 +21,8 @@ ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::pat
                       std::string (*describe)(const Error&), Progress progress);
 
 // Adds a remark to works whose recording, or the larger part of it, is the same as that of another one: nobody moves
-// twice alike. The larger part is of what was moved by hand, by time. O(works² · pieces).
+// twice alike. The larger part is of what was moved by hand, by time. O(works² + pieces), and for each piece
+// the works that have it.
 void remarkEqualWorks(std::vector<ReportedWork>& works);
 
 // The report of what an exercise has of its class. Works that were marked by another scheme say so in a remark.
