@@ -108,7 +108,7 @@ ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::pat
   work.row.file = path.filename().string();
   std::error_code ignored;
   work.path = std::filesystem::absolute(path, ignored).string();
-  work.scheme = schemeMark(scheme.exercise);
+  work.scheme = schemeMark(scheme);
   const Result<OpenedFile> opened = kinds.open(path, {}, progress.part(0.0, 0.3));
   const auto submission = opened ? std::dynamic_pointer_cast<const ExerciseSnapshot>(opened->content) : nullptr;
   const auto marked = [&]() -> Result<ClassRow> {
@@ -154,12 +154,12 @@ void remarkEqualWorks(std::vector<ReportedWork>& works) {
 ClassReport classReportOf(const ExerciseSnapshot& exercise) {
   ClassReport report{inLanguage(exercise), measurementTypes(*exercise.subject), {}};
   if (!exercise.marked) return report;
-  const std::uint64_t scheme = schemeMark(exercise.exercise);
+  const std::uint64_t scheme = schemeMark(exercise);
   for (const auto& work : *exercise.marked) {
     report.works.push_back(*work);
     if (work->scheme != scheme && work->row.problem.empty())
       report.works.back().row.remarks.emplace_back(
-          "The marking scheme was changed after it was marked: mark its file again.");
+          "The exercise was changed after it was marked: mark its file again.");
   }
   remarkEqualWorks(report.works);
   return report;

@@ -84,6 +84,7 @@ class ExerciseUi : public RigidPartsUi {
   // The class that is shown, and what else of the exercise is in its table and report.
   std::shared_ptr<const MarkedClass> m_shownClass;
   std::string m_shownScheme;
+  TaskPointer m_shownTask;
   // What is shown, and what it was made from.
   mutable DisplayModel m_displayed;
   mutable TaskPointer m_displayedTask;

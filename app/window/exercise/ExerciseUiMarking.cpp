@@ -95,8 +95,10 @@ void ExerciseUi::showClass() {
   const Exercise shown = inLanguage(exercise);
   std::string scheme = std::to_string(schemeMark(shown)) + shown.title + '\n' + shown.text;
   for (const MarkingCriterion& c : shown.criteria) scheme += '\n' + c.name;
-  if (exercise.marked == m_shownClass && (!m_shownClass || scheme == m_shownScheme)) return;
+  const bool isSameScheme = scheme == m_shownScheme && exercise.task == m_shownTask;
+  if (exercise.marked == m_shownClass && (!m_shownClass || isSameScheme)) return;
   m_shownClass = exercise.marked;
+  m_shownTask = exercise.task;
   m_shownScheme = std::move(scheme);
   m_editor->classView()->setReport(classReportOf(exercise));
 }

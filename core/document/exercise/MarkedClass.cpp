@@ -6,6 +6,7 @@
 #include "base/JsonFields.h"
 #include "base/JsonText.h"
 #include "document/exercise/ExerciseJson.h"
+#include "document/exercise/ExerciseSnapshot.h"
 
 #include <QByteArray>
 #include <QString>
@@ -178,6 +179,13 @@ std::uint64_t schemeMark(const Exercise& exercise) {
       mark.add(value + 0.0);  // -0 is 0
     mark.add(static_cast<std::uint64_t>(c.isDecisive));
   }
+  return mark.value();
+}
+
+std::uint64_t schemeMark(const ExerciseSnapshot& exercise) {
+  Fingerprint mark;
+  mark.add(schemeMark(exercise.exercise));
+  mark.add(exercise.subject->toJson(*exercise.task).dump(-1, ' ', false, Json::error_handler_t::replace));
   return mark.value();
 }
 

@@ -9,6 +9,8 @@
 
 namespace handwheel {
 
+struct ExerciseSnapshot;
+
 // One student's work that was marked.
 struct ReportedWork {
   ClassRow row;
@@ -23,8 +25,10 @@ using MarkedClass = std::vector<std::shared_ptr<const ReportedWork>>;
 
 inline constexpr std::size_t kMostMarkedWorks = 5000;
 
-// Tells marking schemes apart that may give other marks: not by names of criteria.
+// Tells criteria apart that may give other marks: not by their names.
 std::uint64_t schemeMark(const Exercise& exercise);
+// Tells apart what is marked by: the criteria, and the task, with its target. The size of the task as JSON.
+std::uint64_t schemeMark(const ExerciseSnapshot& exercise);
 
 // The class with more works. A file that was marked before takes the place of its row, by its path.
 MarkedClass withMarked(MarkedClass marked, std::vector<ReportedWork> more);

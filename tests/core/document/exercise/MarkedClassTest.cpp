@@ -37,7 +37,7 @@ ReportedWork markedWork(const char* student, const Json& passes) {
   work.row = *markSubmission(exercise, *submission, std::string(student) + ".handwheel");
   work.details = exercise.subject->details(*exercise.task, *submission->work, {});
   work.path = "/class/" + work.row.file;
-  work.scheme = schemeMark(exercise.exercise);
+  work.scheme = schemeMark(exercise);
   return work;
 }
 
@@ -176,6 +176,15 @@ class MarkedClassTest : public QObject {
     QCOMPARE(schemeMark(exercise), before);
     exercise.criteria[0].arguments[0] += 0.5;
     QVERIFY(schemeMark(exercise) != before);
+    // So may another machine or target.
+    ExerciseSnapshot other = classExercise();
+    const std::uint64_t whole = schemeMark(other);
+    other.exercise.title = "another";
+    QCOMPARE(schemeMark(other), whole);
+    const auto task = other.subject->withProperty(*other.task, "largest_feed", 0.5);
+    QVERIFY(task.hasValue());
+    other.task = *task;
+    QVERIFY(schemeMark(other) != whole);
   }
 };
 
