@@ -27,6 +27,8 @@ ArmPlaces placesOf(const SerialArm& arm, const ArmValues& values) {
 
 constexpr double kLimitSlack = 1e-5;  // rad: so far beyond its limits files may place an axis, as they round poses
 
+enum class Slack { Least, OfRounding };
+
 // Moved by whole turns, within the limits; of those that are wanted the nearest.
 std::optional<double> turnedInto(const ArmJoint& joint, double value, double near,
                                  const std::function<bool(double)>& takes) {
@@ -36,6 +38,27 @@ std::optional<double> turnedInto(const ArmJoint& joint, double value, double nea
     if (!joint.isWithin(moved, kLimitSlack) || !takes(moved)) continue;
     const double within = std::min(std::max(moved, joint.lower), joint.upper);
     if (!nearest || std::abs(within - near) < std::abs(*nearest - near)) nearest = within;
+  }
+  return nearest;
+}
+
+std::optional<ArmValues> nearestOfWay(const WantedWay& wanted, const SerialArm& arm, const ClosedFormIk& closed,
+                                      const Pose& tip, const ArmValues& reference, Slack slack) {
+  IkSolutions solutions;
+  closed.solve(tip, reference, solutions);
+  std::optional<ArmValues> nearest;
+  for (const IkSolutions::Solution& solution : solutions) {
+    ArmValues values = solution.values;
+    bool isWithin = true;
+    for (Eigen::Index i = 0; i < values.size() && isWithin; ++i) {
+      const double off = slack == Slack::Least ? kPoseRounding : jointRounding(solution.values, i);
+      const auto value = turnedInto(arm.joints()[static_cast<std::size_t>(i)], values[i], reference[i],
+                                    [&](double moved) { return wanted.takesJoint(i, moved, off); });
+      isWithin = value.has_value();
+      values[i] = value.value_or(0.0);
+    }
+    if (!isWithin || !wanted.takes(values)) continue;
+    if (!nearest || (values - reference).squaredNorm() < (*nearest - reference).squaredNorm()) nearest = values;
   }
   return nearest;
 }
@@ -53,24 +76,35 @@ ControllerConfiguration controllerConfigurationOf(const SerialArm& arm, const Ar
   return configuration;
 }
 
+bool isWristInLine(const ArmValues& values) {
+  return std::abs(std::sin(values[4])) < 2.0 * kPoseRounding;
+}
+
+double jointRounding(const ArmValues& values, Eigen::Index joint) {
+  const bool isBesideFifth = joint == 3 || joint == 5;
+  return isBesideFifth && !isWristInLine(values) ? kPoseRounding / std::abs(std::sin(values[4])) : kPoseRounding;
+}
+
 std::optional<ArmValues> jointsOfWay(const WantedWay& wanted, const SerialArm& arm, const ClosedFormIk& closed,
-                                     const Pose& tip, const ArmValues& reference) {
-  IkSolutions solutions;
-  closed.solve(tip, reference, solutions);
-  std::optional<ArmValues> nearest;
-  for (const IkSolutions::Solution& solution : solutions) {
-    ArmValues values = solution.values;
-    bool isWithin = true;
-    for (Eigen::Index i = 0; i < values.size() && isWithin; ++i) {
-      const auto value = turnedInto(arm.joints()[static_cast<std::size_t>(i)], values[i], reference[i],
-                                    [&](double moved) { return wanted.takesJoint(i, moved); });
-      isWithin = value.has_value();
-      values[i] = value.value_or(0.0);
+                                     const Pose& tip, std::span<const ArmValues> references) {
+  const auto found = [&](const Pose& pose, Slack slack) -> std::optional<ArmValues> {
+    for (const ArmValues& reference : references) {
+      if (auto values = nearestOfWay(wanted, arm, closed, pose, reference, slack)) return values;
     }
-    if (!isWithin || !wanted.takes(values)) continue;
-    if (!nearest || (values - reference).squaredNorm() < (*nearest - reference).squaredNorm()) nearest = values;
+    return std::nullopt;
+  };
+  if (auto values = found(tip, Slack::Least)) return values;
+  if (auto values = found(tip, Slack::OfRounding)) return values;
+  // Written with the axes in line, and rounded: the turns of the axes 4 and 6 come from the rounding.
+  IkSolutions solutions;
+  closed.solve(tip, references.front(), solutions);
+  for (const IkSolutions::Solution& solution : solutions) {
+    if (!isWristInLine(solution.values)) continue;
+    ArmValues straight = solution.values;
+    straight[4] = M_PI * std::round(straight[4] / M_PI);
+    if (auto values = found(arm.tipPose(straight), Slack::Least)) return values;
   }
-  return nearest;
+  return std::nullopt;
 }
 
 }  // namespace handwheel

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 
 namespace handwheel {
 
@@ -22,15 +23,27 @@ struct ControllerConfiguration {
 // Six hinges.
 ControllerConfiguration controllerConfigurationOf(const SerialArm& arm, const ArmValues& values);
 
+// rad: so far may a place in a file have the tip turned, as files round poses.
+inline constexpr double kPoseRounding = 1e-4;
+
+// Axis 5 is so near 0 that only the sum of the turns of the axes 4 and 6 is given by a pose of a file.
+bool isWristInLine(const ArmValues& values);
+
+// How far a joint may be from where it was when a pose was written to a file; rad. The nearer the axes 4 and 6 are to
+// being in line, the more these. Not where they are in line.
+double jointRounding(const ArmValues& values, Eigen::Index joint);
+
 // What the joint values of a way must be like.
 struct WantedWay {
-  std::function<bool(Eigen::Index, double)> takesJoint;  // the value of a joint, counted with its whole turns; rad
-  std::function<bool(const ArmValues&)> takes;           // all of them together
+  // The value of a joint, counted with its whole turns, and how far it may be off; rad.
+  std::function<bool(Eigen::Index, double, double)> takesJoint;
+  std::function<bool(const ArmValues&)> takes;  // all of them together
 };
 
-// The joint values that are wanted, within the limits, which bring the tip of the arm there; the nearest to the
-// reference where they leave a choice. None: there are none. closed: that of the arm.
+// The joint values that are wanted, within the limits, which bring the tip of the arm there as exactly as files have
+// it; the nearest to the first of the references where they leave a choice. The others are tried after it: where two
+// axes are in line, their share in the turn is from these. None: there are none. closed: that of the arm.
 std::optional<ArmValues> jointsOfWay(const WantedWay& wanted, const SerialArm& arm, const ClosedFormIk& closed,
-                                     const Pose& tip, const ArmValues& reference);
+                                     const Pose& tip, std::span<const ArmValues> references);
 
 }  // namespace handwheel

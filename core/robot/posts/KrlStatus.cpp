@@ -10,21 +10,20 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kNoSign = 1e-4;  // rad: nearer to 0 an axis may be on either side, as files round
-
 std::string bits(unsigned value, unsigned count) {
   std::string text = "'B";
   for (unsigned i = count; i-- > 0;) text += (value >> i & 1u) != 0 ? '1' : '0';
   return text + "'";
 }
 
-bool isOnSide(double value, bool isBelow) {
-  return std::abs(value) < kNoSign || (value < 0.0) == isBelow;
+// off: how far the value may be off; rad.
+bool isOnSide(double value, bool isBelow, double off) {
+  return std::abs(value) < off || (value < 0.0) == isBelow;
 }
 
 bool hasStatus(unsigned wanted, const SerialArm& arm, const ArmValues& values) {
   const unsigned different = wanted ^ *krlStatusOf(arm, values).status;
-  return (different & 3u) == 0 && isOnSide(values[4], (wanted & 4u) != 0);
+  return (different & 3u) == 0 && (((different & 4u) == 0) || isWristInLine(values));
 }
 
 }  // namespace
@@ -44,10 +43,22 @@ KrlStatus krlStatusOf(const SerialArm& arm, const ArmValues& values) {
 
 std::optional<ArmValues> jointsWith(const KrlStatus& wanted, const SerialArm& arm, const ClosedFormIk& closed,
                                     const Pose& tip, const ArmValues& reference) {
+  const auto isBelow = [&](Eigen::Index i) { return (wanted.turn.value_or(0) >> i & 1u) != 0; };
   const WantedWay way{
-      [&](Eigen::Index i, double value) { return !wanted.turn || isOnSide(value, (*wanted.turn >> i & 1u) != 0); },
+      [&](Eigen::Index i, double value, double off) { return !wanted.turn || isOnSide(value, isBelow(i), off); },
       [&](const ArmValues& values) { return !wanted.status || hasStatus(*wanted.status, arm, values); }};
-  return jointsOfWay(way, arm, closed, tip, reference);
+  if (!wanted.turn) return jointsOfWay(way, arm, closed, tip, std::array{reference});
+  // Where two axes are in line, the solution has the first from the reference. It is 0, or half a turn to its side: at
+  // one of these the other is on its own.
+  const auto within = [&](double halfTurns) {
+    ArmValues values = reference;
+    for (const Eigen::Index i : {Eigen::Index{0}, Eigen::Index{3}}) {
+      const double side = isBelow(i) ? -1.0 : 1.0;
+      values[i] = halfTurns < 0.0 ? side * std::max(0.0, side * values[i]) : side * halfTurns * M_PI;
+    }
+    return values;
+  };
+  return jointsOfWay(way, arm, closed, tip, std::array{within(-1.0), within(0.0), within(1.0)});
 }
 
 }  // namespace handwheel

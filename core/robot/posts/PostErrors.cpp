@@ -44,6 +44,13 @@ const ErrorDescription PostError::BaseUnknown{
         "ErrorText",
         "Use the built-in robot, add a link 'base' to the description, or give the motions joint values.")}};
 
+const ErrorDescription PostError::WayDiffers{
+    .id = "PostWayDiffers",
+    .sentences = {translatable(
+        "ErrorText", "along the line the arm does not come to its end with configuration %1, and controllers stop")},
+    .advice = {translatable(
+        "ErrorText", "In a copy of the program, correct the configuration, or write ConfL\\Off before the line.")}};
+
 const ErrorDescription PostError::MotionDiffers{
     .id = "PostMotionDiffers",
     .sentences = {translatable("ErrorText", "the %2 of motion %1 is %4 in the program, and %3 in the path")},

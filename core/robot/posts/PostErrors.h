@@ -14,6 +14,7 @@ extern const ErrorDescription NotFinite;        // {motion}
 extern const ErrorDescription StatementUnread;  // {statement, line} it may change where the robot moves
 extern const ErrorDescription TooFast;          // {motion, mm/s, language, most mm/s}
 extern const ErrorDescription BaseUnknown;      // {robot} of its controller, which the poses of a program are in
-extern const ErrorDescription MotionDiffers;    // {motion, "kind", "speed" or "blend", wanted, read}
+extern const ErrorDescription WayDiffers;     // {configuration} that a line ends in by the program, and not by the arm
+extern const ErrorDescription MotionDiffers;  // {motion, "kind", "speed" or "blend", wanted, read}
 
 }  // namespace handwheel::PostError

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
+#include "robot/posts/RapidConfiguration.h"
 #include "robot/program/RobotProgram.h"
 
 #include <functional>
@@ -32,6 +33,9 @@ struct ReadMotion {
   bool isInControllersBase = false;
   // The tool's centre point that it is of, in the flange; none: the program does not say.
   std::optional<Pose> tool = {};
+  // In which the controller wants the arm at the end of a line to a pose; none: any, or it does not say. Of arms with a
+  // spherical wrist.
+  std::optional<RapidConfiguration> endsIn = {};
 };
 
 // Writes programs in the language of a controller, and reads them back. docs/posts.md tells how to write one.

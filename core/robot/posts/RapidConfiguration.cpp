@@ -13,18 +13,18 @@ namespace {
 
 constexpr double kQuarter = 0.5 * M_PI;
 constexpr std::array<Eigen::Index, 3> kQuarterJoints{0, 3, 5};
-constexpr double kQuarterSlack = 1e-3;  // rad: nearer to the end of a quarter turn an axis may be in either, as files
-                                        // round poses
+constexpr double kQuarterSlack = 1e-3;  // rad: nearer to the end of a quarter turn an axis may be in either
 
-bool isInQuarter(double value, int quarter) {
-  return value >= kQuarter * quarter - kQuarterSlack && value <= kQuarter * (quarter + 1) + kQuarterSlack;
+// off: how far the value may be off; rad.
+bool isInQuarter(double value, int quarter, double off) {
+  const double slack = kQuarterSlack + off;
+  return value >= kQuarter * quarter - slack && value <= kQuarter * (quarter + 1) + slack;
 }
 
 // The sign of axis 5 within the rounding of files.
 bool hasRapidWay(int wanted, const SerialArm& arm, const ArmValues& values) {
   const int different = wanted ^ rapidConfigurationOf(arm, values).way;
-  constexpr double kNoFifthSign = 1e-4;  // rad
-  return different == 0 || (different == 1 && std::abs(values[4]) < kNoFifthSign);
+  return different == 0 || (different == 1 && isWristInLine(values));
 }
 
 }  // namespace
@@ -56,13 +56,32 @@ std::optional<RapidConfiguration> rapidConfigurationFrom(std::span<const double>
   return configuration;
 }
 
+std::optional<ClosedFormIk> rapidClosedForm(const SerialArm& arm) {
+  auto closed = ClosedFormIk::of(arm);
+  if (!closed) return closed;
+  const auto shoulder = closed->configurationOf(arm, ArmValues::Zero(arm.size())).shoulder;
+  const bool isSpherical =
+      shoulder == ArmConfiguration::Shoulder::Front || shoulder == ArmConfiguration::Shoulder::Rear;
+  return isSpherical ? closed : std::nullopt;
+}
+
+bool hasConfiguration(const RapidConfiguration& wanted, const SerialArm& arm, const ArmValues& values) {
+  if (!hasRapidWay(wanted.way, arm, values)) return false;
+  for (std::size_t i = 0; i < kQuarterJoints.size(); ++i) {
+    const Eigen::Index joint = kQuarterJoints[i];
+    if (joint != 0 && isWristInLine(values)) continue;
+    if (!isInQuarter(values[joint], wanted.quarters[i], jointRounding(values, joint))) return false;
+  }
+  return true;
+}
+
 std::optional<ArmValues> jointsWith(const RapidConfiguration& wanted, const SerialArm& arm, const ClosedFormIk& closed,
                                     const Pose& tip, const ArmValues& reference) {
-  const WantedWay way{[&](Eigen::Index i, double value) {
+  const WantedWay way{[&](Eigen::Index i, double value, double off) {
                         const auto at = std::ranges::find(kQuarterJoints, i);
                         return at == kQuarterJoints.end() ||
                                isInQuarter(value,
-                                           wanted.quarters[static_cast<std::size_t>(at - kQuarterJoints.begin())]);
+                                           wanted.quarters[static_cast<std::size_t>(at - kQuarterJoints.begin())], off);
                       },
                       [&](const ArmValues& values) { return hasRapidWay(wanted.way, arm, values); }};
   // Where two axes are in line, any share of their turn may be that of the first, which the solution has from the
@@ -76,10 +95,8 @@ std::optional<ArmValues> jointsWith(const RapidConfiguration& wanted, const Seri
     }
     return values;
   };
-  for (const int end : {0, -1, 1}) {
-    if (auto values = jointsOfWay(way, arm, closed, tip, within(reference, end))) return values;
-  }
-  return std::nullopt;
+  return jointsOfWay(way, arm, closed, tip,
+                     std::array{within(reference, 0), within(reference, -1), within(reference, 1)});
 }
 
 }  // namespace handwheel

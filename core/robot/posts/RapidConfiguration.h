@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "robot/arm/SerialArm.h"
+#include "robot/arm/ClosedFormIk.h"
 
 #include <array>
 #include <optional>
@@ -10,8 +10,6 @@
 #include <string>
 
 namespace handwheel {
-
-class ClosedFormIk;
 
 // The confdata of RAPID. They say in which way a robot with a spherical wrist reaches a pose.
 struct RapidConfiguration {
@@ -26,6 +24,13 @@ struct RapidConfiguration {
 
 // Six hinges.
 RapidConfiguration rapidConfigurationOf(const SerialArm& arm, const ArmValues& values);
+
+// The closed form of an arm whose ways confdata tell apart, which is one with a spherical wrist. None: it is another.
+std::optional<ClosedFormIk> rapidClosedForm(const SerialArm& arm);
+
+// Whether joint values that were computed from a pose of a file are of this configuration, as far as its rounding lets
+// one tell. Where the axes 4 and 6 are in line their quarter turns do not count.
+bool hasConfiguration(const RapidConfiguration& wanted, const SerialArm& arm, const ArmValues& values);
 
 // Of the four numbers of confdata. None: they name no way, as 9E9, which stands for what is not known, and parts of
 // quarter turns.

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robot/arm/ClosedFormIk.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/RapidConfiguration.h"
@@ -16,10 +15,10 @@ namespace handwheel {
 namespace {
 
 // Instructions that neither move the robot nor change where others lead. Those that are in no list are refused.
-constexpr std::array kRapidStill = {"AccSet",   "ConfL",    "SingArea", "GripLoad",  "TPWrite", "TPErase",
-                                    "SetDO",    "SetGO",    "SetAO",    "PulseDO",   "Set",     "Reset",
-                                    "InvertDO", "WaitTime", "WaitDI",   "WaitUntil", "WaitRob", "Stop",
-                                    "ClkReset", "ClkStart", "ClkStop",  "Incr",      "Decr"};
+constexpr std::array kRapidStill = {"AccSet",   "SingArea", "GripLoad",  "TPWrite", "TPErase", "SetDO",
+                                    "SetGO",    "SetAO",    "PulseDO",   "Set",     "Reset",   "InvertDO",
+                                    "WaitTime", "WaitDI",   "WaitUntil", "WaitRob", "Stop",    "ClkReset",
+                                    "ClkStart", "ClkStop",  "Incr",      "Decr"};
 
 // Functions that only compute or look, and operators before brackets. Others may be routines that move the robot.
 constexpr const char* kRapidFunctions[] = {
@@ -29,16 +28,6 @@ constexpr const char* kRapidFunctions[] = {
     "mod",      "not",     "numtodnum", "numtostr", "offs",     "or",       "orientzyx",  "poseinv",  "posemult",
     "posevect", "pow",     "present",   "reltool",  "round",    "sin",      "sqrt",       "strfind",  "strlen",
     "strpart",  "tan",     "testdi",    "trunc",    "valtostr", "vectmagn", "xor"};
-
-// The closed form of an arm whose ways confdata tell apart, which is one with a spherical wrist.
-std::optional<ClosedFormIk> closedFormOfRapid(const SerialArm& arm) {
-  auto closed = ClosedFormIk::of(arm);
-  if (!closed) return closed;
-  const auto shoulder = closed->configurationOf(arm, ArmValues::Zero(arm.size())).shoulder;
-  const bool isSpherical =
-      shoulder == ArmConfiguration::Shoulder::Front || shoulder == ArmConfiguration::Shoulder::Rear;
-  return isSpherical ? closed : std::nullopt;
-}
 
 // mm, of the zone data that every controller has; none: there are no such ones.
 std::optional<double> standardZone(const std::string& name) {
@@ -55,7 +44,7 @@ class RapidReading {
   explicit RapidReading(const RobotProgram& program)
       : m_program(program),
         m_joints(static_cast<std::size_t>(program.arm.size())),
-        m_closed(closedFormOfRapid(program.arm)),
+        m_closed(rapidClosedForm(program.arm)),
         m_reference(ArmValues::Zero(program.arm.size())) {
     m_tools["tool0"] = m_frames["wobj0"] = Pose::Identity();
     if (!program.frameName.empty() && !program.declaresFrame) m_frames[folded(rapidFrameName(program))] = program.frame;
@@ -99,6 +88,10 @@ class RapidReading {
     }
     if (line.takeWord("ConfJ")) {
       m_isWayGiven = !line.take("\\") || !line.takeWord("Off");
+      return Done{};
+    }
+    if (line.takeWord("ConfL")) {
+      m_isLineWayGiven = !line.take("\\") || !line.takeWord("Off");
       return Done{};
     }
     for (const char* const still : kRapidStill) {
@@ -259,7 +252,7 @@ class RapidReading {
       const auto place = placed(*motion.pose, tool, number);
       if (!place) return place.error();
       motion.pose = *place;
-      if (kind == ProgramMotion::Kind::Joint && !takeConfiguration(numbers, motion))
+      if (!takeConfiguration(numbers, motion))
         return line.malformed("target", "the robot reaches its place in no way with this configuration");
     }
     if (motion.joints) m_reference = *motion.joints;
@@ -267,14 +260,22 @@ class RapidReading {
     return Done{};
   }
 
-  // Of a joint motion to a robtarget the joint values that its confdata name, if they name any and count. A line goes
-  // on in the way in which it begins. False: no way of the robot has them.
-  bool takeConfiguration(const Numbers& robtarget, ReadMotion& motion) const {
+  // That a robtarget has, if its numbers name one.
+  std::optional<RapidConfiguration> configurationOf(const Numbers& robtarget) const {
     constexpr std::size_t kBegin = 7, kCount = 4;
-    const bool hasConfiguration = robtarget.size() >= kBegin + kCount;
-    const auto wanted = hasConfiguration ? rapidConfigurationFrom(std::span(robtarget).subspan(kBegin, kCount))
-                                         : std::optional<RapidConfiguration>();
-    if (!wanted || !m_closed || !m_isWayGiven) {
+    if (!m_closed || robtarget.size() < kBegin + kCount) return std::nullopt;
+    return rapidConfigurationFrom(std::span(robtarget).subspan(kBegin, kCount));
+  }
+
+  // Of a joint motion to a robtarget the joint values that its confdata name, if they name any and count. A line goes
+  // on in the way in which it begins, and has to end in that of its confdata. False: no way of the robot has them.
+  bool takeConfiguration(const Numbers& robtarget, ReadMotion& motion) const {
+    const auto wanted = configurationOf(robtarget);
+    if (motion.kind == ProgramMotion::Kind::Linear) {
+      if (m_isLineWayGiven) motion.endsIn = wanted;
+      return true;
+    }
+    if (!wanted || !m_isWayGiven) {
       motion.isWayOpen = true;
       return true;
     }
@@ -376,6 +377,7 @@ class RapidReading {
   std::optional<ClosedFormIk> m_closed;
   ArmValues m_reference;                        // where the joints are, as far as the program says
   bool m_isWayGiven = true;                     // ConfJ\On
+  bool m_isLineWayGiven = true;                 // ConfL\On
   double m_share = 1.0, m_most = 5'000.0;       // of VelSet; 0: not known
   std::optional<std::string> m_calculatedWith;  // toolText() of CalcRobT in the present motion
   std::string m_placeName;                      // of the target of the present motion

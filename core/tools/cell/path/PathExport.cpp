@@ -10,6 +10,7 @@
 #include "document/cell/CellErrors.h"
 #include "document/cell/CellFrames.h"
 #include "document/scene/BodyChanges.h"
+#include "planning/CartesianLine.h"
 #include "robot/ControllerBase.h"
 #include "robot/arm/NumericalIk.h"
 #include "robot/dh/DhTable.h"
@@ -82,6 +83,19 @@ double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional
   if (kind == ProgramMotion::Kind::Linear) return std::clamp(motion.speed.value_or(250.0), 1e-3, 1e5);
   const std::optional<double> own = motion.kind == kind ? motion.speed : std::nullopt;
   return std::clamp(own ? *own : share.value_or(Waypoint().speed), 1e-3, 1.0);
+}
+
+// Whether the arm comes to the end of a line, its tip there, in the way in which the controller wants it: with these
+// joint values, which are the nearest ones, or, where only these lead elsewhere, with others, which they become. The
+// first motion of a program is no line here, and ends in any way.
+bool endsInItsWay(const ReadMotion& motion, const Pose& tip, const RobotProgram& program, const ArmValues& from,
+                  bool isFirst, ArmValues& joints) {
+  if (hasConfiguration(*motion.endsIn, program.arm, joints)) return true;
+  const auto closed = rapidClosedForm(program.arm);
+  const auto other = closed ? jointsWith(*motion.endsIn, program.arm, *closed, tip, from) : std::nullopt;
+  const bool isReached = other && (isFirst || followLine(program.arm, program.tool, from, *other).reached >= 1.0);
+  if (isReached) joints = *other;
+  return isReached;
 }
 
 // As far as programs write them: with hundredths of mm and degrees.
@@ -220,6 +234,8 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
       if (!found.isSolved)
         return located({CellError::PoseUnreachable, {std::to_string(path.places.size() + 1)}, {}, {}});
       before = found.values;
+      if (motion.endsIn && !endsInItsWay(motion, tip, frame, from, path.places.empty(), before))
+        return located({PostError::WayDiffers, {motion.endsIn->text()}, {}, {}});
     }
     Result<JointValues> within = valuesWithinLimits(cell.robot->model, scene.whole(before));
     if (!within) return located(within.error());

@@ -190,6 +190,34 @@ class PostLanguagesTest : public QObject {
     for (const char* const odd : {"S 'X'", "S -1", "T 'B2'", "S 1e99", "S '"}) (void)read(odd);  // no crash
   }
 
+  // With axis 5 near 0 the turns of the axes 4 and 6 come from the rounding of the file; their sum, here 10 degrees, is
+  // known.
+  void krlStatusInLine() {
+    RobotProgram program = programOf("kr6r900");
+    program.tool = program.frame = Pose::Identity();
+    const std::vector<double> degrees = {20, -80, 100, 40, 0.0005, -30};
+    const ArmValues joints = radiansOf(degrees);
+    program.motions = {{ProgramMotion::Kind::Linear, joints, 50.0, 0.0, {}}};
+    std::string text = postCalled("krl")->write(program);
+    text.replace(text.find("LIN {"), 3, "PTP");
+    const std::size_t begin = text.find("S 'B"), end = text.find('}', begin);
+    const Pose tip = program.arm.tipPose(joints);
+    // T: axis 2 below 0, and of the axes 4 and 6 either, both or none.
+    for (const char* const bits : {"000010", "100010", "001010"}) {
+      std::string ptp = text;
+      ptp.replace(begin, end - begin, "S 'B010',T 'B" + std::string(bits) + "'");
+      const auto read = postCalled("krl")->read(ptp, program);
+      QVERIFY2(read.hasValue(), bits);
+      const ArmValues& values = *(*read)[0].joints;
+      QVERIFY((program.arm.tipPose(values).matrix() - tip.matrix()).cwiseAbs().maxCoeff() < 0.05);
+      QVERIFY(std::abs(std::remainder(values[3] + values[5] - M_PI / 18.0, 2.0 * M_PI)) < 1e-3);
+      for (const int axis : {3, 5}) {
+        const bool isBelow = bits[5 - axis] == '1';
+        QVERIFY2((isBelow ? -values[axis] : values[axis]) > -2e-4, bits);
+      }
+    }
+  }
+
   // J3 of the controller is J3 of the model less J2.
   void fanucCoupling() {
     RobotProgram program = programOf("lrmate200id");

@@ -140,7 +140,10 @@ class RapidConfigurationTest : public QObject {
     QVERIFY(!isOpen(textWith(text, "    VelSet", "    ConfL\\Off;\n    VelSet")));  // of lines
     // A line goes on in the way in which it begins.
     const auto line = postCalled("rapid")->read(textWith(text, "MoveJ", "MoveL"), program);
-    QVERIFY(line.hasValue() && (*line)[0].pose && !(*line)[0].isWayOpen);
+    QVERIFY(line.hasValue() && (*line)[0].pose && !(*line)[0].isWayOpen && !(*line)[0].endsIn);
+    const std::string heeded = textWith(text, "ConfL\\Off", "ConfL\\On");
+    const auto ending = postCalled("rapid")->read(textWith(heeded, "MoveJ", "MoveL"), program);
+    QVERIFY(ending.hasValue() && (*ending)[0].pose && (*ending)[0].endsIn == (RapidConfiguration{{0, 0, 0}, 0}));
   }
 
   // With axes 4 and 6 in line only the sum of their angles is given by a pose; here it is 0.
@@ -164,6 +167,48 @@ class RapidConfigurationTest : public QObject {
     }
     const std::vector<RapidConfiguration> impossible = {{{0, 1, 1}, 0}, {{0, 1, 0}, 0}, {{0, 0, 0}, 4}};
     for (const RapidConfiguration& wanted : impossible) QVERIFY2(!found(wanted), wanted.text().c_str());
+  }
+
+  // Controllers save places with hundredths of a millimetre and six decimals of the quaternion. With axis 5 near 0 the
+  // angles of the axes 4 and 6 come from this rounding, and such a place is not refused.
+  void rounded_data() {
+    QTest::addColumn<QList<double>>("degrees");
+    for (const double fifth : {0.0, 0.001, -0.001, 0.01, 0.03, 0.2, 1.0, -1.0, 10.0}) {
+      for (const auto& [fourth, sixth] : {std::pair(0.0, 0.0), std::pair(40.0, -30.0), std::pair(-90.0, 90.0)})
+        QTest::addRow("%g %g %g", fourth, fifth, sixth) << QList<double>{30, 20, 10, fourth, fifth, sixth};
+    }
+  }
+  void rounded() {
+    QFETCH(const QList<double>, degrees);
+    RobotProgram program = programOf("irb120");
+    program.tool = program.frame = Pose::Identity();
+    const ArmValues joints = rapidJointsOf(degrees);
+    const Pose tip = program.arm.tipPose(joints);
+    const Eigen::Quaterniond turn(tip.linear());
+    const auto listed = [](std::initializer_list<double> numbers, int decimals) {
+      QStringList texts;
+      for (const double number : numbers) texts += QString::number(number, 'f', decimals);
+      return "[" + texts.join(QLatin1Char(',')).toStdString() + "]";
+    };
+    const RapidConfiguration wanted = rapidConfigurationOf(program.arm, joints);
+    const std::string text = "PROC main()\nMoveJ [" +
+                             listed({tip.translation().x(), tip.translation().y(), tip.translation().z()}, 2) + "," +
+                             listed({turn.w(), turn.x(), turn.y(), turn.z()}, 6) + "," + wanted.text() +
+                             ",[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\nENDPROC\n";
+    const auto read = postCalled("rapid")->read(text, program);
+    QVERIFY2(read.hasValue(), text.c_str());
+    QVERIFY((*read)[0].joints.has_value());
+    const ArmValues& values = *(*read)[0].joints;
+    QVERIFY(hasConfiguration(wanted, program.arm, values));
+    const Pose reached = program.arm.tipPose(values);
+    QVERIFY((reached.translation() - tip.translation()).norm() < 0.05);
+    QVERIFY(Eigen::AngleAxisd(Eigen::Matrix3d(tip.linear().transpose() * reached.linear())).angle() < 5e-4);
+    QVERIFY((values.head(3) - joints.head(3)).cwiseAbs().maxCoeff() < 5e-4);
+    QVERIFY(std::abs(values[4] - joints[4]) < 5e-4);
+    for (const auto& [axis, quarter] : {std::pair(3, wanted.quarters[1]), std::pair(5, wanted.quarters[2])}) {
+      QVERIFY(values[axis] >= 0.5 * M_PI * quarter - 0.3);
+      QVERIFY(values[axis] <= 0.5 * M_PI * (quarter + 1) + 0.3);
+    }
   }
 
   void numbers() {

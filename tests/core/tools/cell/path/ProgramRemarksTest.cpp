@@ -215,6 +215,30 @@ class ProgramRemarksTest : public QObject {
     QVERIFY(endsAt("[0,-2,2,1]", far));
     QVERIFY(endsAt("[9E9,9E9,9E9,9E9]", near));
     QVERIFY(!opened(cell, "rapid", program("[0,0,0,1]")).hasValue());
+    // A line comes in the way in which it begins. Where its configuration names another one, a controller stops.
+    const auto line = [&](const std::string& configuration, const std::string& before = {}) {
+      std::string text = program(configuration);
+      text.replace(text.find("MoveJ"), 5, before + "MoveL");
+      return opened(cell, "rapid", text);
+    };
+    const auto comesNear = [&](const Result<ProgramPath>& read) {
+      return read.hasValue() && read->path.places.size() == 2 &&
+             (cell.scene()->planned(read->path.places[1].joints) - near).cwiseAbs().maxCoeff() < 1e-5;
+    };
+    QVERIFY(comesNear(line("[0,0,0,0]")));
+    QVERIFY(comesNear(line("[9E9,9E9,9E9,9E9]")));
+    QVERIFY(comesNear(line("[0,-2,2,1]", "ConfL\\Off; ")));
+    const auto refused = line("[0,-2,2,1]");
+    QVERIFY(!refused.hasValue());
+    QVERIFY(refused.error().code == PostError::WayDiffers);
+    QCOMPARE(refused.error().position.value, std::uint64_t{3});
+    QVERIFY(!line("[0,-2,2,1]", "ConfL\\Off; ConfL\\On; ").hasValue());
+    // The first motion of a program begins where it ends, and so in the way that is named.
+    std::string first = program("[0,-2,2,1]");
+    first.erase(first.find("MoveAbsJ"), first.find("MoveJ") - first.find("MoveAbsJ"));
+    const auto begins = opened(cell, "rapid", first.replace(first.find("MoveJ"), 5, "MoveL"));
+    QVERIFY(begins.hasValue());
+    QVERIFY((cell.scene()->planned(begins->path.places[0].joints) - far).cwiseAbs().maxCoeff() < 1e-5);
     QCOMPARE(remarksOn(cell, "rapid", program("[0,-2,2,1]")), QString());
     const QString told = remarksOn(cell, "rapid", program("[9E9,9E9,9E9,9E9]"));
     QVERIFY2(told.contains(": 3."), qPrintable(told));
