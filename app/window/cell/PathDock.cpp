@@ -3,6 +3,7 @@
 #include "window/cell/PathDock.h"
 
 #include "document/cell/CellDisplay.h"
+#include "document/cell/CellFrames.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/scene/BodyDisplay.h"
 #include "panels/DockTitle.h"
@@ -160,6 +161,21 @@ TimeLineRecording PathDock::recordingOf(const CheckedPath& checked) const {
   return recording;
 }
 
+// In the frame that is worked in, as the fields and programs have it, where its pose is known.
+QString PathDock::toolText(const CellScene& scene, const ArmValues& values) const {
+  const CellPlans& plans = m_paths.plans();
+  Vec3 at = (scene.arm.tipPose(values) * plans.tool).translation();
+  const JointValues joints = scene.whole(values);
+  const Result<Pose> frame = poseOfFrame(plans.workFrame, {plans, scene.bodies, scene.robot->model, joints});
+  const bool isInFrame = !plans.workFrame.empty() && frame;
+  if (isInFrame) at = frame->inverse(Eigen::Isometry) * at;
+  const QLocale locale;
+  const QString text =
+      tr("X %1  Y %2  Z %3 mm")
+          .arg(locale.toString(at.x(), 'f', 1), locale.toString(at.y(), 'f', 1), locale.toString(at.z(), 'f', 1));
+  return isInFrame ? tr("%1 in %2").arg(text, QString::fromStdString(plans.workFrame)) : text;
+}
+
 void PathDock::show(double seconds) {
   const auto scene = m_paths.scene();
   if (!m_timed || !m_isOpen || !scene) return;
@@ -170,13 +186,8 @@ void PathDock::show(double seconds) {
   if (nearest.link != kNone) colliding.pairs = scene->scene.allTooNear(values, 0.0, 0.0);
   markColliding(*model, *scene, colliding.pairs);
   const std::size_t place = m_shown->placeOf(m_timed->motionAt(seconds));
-  const Vec3 at = (scene->arm.tipPose(values) * m_paths.plans().tool).translation();
-  const QLocale locale;
   QString text =
-      tr("To place %1 of %2: X %3  Y %4  Z %5 mm")
-          .arg(place + 1)
-          .arg(m_paths.path()->places.size())
-          .arg(locale.toString(at.x(), 'f', 1), locale.toString(at.y(), 'f', 1), locale.toString(at.z(), 'f', 1));
+      tr("To place %1 of %2: %3").arg(place + 1).arg(m_paths.path()->places.size()).arg(toolText(*scene, values));
   if (nearest.link != kNone) {
     const auto [link, other] = scene->namesOf(nearest);
     text += tr("; collision: %1 with %2").arg(QString::fromStdString(link), QString::fromStdString(other));

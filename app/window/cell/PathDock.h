@@ -47,6 +47,7 @@ class PathDock : public QObject {
   void prepare();
   void showNothing();
   void show(double seconds);
+  QString toolText(const CellScene& scene, const ArmValues& values) const;
   void goToCollision(const std::string& path, std::size_t number);
   void goToWanted();
   TimeLineRecording recordingOf(const CheckedPath& checked) const;

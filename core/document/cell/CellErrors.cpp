@@ -123,13 +123,13 @@ const ErrorDescription CellError::DrawnCurveBroken{
 const ErrorDescription CellError::TrackOutOfReach{
     .id = "TrackOutOfReach",
     .sentences = {translatable("ErrorText",
-                               "the robot cannot reach point %1 of %2 of the curve, at X %3 Y %4 Z %5 mm")},
+                               "the robot cannot reach point %1 of %2 of the curve, at X %3 Y %4 Z %5 mm in the cell")},
     .advice = {translatable("ErrorText", "Move the part nearer, turn the tool, or let it turn about its own axis.")}};
 
 const ErrorDescription CellError::TrackBlocked{
     .id = "TrackBlocked",
-    .sentences = {translatable("ErrorText",
-                               "at point %1 of %2 of the curve, X %3 Y %4 Z %5 mm, the robot collides: %6 with %7")},
+    .sentences = {translatable(
+        "ErrorText", "at point %1 of %2 of the curve, X %3 Y %4 Z %5 mm in the cell, the robot collides: %6 with %7")},
     .advice = {
         translatable("ErrorText", "Tilt the tool away, keep a distance or less clearance, or let it touch the part.")}};
 
@@ -137,7 +137,7 @@ const ErrorDescription CellError::TrackBroken{
     .id = "TrackBroken",
     .sentences = {translatable(
         "ErrorText",
-        "the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a jump of a joint")},
+        "the arm cannot follow the curve to point %1 of %2, X %3 Y %4 Z %5 mm in the cell, without a jump of a joint")},
     .advice = {translatable("ErrorText", "Divide the curve, turn the tool, or let it turn about its own axis.")}};
 
 const ErrorDescription CellError::PlaceNameTaken{
@@ -197,20 +197,22 @@ const ErrorDescription CellError::OfOtherArm{
 
 const ErrorDescription CellError::ToolOutOfReach{
     .id = "ToolOutOfReach",
-    .sentences = {translatable("ErrorText", "the arm cannot bring its tool to X %1 Y %2 Z %3 mm in this orientation")},
+    .sentences = {translatable("ErrorText",
+                               "the arm cannot bring its tool to X %1 Y %2 Z %3 mm in the cell in this orientation")},
     .advice = {translatable("ErrorText", "Choose a nearer place, or turn the tool.")}};
 
 const ErrorDescription CellError::ToolBeyondLimits{
     .id = "ToolBeyondLimits",
     .sentences = {translatable(
         "ErrorText",
-        "to bring the tool to X %1 Y %2 Z %3 mm in this orientation, the joint %4 would exceed its limits")},
+        "to bring the tool to X %1 Y %2 Z %3 mm in the cell in this orientation, joint %4 would exceed its limits")},
     .advice = {translatable("ErrorText", "Choose another place, or turn the tool.")}};
 
 const ErrorDescription CellError::ToolBlocked{
     .id = "ToolBlocked",
     .sentences = {translatable(
-        "ErrorText", "with its tool at X %1 Y %2 Z %3 mm the robot collides in every configuration: %4 with %5")},
+        "ErrorText",
+        "with its tool at X %1 Y %2 Z %3 mm in the cell the robot collides in every configuration: %4 with %5")},
     .advice = {translatable("ErrorText", "Choose another place, turn the tool, or require less clearance.")}};
 
 }  // namespace handwheel
