@@ -10,7 +10,8 @@
 int main(int argc, char** argv) {
   handwheel::setPluginPosts(handwheel::pluginPosts);
   const handwheel::RegisteredKinds kinds(handwheel::registeredKinds());
-  const handwheel::Registered registered{kinds.set.documents, kinds.commands, handwheel::registeredDrivers};
+  const handwheel::Registered registered{kinds.set.documents, kinds.commands, handwheel::registeredDrivers,
+                                         kinds.shipped};
   if (handwheel::isCommand(argc, argv, registered)) return handwheel::runCommand(argc, argv, registered);
   return handwheel::runWindow(argc, argv, kinds.set, handwheel::registeredDrivers());
 }

@@ -7,6 +7,7 @@
 #include "haptics/device/Device.h"
 
 #include <functional>
+#include <optional>
 #include <variant>
 
 namespace handwheel {
@@ -24,11 +25,15 @@ struct Command {
   bool (*needsFonts)(std::span<char* const> operands) = nullptr;  // true for plots and printed pages
 };
 
+// A document that comes with the program, by its name; none: there is no such one, or a file is called like this.
+using ShippedDocument = std::optional<OpenedFile> (*)(const std::string& name, const DocumentKinds& kinds);
+
 // The registered kinds, commands and drivers, as far as the commands need them.
 struct Registered {
   const DocumentKinds& kinds;
   std::vector<Command> commands;                                        // those for one kind of document only
   std::function<std::vector<std::unique_ptr<DeviceDriver>>()> drivers;  // creates the built-in ones
+  std::vector<ShippedDocument> shipped;                                 // of all kinds
 };
 
 }  // namespace handwheel

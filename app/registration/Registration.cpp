@@ -3,6 +3,7 @@
 #include "registration/Registration.h"
 
 #include "cli/cell/BodyCommand.h"
+#include "cli/cell/CellFile.h"
 #include "cli/exercise/ExerciseCommand.h"
 #include "cli/mesh/MeshCommands.h"
 #include "cli/volume/VolumeCommands.h"
@@ -57,7 +58,7 @@ std::vector<KindEntry> entriesOf(std::vector<KindRegistration>& registrations) {
 
 std::vector<KindRegistration> registeredKinds() {
   std::vector<KindRegistration> all;
-  all.push_back({entryWithKind<RobotCellUi, RobotCellKind>(), cellCommands()});
+  all.push_back({entryWithKind<RobotCellUi, RobotCellKind>(), cellCommands(), shippedRobot});
   all.push_back({exerciseEntry(), exerciseCommands()});
   all.push_back({entryWithKind<VolumeUi, VolumeKind>(), volumeCommands()});
   all.push_back({entryOf<WorkpieceUi, WorkpieceKind>(), workpieceCommands()});
@@ -66,8 +67,10 @@ std::vector<KindRegistration> registeredKinds() {
 }
 
 RegisteredKinds::RegisteredKinds(std::vector<KindRegistration> registrations) : set(entriesOf(registrations)) {
-  for (KindRegistration& registration : registrations)
+  for (KindRegistration& registration : registrations) {
     commands.insert(commands.end(), registration.commands.begin(), registration.commands.end());
+    if (registration.shipped) shipped.push_back(registration.shipped);
+  }
 }
 
 }  // namespace handwheel

@@ -11,6 +11,7 @@ namespace handwheel {
 struct KindRegistration {
   KindEntry entry;                     // the kind itself and its part of the window
   std::vector<Command> commands = {};  // of the command line, for such documents only
+  ShippedDocument shipped = nullptr;   // those that come with the program; null: none do
 };
 
 // All kinds of documents of the program. The one place to add further ones. They are asked in this order whether a file
@@ -23,6 +24,7 @@ struct RegisteredKinds {
 
   KindSet set;
   std::vector<Command> commands;
+  std::vector<ShippedDocument> shipped;
 };
 
 }  // namespace handwheel

@@ -11,18 +11,22 @@
 
 namespace handwheel {
 
-Result<CellFile> openCell(const std::string& name, const DocumentKinds& kinds) {
+std::optional<OpenedFile> shippedRobot(const std::string& name, const DocumentKinds& kinds) {
   std::error_code ignored;
-  const DhTable* const shipped = std::filesystem::exists(name, ignored) ? nullptr : libraryTable(name);
-  if (shipped) {
-    CellFile file;
-    file.opened.kind = kinds.withId("cell");
-    file.cell = cellOf(*shipped);
-    file.opened.content = file.cell;
-    return file;
-  }
+  const DhTable* const table = std::filesystem::exists(name, ignored) ? nullptr : libraryTable(name);
+  if (!table) return std::nullopt;
+  OpenedFile file;
+  file.kind = kinds.withId("cell");
+  file.content = cellOf(*table);
+  return file;
+}
+
+Result<CellFile> openCell(const std::string& name, const DocumentKinds& kinds) {
   std::optional<Result<OpenedFile>> opened;
-  runInterruptible("Reading", [&](CommandJob& job) { opened = kinds.open(name, {}, job.progress()); });
+  if (auto shipped = shippedRobot(name, kinds))
+    opened = *std::move(shipped);
+  else
+    runInterruptible("Reading", [&](CommandJob& job) { opened = kinds.open(name, {}, job.progress()); });
   if (!*opened) return opened->error();
   reportLosses(opened->value().file);
   auto cell = std::dynamic_pointer_cast<const RobotCellSnapshot>(opened->value().content);

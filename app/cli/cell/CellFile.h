@@ -18,6 +18,9 @@ struct CellFile {
   std::optional<std::string> ownArm = {};
 };
 
+// A cell with a robot that comes with the program (ShippedDocument).
+std::optional<OpenedFile> shippedRobot(const std::string& name, const DocumentKinds& kinds);
+
 // Opens a cell: a document, a robot description, or a robot that comes with the program, by its name. Reports what is
 // lost. Errors: those of DocumentKinds::open(); Unsupported for other kinds of documents.
 Result<CellFile> openCell(const std::string& name, const DocumentKinds& kinds);

@@ -7,6 +7,7 @@
 #include "cli/Messages.h"
 #include "cli/OperationJson.h"
 #include "cli/OperationOptions.h"
+#include "cli/PlansText.h"
 #include "cli/ReportJson.h"
 #include "cli/cell/CellFile.h"
 #include "cli/cell/PathReport.h"
@@ -87,15 +88,7 @@ std::string configurationsReport(const nlohmann::json& described, const OpenedPa
                    {"frames_made", frames.made},
                    {"frames_used", frames.used},
                    {"remarks", opened.remarks}});
-  std::string text;
-  for (const nlohmann::json& each : described["configurations"])
-    text += "configuration " + each["name"].get<std::string>() + "\n";
-  for (const nlohmann::json& each : described["targets"]) text += "target " + each["name"].get<std::string>() + "\n";
-  for (const nlohmann::json& each : described["frames"]) text += "frame " + each["name"].get<std::string>() + "\n";
-  for (const nlohmann::json& each : described["paths"]) {
-    text += "path " + each["name"].get<std::string>() + ", " + std::to_string(each["places"].get<std::size_t>()) +
-            " places\n";
-  }
+  std::string text = plansText(described);
   for (const std::string& frame : frames.made) text += "The program's frame " + frame + " is in the cell now.\n";
   for (const std::string& frame : frames.used) text += "The program is in the frame " + frame + " of the cell.\n";
   return text;

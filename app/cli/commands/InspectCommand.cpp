@@ -6,6 +6,7 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
+#include "cli/PlansText.h"
 #include "cli/PropertyText.h"
 #include "cli/ReportJson.h"
 #include "cli/ReportText.h"
@@ -24,7 +25,7 @@ CommandSpec inspectSpec() {
   return {
       "inspect",
       "IN",
-      "Lists the contents and the defects of a file.",
+      "Lists the contents and the defects of a file.\nIN may also be the name of a built-in robot, as irb120.",
       {
           {"json", 0, "", "Print the figures as JSON"},
           {"target", 0, "FILE", "Target shape of a workpiece, in any format of 'target': lists the deviation from it"},
@@ -143,9 +144,17 @@ Status giveTarget(OpenedFile& opened, const std::string& path, Progress progress
   return Done{};
 }
 
-Result<Inspected> inspect(const Arguments& arguments, const DocumentKinds& kinds, Progress progress) {
-  Result<Input> input =
-      readInput(arguments.operands[0], {.partial = arguments.has("partial")}, kinds, progress.part(0.0, 0.3));
+// A file, or a document that comes with the program.
+Result<Input> inputOf(const Arguments& arguments, const Registered& registered, Progress progress) {
+  const std::string& name = arguments.operands[0];
+  for (const ShippedDocument shipped : registered.shipped) {
+    if (auto document = shipped(name, registered.kinds)) return Input{*std::move(document), {}};
+  }
+  return readInput(name, {.partial = arguments.has("partial")}, registered.kinds, progress);
+}
+
+Result<Inspected> inspect(const Arguments& arguments, const Registered& registered, Progress progress) {
+  Result<Input> input = inputOf(arguments, registered, progress.part(0.0, 0.3));
   if (!input) return input.error();
   Inspected result{std::move(input.value()), {}};
   if (arguments.has("target")) {
@@ -159,9 +168,9 @@ Result<Inspected> inspect(const Arguments& arguments, const DocumentKinds& kinds
 
 }  // namespace
 
-int runInspect(const Arguments& arguments, const DocumentKinds& kinds) {
+int runInspect(const Arguments& arguments, const Registered& registered) {
   std::optional<Result<Inspected>> result;
-  runInterruptible("Inspecting", [&](CommandJob& job) { result = inspect(arguments, kinds, job.progress()); });
+  runInterruptible("Inspecting", [&](CommandJob& job) { result = inspect(arguments, registered, job.progress()); });
   if (!*result) return fail(result->error());
   const auto& [input, report] = result->value();
   DocumentFile file = input.opened.file;
@@ -170,7 +179,8 @@ int runInspect(const Arguments& arguments, const DocumentKinds& kinds) {
   const bool json = arguments.has("json");
   if (input.mesh) return print(json ? textOf(meshJson(input, report)) : meshText(input, report));
   if (json) return print(textOf(toJson(input.opened)));
-  return print(readableText(input.opened) + dimensionsText(input.opened.kind->describe(*input.opened.content)));
+  const nlohmann::json described = input.opened.kind->describe(*input.opened.content);
+  return print(readableText(input.opened) + plansText(described, "  ") + dimensionsText(described));
 }
 
 }  // namespace handwheel

@@ -11,6 +11,7 @@
 #include "document/cell/path/Outdating.h"
 #include "document/formats/MeshExport.h"
 #include "document/scene/BodyDescription.h"
+#include "document/scene/BodyDisplay.h"
 #include "document/scene/BodyLinks.h"
 #include "mesh/structure/MeshErrors.h"
 #include "robot/Kinematics.h"
@@ -19,6 +20,7 @@
 #include "robot/program/PathFile.h"
 
 #include <QtGlobal>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -134,6 +136,19 @@ nlohmann::json describeFrames(const RobotCellSnapshot& cell) {
   return list;
 }
 
+// Of the cell as it was then.
+nlohmann::json describeProof(const PathProof& proof) {
+  const PathFindings& found = proof.found;
+  const std::size_t tooNear = std::min(found.tooNear, found.collisions);
+  nlohmann::json described = {{"at", proof.at},
+                              {"certified", found.isCertified},
+                              {"clearance_mm", found.leastClearance},
+                              {"collisions", found.collisions - tooNear},
+                              {"too_near", tooNear}};
+  if (found.stopsAt) described["stops_at"] = *found.stopsAt;
+  return described;
+}
+
 nlohmann::json describePaths(const RobotCellSnapshot& cell) {
   nlohmann::json list = nlohmann::json::array();
   const CellPlacement placement{*cell.plans, cell.bodies, cell.robot->model, cell.joints};
@@ -148,7 +163,17 @@ nlohmann::json describePaths(const RobotCellSnapshot& cell) {
     if (outdating.isToolOther) list.back()["tool_changed"] = true;
     if (!outdating.targets.empty()) list.back()["targets_moved"] = outdating.targets;
     if (!outdating.configurations.empty()) list.back()["configurations_changed"] = outdating.configurations;
+    const auto proof = cell.proofs->find(path.name);
+    if (proof != cell.proofs->end()) list.back()["verified"] = describeProof(proof->second);
   }
+  return list;
+}
+
+// Bodies by their names; those that were removed by their numbers.
+nlohmann::json describeAllowed(const RobotCellSnapshot& cell) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& [one, other] : cell.plans->allowed)
+    list.push_back(nlohmann::json::array({shownPart(one, cell.bodies), shownPart(other, cell.bodies)}));
   return list;
 }
 
@@ -266,7 +291,8 @@ nlohmann::json RobotCellKind::describe(const Snapshot& content) const {
           {"configurations", describeConfigurations(cell)},
           {"frames", describeFrames(cell)},
           {"targets", describeTargets(cell)},
-          {"paths", describePaths(cell)}};
+          {"paths", describePaths(cell)},
+          {"may_touch", describeAllowed(cell)}};
 }
 
 GeometryPointer RobotCellKind::bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const {

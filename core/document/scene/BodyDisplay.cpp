@@ -37,4 +37,10 @@ std::optional<BodyId> bodyOfPart(std::string_view part) {
   return error == std::errc() && stop == part.data() + part.size() ? std::optional(id) : std::nullopt;
 }
 
+std::string shownPart(const std::string& part, const BodySet& bodies) {
+  const auto id = bodyOfPart(part);
+  const BodyPointer body = id ? bodies.withId(*id) : nullptr;
+  return body ? body->name : part;
+}
+
 }  // namespace handwheel

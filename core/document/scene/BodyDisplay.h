@@ -19,4 +19,7 @@ std::string partOfBody(BodyId body);
 // The number of the body that a displayed part belongs to; none for other parts.
 std::optional<BodyId> bodyOfPart(std::string_view part);
 
+// What people call a displayed part: a body by its name, one that was removed by its number, others as they are.
+std::string shownPart(const std::string& part, const BodySet& bodies);
+
 }  // namespace handwheel

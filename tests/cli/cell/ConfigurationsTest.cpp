@@ -51,11 +51,26 @@ class ConfigurationsTest : public QObject {
       QVERIFY2(verified.out.contains(text) && written.err.contains(text), verified.out + written.err);
       QVERIFY2(program.contains("! Not checked: " + text), program);
     }
+    const Ran inspected = cell.run({"inspect", "cell.handwheel"});
+    QVERIFY2(inspected.out.contains("may touch: ") && inspected.out.contains("box"), inspected.out);
     QVERIFY2(program.contains("! Clearance kept: 0 mm.") && program.contains("the first place is not checked"),
              program);
     QCOMPARE(change("--forbid", "box," + QString::fromStdString(*before.begin())), 0);
     QVERIFY((met() == std::set<std::string>{*before.begin()}));
     QVERIFY(change("--allow", "box") != 0 && change("--allow", "box,nothing") != 0);
+  }
+
+  // A robot that comes with the program is inspected by its name, unless a file is called like this.
+  void aRobotByItsName() {
+    const PlannedCell cell;
+    const Ran inspected = cell.run({"inspect", "irb120"});
+    QVERIFY2(inspected.code == 0 && inspected.out.contains("joint.joint_1: "), inspected.out + inspected.err);
+    const nlohmann::json described = jsonOf(cell.run({"inspect", "irb120", "--json"}).out);
+    QCOMPARE(described["kind"].get<std::string>(), std::string("cell"));
+    QCOMPARE(described["document"]["joints"].size(), std::size_t{6});
+    QVERIFY(cell.run({"inspect", "irb121"}).code != 0);
+    cell.put("irb120", "no robot");
+    QVERIFY(cell.run({"inspect", "irb120"}).code != 0);
   }
 
   // A path through a configuration that was removed, which is said, and stored anew with other joints, is outdated:
@@ -77,6 +92,10 @@ class ConfigurationsTest : public QObject {
     const auto path = jsonOf(cell.run({"inspect", "c.handwheel", "--json"}).out)["document"]["paths"][0];
     QVERIFY(path["outdated"].get<bool>());
     QCOMPARE(path["configurations_changed"][0].get<std::string>(), std::string("home"));
+    const Ran inspected = cell.run({"inspect", "c.handwheel"});
+    for (const char* const line : {"  configuration home\n", "  configuration side\n", "  path swing, "})
+      QVERIFY2(inspected.out.contains(line), inspected.out);
+    QVERIFY2(inspected.out.contains("outdated: home was changed\n"), inspected.out);
     const Ran verified = cell.run({"verify", "c.handwheel", "swing"});
     QVERIFY2(verified.out.contains("home was changed") && verified.out.contains("plan it again"), verified.out);
     const Ran refused = cell.run(post);

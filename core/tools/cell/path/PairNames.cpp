@@ -43,12 +43,7 @@ std::optional<PairNames> pairNamesOf(const CellScene& scene, const RobotScene::N
 }
 
 PairNames shownNames(const PairNames& pair, const BodySet& bodies) {
-  const auto shown = [&](const std::string& name) {
-    const auto id = bodyOfPart(name);
-    const BodyPointer body = id ? bodies.withId(*id) : nullptr;
-    return body ? body->name : name;
-  };
-  return {shown(pair.first), shown(pair.second)};
+  return {shownPart(pair.first, bodies), shownPart(pair.second, bodies)};
 }
 
 bool isAllowed(const CellPlans& plans, const PairNames& pair) {

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/PlansText.h"
+
+#include "base/NumberText.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+nlohmann::json listAt(const nlohmann::json& described, const char* key) {
+  return described.value(key, nlohmann::json::array());
+}
+
+std::string namesIn(const nlohmann::json& list) {
+  std::string text;
+  for (const nlohmann::json& name : list) text += (text.empty() ? "" : ", ") + name.get<std::string>();
+  return text;
+}
+
+// Why a path does not lead to what it was planned for any more.
+std::string outdatingText(const nlohmann::json& path) {
+  std::string text;
+  const auto add = [&](const std::string& reason) { text += (text.empty() ? ", outdated: " : "; ") + reason; };
+  if (path.contains("part_moved")) add(path["part_moved"].get<std::string>() + " has moved");
+  if (path.contains("base_moved")) add("its robot has moved");
+  if (path.contains("tool_changed")) add("the tool centre point was changed");
+  if (path.contains("targets_moved")) add("it misses " + namesIn(path["targets_moved"]));
+  if (path.contains("configurations_changed")) add(namesIn(path["configurations_changed"]) + " was changed");
+  return text;
+}
+
+// What was found when it was verified, which is stored with the cell, and may not hold any more.
+std::string verifiedText(const nlohmann::json& path) {
+  if (!path.contains("verified")) return {};
+  const nlohmann::json& found = path["verified"];
+  const auto count = [&](const char* key) { return found[key].get<std::size_t>(); };
+  std::string text = ", verified " + found["at"].get<std::string>() + ": ";
+  if (found["certified"].get<bool>())
+    return text + "free of collisions, clearance " + roundedText(found["clearance_mm"].get<double>(), 4) + " mm";
+  if (found.contains("stops_at")) return text + "a line to place " + std::to_string(count("stops_at") + 1) + " ends";
+  text += std::to_string(count("collisions")) + " times it collides";
+  return count("too_near") > 0 ? text + ", " + std::to_string(count("too_near")) + " times it is too near" : text;
+}
+
+}  // namespace
+
+std::string plansText(const nlohmann::json& described, const std::string& before) {
+  if (!described.contains("may_touch")) return {};
+  constexpr std::size_t kMostPairs = 50;
+  std::string text;
+  const auto add = [&](const std::string& line) { text += before + line + "\n"; };
+  for (const auto& [key, word] : {std::pair("configurations", "configuration "), std::pair("targets", "target "),
+                                  std::pair("frames", "frame ")}) {
+    for (const nlohmann::json& each : listAt(described, key)) add(word + each["name"].get<std::string>());
+  }
+  for (const nlohmann::json& path : listAt(described, "paths")) {
+    add("path " + path["name"].get<std::string>() + ", " + std::to_string(path["places"].get<std::size_t>()) +
+        " places" + outdatingText(path) + verifiedText(path));
+  }
+  const nlohmann::json pairs = listAt(described, "may_touch");
+  for (std::size_t i = 0; i < std::min(pairs.size(), kMostPairs); ++i)
+    add("may touch: " + pairs[i][0].get<std::string>() + " with " + pairs[i][1].get<std::string>());
+  if (pairs.size() > kMostPairs) add("may touch: " + std::to_string(pairs.size() - kMostPairs) + " more pairs");
+  return text;
+}
+
+}  // namespace handwheel
