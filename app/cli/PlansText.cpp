@@ -3,6 +3,7 @@
 #include "cli/PlansText.h"
 
 #include "base/NumberText.h"
+#include "base/ShownDistance.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -40,7 +41,8 @@ std::string verifiedText(const nlohmann::json& path) {
   const auto count = [&](const char* key) { return found[key].get<std::size_t>(); };
   std::string text = ", verified " + found["at"].get<std::string>() + ": ";
   if (found["certified"].get<bool>())
-    return text + "free of collisions, clearance " + roundedText(found["clearance_mm"].get<double>(), 4) + " mm";
+    return text + "free of collisions, clearance " + shownText(shownDistance(found["clearance_mm"].get<double>())) +
+           " mm";
   if (found.contains("stops_at")) return text + "a line to place " + std::to_string(count("stops_at") + 1) + " ends";
   text += std::to_string(count("collisions")) + " times it collides";
   return count("too_near") > 0 ? text + ", " + std::to_string(count("too_near")) + " times it is too near" : text;

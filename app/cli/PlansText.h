@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// What a robot cell keeps for planning, a line each. These are configurations, targets, frames, paths with what is known
-// of them, and pairs that may touch; of very many pairs the first. Empty for other documents. described: as
+// What a robot cell keeps for planning, a line each. These are configurations, targets, frames, paths with what is
+// known of them, and pairs that may touch; of very many pairs the first. Empty for other documents. described: as
 // DocumentKind::describe() has it. before: of each line.
 std::string plansText(const nlohmann::json& described, const std::string& before = {});
 

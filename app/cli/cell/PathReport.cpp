@@ -3,6 +3,7 @@
 #include "cli/cell/PathReport.h"
 
 #include "base/NumberText.h"
+#include "base/ShownDistance.h"
 #include "cli/Messages.h"
 #include "document/cell/CellErrors.h"
 #include "planning/PlanningFidelity.h"
@@ -100,7 +101,7 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
   std::string text = path.name + ": " + std::to_string(path.places.size()) + " places, " +
                      roundedText(metrics.length, 4) + " rad, " + roundedText(checked.seconds, 3) + " s, " +
                      (checked.isCertified() ? "proven free of collisions" : "not proven free of collisions") + "\n" +
-                     "least clearance " + roundedText(metrics.leastClearance, 4) + " mm, security index " +
+                     "least clearance " + shownText(shownDistance(metrics.leastClearance)) + " mm, security index " +
                      roundedText(metrics.security, 4) + " mm, manipulability " +
                      roundedText(metrics.manipulability, 3) + ", margin to the limits " + share(metrics.leastMargin) +
                      "\n";
@@ -117,7 +118,7 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
     const auto [link, other] = scene.namesOf(each.deepest);
     text += "motion to place " + std::to_string(each.place + 1) + ", " + share(each.from) + " to " + share(each.to) +
             ": " + link + " with " + other +
-            (each.meets() ? "" : ", too near: " + roundedText(each.deepest.distance, 3) + " mm") + "\n";
+            (each.meets() ? "" : ", too near: " + shownText(shownDistance(each.deepest.distance)) + " mm") + "\n";
   }
   return text;
 }

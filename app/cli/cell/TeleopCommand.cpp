@@ -3,6 +3,7 @@
 #include "cli/cell/TeleopCommand.h"
 
 #include "base/NumberText.h"
+#include "base/ShownDistance.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/ReportJson.h"
@@ -134,7 +135,7 @@ std::string sentenceOf(const TeleopRun& run) {
   return std::to_string(run.steps) + " steps in " + roundedText(run.seconds, 4) + " s: blocked for " +
          roundedText(run.blocked, 3) + " s, at a limit for " + roundedText(run.atLimit, 3) +
          " s; the tool was behind the hand by " + roundedText(run.mean, 3) + " mm, at most " +
-         roundedText(run.most, 3) + " mm; least clearance " + roundedText(run.leastClearance, 4) + " mm\n";
+         roundedText(run.most, 3) + " mm; least clearance " + shownText(shownDistance(run.leastClearance)) + " mm\n";
 }
 
 // The hands that the options name, and what is wrong with the options otherwise.

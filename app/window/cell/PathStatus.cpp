@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/PathStatus.h"
 
+#include "base/ShownDistance.h"
 #include "controls/QuantityText.h"
 
 #include <QCoreApplication>
@@ -193,10 +194,13 @@ QString notCheckedText(const std::vector<std::pair<std::string, std::string>>& p
 QString clearanceText(double least, LengthUnit unit, const QLocale& locale) {
   constexpr double kFarthest = PathMetricsSettings().farthest;
   if (!(least < kFarthest)) return QStringLiteral("> ") + quantityText(kFarthest, Quantity::Length, unit, locale);
-  const int digits = unit == LengthUnit::Millimetre ? 1 : 3;
-  const double step = std::pow(10.0, -digits);  // rounded down: it is never said to be more
-  const double shown = std::floor(least / perShownUnit(Quantity::Length, unit) / step) * step;
-  return locale.toString(shown, 'f', digits) + QLatin1Char(' ') + unitSymbol(Quantity::Length, unit);
+  const bool isMetric = unit == LengthUnit::Millimetre;
+  constexpr double kThousandths = 1e3;  // of other units; rounded down, too
+  const double shown = isMetric
+                           ? shownDistance(least)
+                           : std::floor(least / perShownUnit(Quantity::Length, unit) * kThousandths) / kThousandths;
+  return locale.toString(shown, 'f', isMetric ? decimalsOfDistance(least) : 3) + QLatin1Char(' ') +
+         unitSymbol(Quantity::Length, unit);
 }
 
 PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, LengthUnit unit, const QLocale& locale) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
 #include "base/NumberText.h"
+#include "base/ShownDistance.h"
 
 #include <QTest>
 #include <cmath>
@@ -19,7 +20,17 @@ class NumberTextTest : public QObject {
   void rounded();
   void shown();
   void limitsAsShown();
+  void distances();
 };
+
+// Never more than it is: tenths, below 1 mm thousandths.
+void NumberTextTest::distances() {
+  const std::pair<double, const char*> kTexts[] = {{16.98, "16.9"},   {17.0, "17"},      {0.1779, "0.177"},
+                                                   {0.9999, "0.999"}, {1.0, "1"},        {0.0, "0"},
+                                                   {0.3, "0.3"},      {-2.0001, "-2.1"}, {123456.78, "123456.7"}};
+  for (const auto& [distance, text] : kTexts) QCOMPARE(shownText(shownDistance(distance)), std::string(text));
+  QVERIFY(std::isinf(shownDistance(HUGE_VAL)) && std::isnan(shownDistance(std::nan(""))));
+}
 
 // The expectations are the definition: within a millionth, and no text with a digit less is.
 void NumberTextTest::shown() {

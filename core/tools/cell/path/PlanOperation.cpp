@@ -3,6 +3,7 @@
 #include "tools/cell/path/PlanOperation.h"
 
 #include "base/NumberText.h"
+#include "base/ShownDistance.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/CellFrames.h"
 #include "document/cell/CellReach.h"
@@ -189,7 +190,7 @@ class LegPlanning {
               const RobotScene::Nearest& blocked) const {
     const auto [link, other] = m_scene.namesOf(blocked);
     if (!(blocked.distance > 0.0)) return {meeting, {place, link, other}, {}, {}};
-    return {near, {place, link, other, roundedText(blocked.distance, 3)}, {}, {}};
+    return {near, {place, link, other, shownText(shownDistance(blocked.distance))}, {}, {}};
   }
 
   std::string jointBeyond(const ArmValues& values) const {
