@@ -63,7 +63,20 @@ void PathDock::makeDock() {
 
 void PathDock::setDocument(DocumentTab* document) {
   open(false);
+  if (m_document) m_document->document.disconnect(this);
   m_document = document;
+  if (document) connect(&document->document, &Document::changed, this, &PathDock::closeIfMoved);
+}
+
+JointValues PathDock::standing() const {
+  return static_cast<const RobotCellDocument&>(m_document->document).joints();
+}
+
+// Who moves the robot, in whatever panel, sees where it stands.
+void PathDock::closeIfMoved() {
+  if (!m_isOpen) return;
+  const JointValues now = standing();
+  if (now.size() != m_standing.size() || now != m_standing) close();
 }
 
 void PathDock::open(bool isOpen) {
@@ -72,6 +85,7 @@ void PathDock::open(bool isOpen) {
   if (m_dock && m_dock->isHidden() == m_isOpen) m_dock->setVisible(m_isOpen);
   m_toggle.setChecked(m_isOpen);
   if (m_isOpen) {
+    m_standing = standing();
     m_dock->raise();
     return prepare();
   }

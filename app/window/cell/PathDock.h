@@ -43,6 +43,8 @@ class PathDock : public QObject {
 
  private:
   void makeDock();
+  JointValues standing() const;
+  void closeIfMoved();
   void open(bool isOpen);
   void prepare();
   void showNothing();
@@ -58,6 +60,7 @@ class PathDock : public QObject {
   QAction m_toggle;
   bool m_isOpen = false;
   DocumentTab* m_document = nullptr;
+  JointValues m_standing;  // where the robot stood when it was opened
   QPointer<QDockWidget> m_dock;
   QPointer<QLabel> m_text;
   QPointer<TimeLinePanel> m_line;

@@ -6,6 +6,7 @@
 #include "tools/cell/path/OfferedClearance.h"
 
 #include <QDialogButtonBox>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -117,6 +118,13 @@ void PlanDialog::accept() {
   if (!via.empty()) m_values.setValid("via", via);
   emit chosen(m_values);
   QDialog::accept();
+}
+
+// In a field Return takes what was typed, and does not plan at once.
+void PlanDialog::keyPressEvent(QKeyEvent* event) {
+  const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (isReturn && focusWidget() && m_list->isAncestorOf(focusWidget())) return event->accept();
+  QDialog::keyPressEvent(event);
 }
 
 }  // namespace handwheel

@@ -32,6 +32,7 @@ class PlanDialog : public QDialog {
  private:
   void showValues();
   void accept() override;
+  void keyPressEvent(QKeyEvent* event) override;
 
   std::vector<std::string> m_places;  // that can be chosen, "here" first
   OperationValues m_values;

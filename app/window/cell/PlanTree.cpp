@@ -8,7 +8,9 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QTreeWidgetItemIterator>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -25,13 +27,14 @@ PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
   setHeaderHidden(true);
   constexpr int kIndentation = 14;  // pixels: the panel is narrow
   setIndentation(kIndentation);
-  header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(0, QHeaderView::Fixed);
   setSelectionMode(QAbstractItemView::SingleSelection);
   setEditTriggers(QAbstractItemView::EditKeyPressed);
   setContextMenuPolicy(Qt::CustomContextMenu);
   connect(this, &QTreeWidget::currentItemChanged, this, [this] {
     if (!m_isFilling) emit currentChanged();
   });
+  connect(this, &QTreeWidget::itemExpanded, this, &PlanTree::shareColumns);
   connect(this, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) { emit activated(entryOf(item)); });
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
     if (!m_isFilling && column == 0) emit renameRequested(entryOf(item), item->text(0).trimmed());
@@ -82,6 +85,7 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
     const Entry entry = entryOf(*it);
     if (entry.kind == Entry::Kind::Path && !(*it)->isExpanded()) collapsed.insert(entry.name);
   }
+  const int scrolledBy = verticalScrollBar()->value();
   clear();
   const auto placeText = [](const Waypoint& place, std::size_t number) {
     const QString name = QString::fromStdString(place.name);
@@ -138,7 +142,13 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
   targets->setExpanded(true);
   configurations->setExpanded(true);
   paths->setExpanded(true);
+  shareColumns();
+  // The rows stay where they are: a click may be on its way to one.
+  setAutoScroll(false);
   select(before);
+  setAutoScroll(true);
+  executeDelayedItemsLayout();
+  verticalScrollBar()->setValue(scrolledBy);
   m_isFilling = false;
   // A name that is being typed goes on being typed in the new row.
   if (!editor || current() != before) return;
@@ -155,6 +165,18 @@ void PlanTree::select(const Entry& entry) {
   for (QTreeWidgetItemIterator it(this); *it; ++it) {
     if (entryOf(*it) == entry) return setCurrentItem(*it);
   }
+}
+
+// Long names leave room for what is known of their rows.
+void PlanTree::shareColumns() {
+  constexpr double kMostOfNames = 0.55;
+  const int most = static_cast<int>(kMostOfNames * viewport()->width());
+  header()->resizeSection(0, std::min(sizeHintForColumn(0), most));
+}
+
+void PlanTree::resizeEvent(QResizeEvent* event) {
+  QTreeWidget::resizeEvent(event);
+  shareColumns();
 }
 
 void PlanTree::keyPressEvent(QKeyEvent* event) {

@@ -42,9 +42,11 @@ class PlanTree : public QTreeWidget {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   Entry entryOf(const QTreeWidgetItem* item) const;
+  void shareColumns();
   void addRobots(const CellPlans& plans, const CellRobot& robot);
   QTreeWidgetItem* add(QTreeWidgetItem* parent, const Entry& entry, const QString& text, const QString& status);
 

@@ -147,7 +147,7 @@ QWidget* RobotCellUi::makePanel() {
   panel->addWidget(RigidPartsUi::panel());
   panel->setStretchFactor(1, 2);
   panel->setStretchFactor(2, 2);
-  panel->setSizes({120, 300, 320});  // shares
+  panel->setSizes({110, 360, 270});  // shares
   return panel;
 }
 

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPointer>
+#include <QRegularExpression>
 #include <QTabBar>
 #include <cmath>
 
@@ -393,6 +394,57 @@ class CellPlanningWindowTest : public QObject {
     driver.choose("goToConfiguration");
     QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
     QCOMPARE(angle("joint.joint_1"), -60.0);
+    // The panel of the properties has the joints as they stand: moved there, the robot is seen there.
+    driver.choose("pathDockToggle");
+    QTRY_COMPARE(angle("joint.joint_1"), 60.0);
+    auto* const row = driver.find<QDockWidget>("propertiesDock")->findChild<QWidget*>("property/joint.joint_3");
+    auto* const line = row->findChild<QLineEdit*>();
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, "20");
+    QTest::keyClick(line, Qt::Key_Return);
+    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
+    QTRY_COMPARE(angle("joint.joint_1"), -60.0);
+    QTRY_COMPARE(angle("joint.joint_3"), 20.0);
+  }
+
+  // In the frame that one works in the time line counts from that, and names it.
+  void aPathIsPlayedInAFrame() {
+    PlanningWindow driver;
+    beginToPlay(driver);
+    const auto shown = [&] {
+      const QRegularExpression numbers(QStringLiteral("X (\\S+) +Y (\\S+) +Z (\\S+) mm(.*)$"));
+      const QRegularExpressionMatch match = numbers.match(driver.text("pathText"));
+      return QStringList{match.captured(1), match.captured(2), match.captured(3), match.captured(4)};
+    };
+    QVERIFY(shown()[3].isEmpty() && !shown()[0].isEmpty());
+    // A frame at the tool, where the path begins: there the tool is at its origin.
+    driver.choose("storeFrame");
+    driver.choose("workInFrame");
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    QTRY_COMPARE(shown()[3], QString(" in Frame 1"));
+    for (int i = 0; i < 3; ++i) QVERIFY2(std::abs(shown()[i].toDouble()) < 5.0, qPrintable(shown()[i]));
+  }
+
+  // Return in a field of the dialog takes what was typed: the path is planned by the button.
+  void namedInTheDialog() {
+    PlanningWindow driver;
+    driver.storeAt("joint.joint_1", "60");
+    driver.storeAt("joint.joint_1", "-60");
+    QVERIFY(driver.settle());
+    driver.choose("planPath");
+    auto* const dialog = driver.find<QDialog>("planDialog");
+    QTest::qWait(50);
+    auto* const line = dialog->findChild<QWidget*>("property/name")->findChild<QLineEdit*>();
+    line->setFocus();
+    QTest::keyClicks(line, "swing");
+    QTest::keyClick(line, Qt::Key_Return);
+    QVERIFY(dialog->isVisible());
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.paths()->childCount(), 0);
+    QTest::mouseClick(dialog->findChild<QPushButton*>("planNow"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+    QCOMPARE(driver.paths()->child(0)->text(0), QString("swing"));
   }
 };
 
