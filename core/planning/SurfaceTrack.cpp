@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planning/SurfaceTrack.h"
 
+#include "base/Units.h"
 #include "mesh/structure/AngleBetween.h"
 #include "proximity/ClosestPoint.h"
 
@@ -26,6 +27,22 @@ SurfaceTrack SurfaceTrack::reversed() const {
   std::reverse(other.points.begin(), other.points.end());
   for (TrackPoint& point : other.points) point.direction = -point.direction;
   return other;
+}
+
+bool isJagged(const SurfaceTrack& track) {
+  constexpr double kBend = 15.0 * kRadiansPerDegree;
+  constexpr int kFewest = 4;  // steps of a part have two in a row
+  int toAndFro = 0;
+  Vec3 before = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < track.points.size(); ++i) {
+    const Vec3 from = track.points[i].place - track.points[i - 1].place;
+    const Vec3 to = track.points[i + 1].place - track.points[i].place;
+    const bool isBend = angleBetween(from, to) > kBend;
+    const Vec3 side = isBend ? Vec3(from.cross(to).normalized()) : Vec3(Vec3::Zero());
+    if (before.dot(side) < 0.0) ++toAndFro;
+    before = side;
+  }
+  return toAndFro >= kFewest;
 }
 
 void orient(SurfaceTrack& track) {

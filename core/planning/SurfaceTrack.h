@@ -26,6 +26,10 @@ struct SurfaceTrack {
 // How far a place is from the segment between two points (mm).
 double distanceToSegment(const Vec3& place, const Vec3& a, const Vec3& b);
 
+// Whether the curve turns to one side and at once to the other again and again, as edges of scanned surfaces do, which
+// go along the sides of their triangles. O(points).
+bool isJagged(const SurfaceTrack& track);
+
 // Sets the directions of a curve's points from their places, and makes their normals unit vectors at a right angle to
 // these. Neighbours must be apart.
 void orient(SurfaceTrack& track);

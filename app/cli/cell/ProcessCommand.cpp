@@ -38,6 +38,12 @@ int runProcess(const Arguments& arguments, const DocumentKinds& kinds) {
     if (scene) result = processed(values, *scene, *file->cell, job.progress());
   });
   if (!scene) return fail(scene.error());
+  if (result && result->path.isJagged) {
+    complain(
+        "warning: the curve turns to and fro again and again, as edges of scanned parts do: follow a section or a "
+        "drawn "
+        "curve, or give a larger --tolerance");
+  }
   return result ? outputPath(*result, *scene, *file, arguments) : outputUnsolved(result.error(), arguments);
 }
 

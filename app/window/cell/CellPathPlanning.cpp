@@ -198,6 +198,11 @@ void CellPaths::takePlanned(DocumentTab& tab, PlannedPath made, const std::optio
       detail += QLatin1Char(' ') + tr("%Ln leg(s) with unchanged ends, still proven free, were kept.", nullptr,
                                       static_cast<int>(made.keptLegs));
     }
+    if (made.isJagged) {
+      detail +=
+          QLatin1Char(' ') + tr("Its curve turns to and fro again and again, as edges of scanned parts do: follow a "
+                                "section or a drawn curve, or set a larger tolerance.");
+    }
     return reportStored(tab, tr("%1 was planned").arg(name), detail);
   }
   emit message({Message::Weight::Info,

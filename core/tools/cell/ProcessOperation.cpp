@@ -328,6 +328,7 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
     if (!leg) return leg.error();
   }
   planned.path.arm = cell.plans->arm;
+  planned.isJagged = isJagged(*track);
   planned.path.clearance = cell.plans->ownClearance(route.plan.check.clearance);
   planned.path.process = processOf(
       values, {{}, asChosen.pose, body.pose, cell.plans->tool, basePose(scene.robot->model, scene.plannedArm())});

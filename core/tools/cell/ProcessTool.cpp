@@ -257,7 +257,12 @@ std::vector<std::string> ProcessTool::ends() const {
 }
 
 std::vector<Property> ProcessTool::settings() const {
-  return processSettings(m_values, ends());
+  std::vector<Property> all = processSettings(m_values, ends());
+  if (isJagged(m_track)) {
+    all.front().problem = QT_TRANSLATE_NOOP(
+        "Property", "it turns to and fro again and again: a section, or a larger tolerance, is smoother");
+  }
+  return all;
 }
 
 void ProcessTool::setSetting(std::string_view id, const PropertyValue& value) {

@@ -149,6 +149,31 @@ class PartSurfaceTest : public QObject {
     QVERIFY(simplified(rim, 100.0, 5.0 * kPi / 180.0).points.size() >= 26);
   }
 
+  // A saw is jagged; a circle, a polygon, the steps of a part and a line that is not quite straight are not.
+  void jaggedCurves() {
+    const auto through = [](int count, auto&& placeOf) {
+      SurfaceTrack track;
+      for (int i = 0; i < count; ++i) track.points.push_back({placeOf(i), Vec3::UnitX(), Vec3::UnitZ()});
+      return track;
+    };
+    const auto saw = [&](double height, int count) {
+      return through(count, [=](int i) { return Vec3(i, i % 2 == 0 ? 0.0 : height, 0.0); });
+    };
+    QVERIFY(isJagged(saw(0.5, 20)));
+    QVERIFY(!isJagged(saw(0.05, 20)));  // it bends by 5.7 degrees
+    QVERIFY(!isJagged(saw(0.5, 4)) && !isJagged(saw(0.5, 1)) && !isJagged(SurfaceTrack()));
+    const auto circle = [&](int sides) {
+      return through(sides + 1, [=](int i) {
+        return Vec3(std::cos(2.0 * kPi * i / sides), std::sin(2.0 * kPi * i / sides), 0.0);
+      });
+    };
+    QVERIFY(!isJagged(circle(6)) && !isJagged(circle(60)));
+    QVERIFY(!isJagged(through(6, [](int i) { return Vec3((i + 1) / 2, i / 2, 0.0); })));  // steps of a stair
+    const Vec3 nowhere = Vec3::Constant(std::nan(""));
+    QVERIFY(!isJagged(through(20, [&](int) { return nowhere; })));
+    QVERIFY(!isJagged(through(20, [](int) { return Vec3(Vec3::Zero()); })));
+  }
+
   void sharpnessAndCornersAreSettings() {
     const TriangleSoup twelve = rod(12);  // its sides meet at 30°
     QVERIFY(PartSurface(twelve, {.sharpness = 0.6}).edgeNear({30.0, 0.0, 0.0}, 5.0).points.empty());

@@ -38,6 +38,7 @@ struct PlannedPath {
   double seconds = 0.0;
   std::uint64_t steps = 0;   // points that were looked at
   std::size_t keptLegs = 0;  // as they were
+  bool isJagged = false;     // the curve that it follows (SurfaceTrack.h)
 };
 
 // Plans through these places, at least two. Those that were planned to targets go to where these are now. A leg between
