@@ -3,6 +3,7 @@
 #include "../WindowTestMain.h"
 #include "PlanningWindow.h"
 
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QInputDialog>
@@ -157,6 +158,56 @@ class CellReplanningWindowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 1, kPatienceMs);
     QVERIFY(driver.settle());
     QVERIFY(driver.find<QTreeWidget>("planTree")->isVisible());
+  }
+
+  // A long tool that meets a part where the path begins: the message of the plan that failed lets the two touch, in one
+  // undo step. Then the path is found, and the pair is named as not checked.
+  void aToolMayTouchItsPart() {
+    PlanningWindow driver;
+    const auto number = [&](const char* property) {
+      auto* const row = driver.find<QDockWidget>("propertiesDock")->findChild<QWidget*>(property);
+      return row->findChild<QLineEdit*>()->text().section(' ', 0, 0);
+    };
+    const auto size = [&](const std::string& body, const char* across, const char* along) {
+      for (const auto& [side, value] : {std::pair("size_x", across), {"size_y", across}, {"size_z", along}})
+        driver.edit((body + side).c_str(), value);
+    };
+    driver.edit("joint.joint_2", "20");
+    driver.edit("joint.joint_3", "30");
+    driver.edit("joint.joint_5", "40");
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    size("body.1.", "40", "200");
+    driver.choose("mountBody");
+    QVERIFY(driver.settle());
+    driver.edit("body.1.z", "120");  // from 20 to 220 mm in front of the flange
+    driver.edit("tcp.z", "200");
+    const QStringList tip{number("property/tool.x"), number("property/tool.y"), number("property/tool.z")};
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    size("body.2.", "20", "20");
+    driver.edit("body.2.x", tip[0]);
+    driver.edit("body.2.y", tip[1]);
+    driver.edit("body.2.z", tip[2]);
+    driver.choose("storeConfiguration");
+    driver.storeAt("joint.joint_1", "60");
+    QVERIFY(driver.settle());
+    driver.planPath();
+    auto* const let = driver.find<QAbstractButton>("messageAction");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("collides"), kPatienceMs);
+    QVERIFY2(let->isVisible() && let->text().contains("touch"), qPrintable(driver.text("messageText")));
+    QCOMPARE(driver.paths()->childCount(), 0);
+    driver.click("messageAction");
+    QVERIFY(driver.settle());
+    driver.planPath();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->child(0)->text(1).contains("not checked"), kPatienceMs);
+    driver.click("quickActions/undo");  // the path
+    driver.click("quickActions/undo");  // the pair
+    QVERIFY(driver.settle());
+    driver.planPath();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("collides"), kPatienceMs);
+    QCOMPARE(driver.paths()->childCount(), 0);
   }
 };
 
