@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/ControllerConfiguration.h"
 
-#include "robot/arm/ClosedFormIk.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -74,6 +72,15 @@ ControllerConfiguration controllerConfigurationOf(const SerialArm& arm, const Ar
   configuration.isElbowDown = across.dot((now.elbow - now.shoulder).cross(now.wrist - now.shoulder)) < 0.0;
   configuration.isFlipped = values[4] < 0.0;
   return configuration;
+}
+
+std::optional<ClosedFormIk> closedFormOfSphericalWrist(const SerialArm& arm) {
+  auto closed = ClosedFormIk::of(arm);
+  if (!closed) return closed;
+  const auto shoulder = closed->configurationOf(arm, ArmValues::Zero(arm.size())).shoulder;
+  const bool isSpherical =
+      shoulder == ArmConfiguration::Shoulder::Front || shoulder == ArmConfiguration::Shoulder::Rear;
+  return isSpherical ? closed : std::nullopt;
 }
 
 bool isWristInLine(const ArmValues& values) {

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "robot/arm/SerialArm.h"
+#include "robot/arm/ClosedFormIk.h"
 
 #include <functional>
 #include <optional>
 #include <span>
 
 namespace handwheel {
-
-class ClosedFormIk;
 
 // The configuration of an arm with a spherical wrist, as controllers denote it. It says in which of its ways the arm
 // reaches a pose.
@@ -22,6 +20,10 @@ struct ControllerConfiguration {
 
 // Six hinges.
 ControllerConfiguration controllerConfigurationOf(const SerialArm& arm, const ArmValues& values);
+
+// The closed form of an arm whose ways such a configuration tells apart, which is one with a spherical wrist. None: it
+// is another.
+std::optional<ClosedFormIk> closedFormOfSphericalWrist(const SerialArm& arm);
 
 // rad: so far may a place in a file have the tip turned, as files round poses.
 inline constexpr double kPoseRounding = 1e-4;

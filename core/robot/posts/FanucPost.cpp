@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/ControllerPosts.h"
+#include "robot/posts/FanucConfiguration.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/ProgramRoutines.h"
 
@@ -25,20 +26,6 @@ constexpr const char* kSetsFrame = "!Sets UFRAME[";
 ArmValues counted(ArmValues values, double sign) {
   values[2] -= sign * values[1];
   return values;
-}
-
-int turnsOf(double value) {
-  const double degrees = std::abs(value) / kRadiansPerDegree;
-  const int turns = static_cast<int>(std::floor((degrees + 180.0) / 360.0));
-  return value < 0.0 ? -turns : turns;
-}
-
-std::string fanucConfiguration(const SerialArm& arm, const ArmValues& values) {
-  const ControllerConfiguration configuration = controllerConfigurationOf(arm, values);
-  const bool isUp = configuration.isElbowDown == configuration.isRear;
-  return std::string(configuration.isFlipped ? "F" : "N") + (isUp ? " U" : " D") +
-         (configuration.isRear ? " B" : " T") + ", " + std::to_string(turnsOf(values[0])) + ", " +
-         std::to_string(turnsOf(values[3])) + ", " + std::to_string(turnsOf(values[5]));
 }
 
 // The world frame in the base: this maker puts it at the height of the second axis.
@@ -66,7 +53,7 @@ std::string placeText(const RobotProgram& program, const ProgramMotion& motion) 
   const Pose frame = isInFrame ? program.frame : fanucWorld(program.arm);
   const Pose place = frame.inverse(Eigen::Isometry) * program.tipOf(motion);
   const Vec3 at = place.translation(), turn = zyxAngles(place.linear()) / kRadiansPerDegree;
-  text += " CONFIG : '" + fanucConfiguration(program.arm, motion.joints) + "',\n";
+  text += " CONFIG : '" + fanucConfigurationOf(program.arm, motion.joints).text() + "',\n";
   text += "   X = " + fixedText(at.x(), 5) + " mm, Y = " + fixedText(at.y(), 5) + " mm, Z = " + fixedText(at.z(), 5) +
           " mm,\n";
   return text + "   W = " + fixedText(turn.z(), 7) + " deg, P = " + fixedText(turn.y(), 7) +
@@ -195,7 +182,8 @@ constexpr std::array kFanucStill = {"UFRAME_NUM", "UTOOL_NUM", "WAIT",    "DO[",
 
 class FanucReading {
  public:
-  explicit FanucReading(const RobotProgram& program) : m_program(program) {}
+  explicit FanucReading(const RobotProgram& program)
+      : m_program(program), m_closed(closedFormOfSphericalWrist(program.arm)) {}
 
   Status read(const ProgramStatement& statement) {
     LineReader line(statement.text, statement.line);
@@ -212,6 +200,7 @@ class FanucReading {
   Result<std::vector<ReadMotion>> motions() {
     std::vector<ReadMotion> all;
     std::optional<double> tool;
+    ArmValues reference = ArmValues::Zero(m_program.arm.size());  // where the joints are, as far as the program says
     for (auto& [number, motion] : m_motions) {
       const FanucPlace& place = m_places[number];
       if (const auto joints = valuesOf(place, {"J1", "J2", "J3", "J4", "J5", "J6"});
@@ -238,15 +227,33 @@ class FanucReading {
         if (used == 0.0) motion.tool = Pose::Identity();
         motion.pose = placeIn(m_program, motion.frame.value_or(fanucWorld(m_program.arm)), inWorld,
                               used == 0.0 ? Pose(Pose::Identity()) : m_program.tool);
+        if (motion.kind == ProgramMotion::Kind::Joint && !takeConfiguration(number, reference, motion))
+          return LineReader({}, motion.line)
+              .malformed("target", "the robot reaches its place in no way with this configuration");
       } else {
         return LineReader({}, motion.line).malformed("target", "its place is not in /POS, or not all of it");
       }
+      if (motion.joints) reference = *motion.joints;
       all.push_back(std::move(motion));
     }
     return all;
   }
 
  private:
+  // Of a joint motion to a pose the joint values that its CONFIG names, if it names any. A line goes on in the way in
+  // which it begins. False: no way of the robot has them.
+  bool takeConfiguration(std::size_t place, const ArmValues& reference, ReadMotion& motion) const {
+    const auto wanted = m_ways.find(place);
+    if (wanted == m_ways.end() || !m_closed) {
+      motion.isWayOpen = true;
+      return true;
+    }
+    const Pose tip = m_program.frame * *motion.pose * m_program.tool.inverse(Eigen::Isometry);
+    motion.joints = jointsWith(wanted->second, m_program.arm, *m_closed, tip, reference);
+    if (motion.joints) motion.pose = std::nullopt;
+    return motion.joints.has_value();
+  }
+
   void setFrame(const std::pair<const double, Pose>& frame, ReadMotion& motion) const {
     const auto named = m_frameNames.find(frame.first);
     motion.frame = frame.second;
@@ -271,11 +278,17 @@ class FanucReading {
     }
     // Of several groups of motion the first is the robot.
     for (std::size_t at = line.rest().find("GP"); at != std::string_view::npos; at = line.rest().find("GP")) {
-      if (m_open > 0 && m_isOwnGroup) readAssignments(line.rest().substr(0, at), m_places[m_open]);
+      takePlace(line.rest().substr(0, at));
       line.skip(at + 2);
       m_isOwnGroup = line.number().value_or(1.0) == 1.0 && line.take(":");
     }
-    if (m_open > 0 && m_isOwnGroup) readAssignments(line.rest(), m_places[m_open]);
+    takePlace(line.rest());
+  }
+
+  void takePlace(std::string_view text) {
+    if (m_open == 0 || !m_isOwnGroup) return;
+    readAssignments(text, m_places[m_open]);
+    if (const auto way = fanucConfigurationFrom(text)) m_ways[m_open] = *way;
   }
 
   Status readLine(const ProgramStatement& statement) {
@@ -378,6 +391,8 @@ class FanucReading {
   std::optional<double> m_named;    // frame whose name is in the next remark
   std::map<double, Pose> m_frames;  // user frames in the base, by theirs
   std::map<std::size_t, FanucPlace> m_places;
+  std::map<std::size_t, FanucConfiguration> m_ways;  // of places
+  std::optional<ClosedFormIk> m_closed;
   std::vector<std::pair<std::size_t, ReadMotion>> m_motions;  // by the numbers of their places
   std::size_t m_open = 0;
   bool m_isInLines = true, m_isInPlaces = false, m_isOwnGroup = true;

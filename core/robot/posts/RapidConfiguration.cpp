@@ -56,15 +56,6 @@ std::optional<RapidConfiguration> rapidConfigurationFrom(std::span<const double>
   return configuration;
 }
 
-std::optional<ClosedFormIk> rapidClosedForm(const SerialArm& arm) {
-  auto closed = ClosedFormIk::of(arm);
-  if (!closed) return closed;
-  const auto shoulder = closed->configurationOf(arm, ArmValues::Zero(arm.size())).shoulder;
-  const bool isSpherical =
-      shoulder == ArmConfiguration::Shoulder::Front || shoulder == ArmConfiguration::Shoulder::Rear;
-  return isSpherical ? closed : std::nullopt;
-}
-
 bool hasConfiguration(const RapidConfiguration& wanted, const SerialArm& arm, const ArmValues& values) {
   if (!hasRapidWay(wanted.way, arm, values)) return false;
   for (std::size_t i = 0; i < kQuarterJoints.size(); ++i) {

@@ -25,9 +25,6 @@ struct RapidConfiguration {
 // Six hinges.
 RapidConfiguration rapidConfigurationOf(const SerialArm& arm, const ArmValues& values);
 
-// The closed form of an arm whose ways confdata tell apart, which is one with a spherical wrist. None: it is another.
-std::optional<ClosedFormIk> rapidClosedForm(const SerialArm& arm);
-
 // Whether joint values that were computed from a pose of a file are of this configuration, as far as its rounding lets
 // one tell. Where the axes 4 and 6 are in line their quarter turns do not count.
 bool hasConfiguration(const RapidConfiguration& wanted, const SerialArm& arm, const ArmValues& values);

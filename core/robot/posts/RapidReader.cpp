@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/RapidConfiguration.h"
@@ -44,7 +45,7 @@ class RapidReading {
   explicit RapidReading(const RobotProgram& program)
       : m_program(program),
         m_joints(static_cast<std::size_t>(program.arm.size())),
-        m_closed(rapidClosedForm(program.arm)),
+        m_closed(closedFormOfSphericalWrist(program.arm)),
         m_reference(ArmValues::Zero(program.arm.size())) {
     m_tools["tool0"] = m_frames["wobj0"] = Pose::Identity();
     if (!program.frameName.empty() && !program.declaresFrame) m_frames[folded(rapidFrameName(program))] = program.frame;

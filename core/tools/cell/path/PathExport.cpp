@@ -14,6 +14,7 @@
 #include "robot/ControllerBase.h"
 #include "robot/arm/NumericalIk.h"
 #include "robot/dh/DhTable.h"
+#include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/PostErrors.h"
 #include "robot/posts/PostText.h"
 #include "robot/program/PathFile.h"
@@ -91,7 +92,7 @@ double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional
 bool endsInItsWay(const ReadMotion& motion, const Pose& tip, const RobotProgram& program, const ArmValues& from,
                   bool isFirst, ArmValues& joints) {
   if (hasConfiguration(*motion.endsIn, program.arm, joints)) return true;
-  const auto closed = rapidClosedForm(program.arm);
+  const auto closed = closedFormOfSphericalWrist(program.arm);
   const auto other = closed ? jointsWith(*motion.endsIn, program.arm, *closed, tip, from) : std::nullopt;
   const bool isReached = other && (isFirst || followLine(program.arm, program.tool, from, *other).reached >= 1.0);
   if (isReached) joints = *other;
