@@ -55,6 +55,8 @@ std::string ClassTable::heading(std::size_t column) const {
       return translatable("ClassTable", "Hints");
     case Made:
       return translatable("ClassTable", "Made");
+    case Tries:
+      return translatable("ClassTable", "Tries");
     case Points:
       return translatable("ClassTable", "Points");
     case Percent:
@@ -67,6 +69,7 @@ std::string ClassTable::heading(std::size_t column) const {
 std::optional<double> ClassTable::number(const ClassRow& row, std::size_t column) const {
   if (column == Minutes) return std::round(10.0 * row.attempt.seconds / kSecondsOfMinute) / 10.0;
   if (column == Hints) return static_cast<double>(row.attempt.hintCount());
+  if (column == Tries) return row.tries ? std::optional(static_cast<double>(*row.tries)) : std::nullopt;
   if (!row.problem.empty()) return std::nullopt;
   if (column == Points) return row.marking.points;
   if (column == Percent && row.marking.of > 0.0) return std::round(1000.0 * row.marking.points / row.marking.of) / 10.0;

@@ -16,13 +16,14 @@ struct ClassRow {
   WorkOrigin origin = WorkOrigin::Unknown;
   std::string problem = {};               // why it was not marked; empty: it was
   std::vector<std::string> remarks = {};  // what the teacher is to know of the file
+  std::optional<std::size_t> tries = {};  // that the work took; none: they are not counted of its kind
 };
 
 // The submissions of a class as one table. It has a row for each, and a column for each criterion.
 class ClassTable {
  public:
   // The columns before those of the criteria; what a teacher looks for is first.
-  enum Column : std::size_t { Student, Points, Percent, Minutes, Hints, Made, HandedIn, File, FirstCriterion };
+  enum Column : std::size_t { Student, Points, Percent, Minutes, Hints, Made, Tries, HandedIn, File, FirstCriterion };
 
   explicit ClassTable(const Exercise& exercise);
 

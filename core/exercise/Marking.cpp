@@ -92,10 +92,22 @@ Mark markFor(const MarkingCriterion& c, const Measurement* figure, const std::st
   return mark;
 }
 
+// The figure of a criterion; null: there is none.
+const Measurement* figureOf(const std::vector<Measurement>& figures, const std::string& criterion) {
+  const auto found = std::find_if(figures.begin(), figures.end(),
+                                  [&](const Measurement& each) { return each.criterion == criterion; });
+  return found == figures.end() ? nullptr : &*found;
+}
+
 // The criterion that the work fails by; null: by none.
-const MarkingCriterion* failedBy(const Exercise& exercise, const Marking& marking) {
-  for (std::size_t i = 0; i < exercise.criteria.size(); ++i)
-    if (exercise.criteria[i].isDecisive && marking.marks[i].verdict != Verdict::Met) return &exercise.criteria[i];
+const MarkingCriterion* failedBy(const Exercise& exercise, const Marking& marking,
+                                 const std::vector<Measurement>& figures) {
+  for (std::size_t i = 0; i < exercise.criteria.size(); ++i) {
+    const MarkingCriterion& c = exercise.criteria[i];
+    if (!c.isDecisive || marking.marks[i].verdict == Verdict::Met) continue;
+    const Measurement* const figure = figureOf(figures, c.id);
+    if (!figure || !figure->isOfEarlierTry) return &c;
+  }
   return nullptr;
 }
 
@@ -157,13 +169,11 @@ Marking markMeasurements(const Exercise& exercise, const std::vector<Measurement
   Marking marking;
   for (std::size_t i = 0; i < exercise.criteria.size(); ++i) {
     const MarkingCriterion& c = exercise.criteria[i];
-    const auto figure =
-        std::find_if(figures.begin(), figures.end(), [&](const Measurement& each) { return each.criterion == c.id; });
     const std::string unit = i < units.size() ? units[i] : std::string();
-    marking.marks.push_back(markFor(c, figure == figures.end() ? nullptr : &*figure, unit));
+    marking.marks.push_back(markFor(c, figureOf(figures, c.id), unit));
     marking.of = hundredths(marking.of + marking.marks.back().of);
   }
-  const MarkingCriterion* const failed = failedBy(exercise, marking);
+  const MarkingCriterion* const failed = failedBy(exercise, marking, figures);
   for (Mark& mark : marking.marks) {
     if (failed && mark.points > 0.0 && mark.criterion != failed->id)
       mark.reason = {translatable("Note", "no points, because “%1” was not met"), {failed->name}};

@@ -20,6 +20,8 @@ struct Measurement {
   std::string criterion;        // its id
   std::optional<double> value;  // in the unit of the figure; none: it could not be measured
   ExerciseText remark = {};     // where that was, or why there is none
+  // It was so in an earlier try, which was taken back: it costs this criterion, and fails no other.
+  bool isOfEarlierTry = false;
 };
 
 enum class Verdict { Met, TooSmall, TooLarge, NotMeasured };

@@ -419,6 +419,8 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "figures of drilling have limits, no tolerance"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is no drill"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not a list of holes"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is not a list of tries"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a try is impossible"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not a volume"),
     QT_TRANSLATE_NOOP("ErrorWord", "points were expected: time, depth, beside, across, in order of time"),
     QT_TRANSLATE_NOOP("ErrorWord", "poses of the drill are lost"),

@@ -157,7 +157,7 @@ void DrillView::warn(const HandDrill& tool, const DrillState& hole) {
   if (!tool.isWorkOnExercise()) return;
   if (hole.figures.forbidden > 0.0 && !std::exchange(m_said.forbidden, true))
     emit message({Message::Weight::Error, tr("The attempt has failed"), tr("The drill entered the forbidden region."),
-                  tr("Undo the hole to try again; stop at the breakthrough.")});
+                  tr("Undo the hole to try again, and stop at the breakthrough. The report tells of this try.")});
   if (isBesidePath(hole) && !std::exchange(m_said.besidePath, true))
     emit message({Message::Weight::Warning, tr("Beside the planned path"),
                   tr("The drill is more than %1 mm away from it.").arg(lengthText(hole.plan->tolerance)),

@@ -142,6 +142,11 @@ class ExerciseSubject {
     (void)work;
     return WorkOrigin::Unknown;
   }
+  // How many tries the work took; none: they are not counted.
+  virtual std::optional<std::size_t> triesOf(const Snapshot& work) const {
+    (void)work;
+    return std::nullopt;
+  }
   // Whether students may make it by program.
   virtual bool areProgramsAllowed(const ExerciseTask& task) const {
     (void)task;

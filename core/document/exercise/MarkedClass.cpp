@@ -28,7 +28,7 @@ constexpr std::array<const char*, 4> kVerdictWords = {"met", "too_small", "too_l
 constexpr std::array<const char*, 4> kOriginWords = {"", "hand", "program", "both"};
 
 constexpr const char *kClassPath = "path", *kClassAttempt = "attempt", *kClassMarks = "marks", *kClassPoints = "points",
-                     *kClassOf = "of", *kClassOrigin = "made_by", *kClassProblem = "problem",
+                     *kClassOf = "of", *kClassOrigin = "made_by", *kClassTries = "tries", *kClassProblem = "problem",
                      *kClassRemarks = "remarks", *kClassScheme = "scheme", *kClassFigures = "figures",
                      *kClassEvents = "events", *kClassSeconds = "seconds", *kClassPieces = "pieces",
                      *kClassText = "text", *kClassArguments = "arguments", *kClassCriterion = "criterion",
@@ -121,6 +121,7 @@ Json workJson(const ReportedWork& work) {
                {kClassRemarks, soundTexts(row.remarks)},
                {kClassScheme, work.scheme},
                {kClassSeconds, work.details.seconds}};
+  if (row.tries) json[kClassTries] = *row.tries;
   Json marks = Json::array(), figures = Json::array(), events = Json::array(), pieces = Json::array();
   for (const Mark& mark : row.marking.marks) marks.push_back(markJson(mark));
   for (const ReportMeasurement& each : work.details.figures)
@@ -145,6 +146,8 @@ ReportedWork workFrom(const Json& json, std::vector<Error>& damage) {
   row.file = std::filesystem::path(work.path).filename().string();
   row.attempt = attemptFrom(JsonFieldReader(json).member(kClassAttempt), damage);
   row.origin = static_cast<WorkOrigin>(classWordAt(kOriginWords, stringAt(json, kClassOrigin), 0));
+  if (const Json& tries = JsonFieldReader(json).member(kClassTries); tries.is_number_unsigned())
+    row.tries = tries.get<std::size_t>();
   row.problem = classTextIn(json, kClassProblem);
   row.remarks = classTextsIn(json, kClassRemarks);
   row.marking.points = classNumberIn(json, kClassPoints);

@@ -55,6 +55,7 @@ Result<ClassRow> markSubmission(const ExerciseSnapshot& scheme, const ExerciseSn
   if (!isSameScheme(scheme, submission))
     row.remarks.emplace_back("It was done by another version of the exercise: its sizes or its stock are not these.");
   row.origin = scheme.subject->originOf(*submission.work);
+  row.tries = scheme.subject->triesOf(*submission.work);
   const bool isByProgram = row.origin == WorkOrigin::Program || row.origin == WorkOrigin::Both;
   if (isByProgram && !scheme.subject->areProgramsAllowed(*scheme.task))
     row.remarks.emplace_back(row.origin == WorkOrigin::Both

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char *kHoles = "holes", *kShape = "drill", *kPoses = "poses", *kErosion = "erosion";
+constexpr const char *kHoles = "holes", *kShape = "drill", *kPoses = "poses", *kErosion = "erosion", *kTried = "tried";
 constexpr const char *kTimes = "volume/holes/times", *kPlaces = "volume/holes/places", *kAxes = "volume/holes/axes";
 constexpr const char* kShapes[] = {"ball", "burr", "twist", "saw"};  // in the order of DrillShape
 constexpr std::size_t kMostHoles = 100'000;
@@ -134,6 +134,37 @@ DrilledHoles readHoles(const Container& container, std::vector<Error>& damage) {
     holes.push_back(std::move(hole));
   }
   return holes;
+}
+
+void writeTried(const TriedHoles& tried, Container& container) {
+  Json list = Json::array();
+  for (const TriedHole& hole : tried) list.push_back(Json::array({hole.mark, hole.forbidden, hole.number}));
+  (*container.manifest)["document"][kTried] = std::move(list);
+}
+
+std::shared_ptr<const TriedHoles> readTried(const Container& container, std::vector<Error>& damage) {
+  const Json list = (*container.manifest)["document"].value(kTried, Json());
+  if (list.is_null()) return nullptr;
+  if (!list.is_array()) {
+    damage.push_back({ErrorCode::ElementMalformed, {"document.tried", "it is not a list of tries"}, {}, {}});
+    return nullptr;
+  }
+  auto tried = std::make_shared<TriedHoles>();
+  std::uint32_t last = 1;  // tries are in order
+  for (const Json& each : list) {
+    const bool isHole = each.is_array() && each.size() == 3 && each[0].is_number_unsigned() && each[1].is_number() &&
+                        each[2].is_number_unsigned();
+    const double forbidden = isHole ? each[1].get<double>() : -1.0;
+    const std::uint64_t number = isHole ? each[2].get<std::uint64_t>() : 0;
+    if (!(forbidden >= 0.0 && forbidden <= 1e6) || number < last || number > TriedHole::kMost ||
+        tried->size() == TriedHole::kMost) {
+      damage.push_back({ErrorCode::ElementMalformed, {"document.tried", "a try is impossible"}, {}, {}});
+      break;
+    }
+    last = static_cast<std::uint32_t>(number);
+    tried->push_back({each[0].get<std::uint64_t>(), forbidden, last});
+  }
+  return tried->empty() ? nullptr : tried;
 }
 
 }  // namespace handwheel

@@ -15,4 +15,10 @@ void writeHoles(const DrilledHoles& holes, Container& container);
 // not be drilled again as it was.
 DrilledHoles readHoles(const Container& container, std::vector<Error>& damage);
 
+// Writes the holes that were tried into the list manifest["document"]["tried"], each as [mark, depth in the forbidden
+// region, number of its try].
+void writeTried(const TriedHoles& tried, Container& container);
+// Reads it from any input. Null: there are none. What makes no sense is left out, and the damage has it.
+std::shared_ptr<const TriedHoles> readTried(const Container& container, std::vector<Error>& damage);
+
 }  // namespace handwheel

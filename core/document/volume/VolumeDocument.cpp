@@ -58,15 +58,26 @@ VolumeDocument::VolumeDocument(OpenedFile opened, QObject* parent)
     : Document(*opened.kind, std::move(opened.file), parent),
       m_volume(std::static_pointer_cast<const VolumeSnapshot>(opened.content)),
       m_scan(m_volume->scan),
-      m_segment(m_volume->segment) {}
+      m_segment(m_volume->segment),
+      m_tried(m_volume->tried) {}
 
 std::shared_ptr<const VolumeSnapshot> VolumeDocument::withScan(
     const std::shared_ptr<const VolumeSnapshot>& volume) const {
-  if (!m_scan || (volume->scan == m_scan && volume->segment == m_segment)) return volume;
+  const bool isOfScan = !m_scan || (volume->scan == m_scan && volume->segment == m_segment);
+  if (isOfScan && volume->tried == m_tried) return volume;
   auto whole = std::make_shared<VolumeSnapshot>(*volume);
-  whole->scan = m_scan;
-  whole->segment = m_segment;
+  if (m_scan) {
+    whole->scan = m_scan;
+    whole->segment = m_segment;
+  }
+  whole->tried = m_tried;
   return whole;
+}
+
+void VolumeDocument::addTried(const DrillRecord& hole, double forbidden) {
+  TriedHoles before = m_tried ? *m_tried : TriedHoles();
+  m_tried = std::make_shared<const TriedHoles>(withHole(std::move(before), m_volume->holes, hole, forbidden));
+  wasRecorded();
 }
 
 std::vector<Property> VolumeDocument::properties() const {

@@ -26,6 +26,12 @@ class VolumeDocument : public Document {
   const Segment& segment() const { return m_segment; }
 
   SnapshotPointer snapshot() const override { return withScan(m_volume); }
+  // The holes that were drilled in work on an exercise; null: none.
+  const std::shared_ptr<const TriedHoles>& tried() const { return m_tried; }
+  std::uint32_t tryCount() const { return triesCounted(m_tried.get(), m_volume->holes); }
+  // Adds one that was drilled. No undo step: what was tried stays tried.
+  void addTried(const DrillRecord& hole, double forbidden);
+
   // The value that the document has when its volume is this one.
   std::shared_ptr<const VolumeSnapshot> withScan(const std::shared_ptr<const VolumeSnapshot>& volume) const;
   // Layers have "layer.1.name", "layer.1.on" and "layer.1.strength", the lowest being 1.
@@ -40,10 +46,11 @@ class VolumeDocument : public Document {
   friend class VolumeEdit;
   friend class SegmentEdit;
 
-  // Its scan and segment are those of the time when it was made: edits of the volume and of the segment are apart.
+  // Its scan, segment and tries are those of the time when it was made: edits of the volume are apart from them.
   std::shared_ptr<const VolumeSnapshot> m_volume;
   std::shared_ptr<const Scan> m_scan;
   Segment m_segment;
+  std::shared_ptr<const TriedHoles> m_tried;
   std::shared_ptr<const PreparedShare> m_prepared;
 };
 

@@ -113,6 +113,7 @@ void VolumeKind::save(const Snapshot& content, Container& container) const {
   (*container.manifest)["document"]["layers"] = nullptr;
   if (const auto& layers = volumeOf(content).layers) writeLayers(*layers, volumeOf(content).volume, container);
   writeHoles(volumeOf(content).holes, container);
+  if (const auto& tried = volumeOf(content).tried) writeTried(*tried, container);
   if (const auto& scan = volumeOf(content).scan) writeScan(scan->image, volumeOf(content).segment, container);
 }
 
@@ -128,6 +129,7 @@ Result<SnapshotPointer> VolumeKind::load(const Container& container, std::vector
   snapshot->mask = readMask(container, snapshot->volume, damage);
   snapshot->layers = readLayers(container, snapshot->volume, damage);
   snapshot->holes = readHoles(container, damage);
+  snapshot->tried = readTried(container, damage);
   takeScan(readScan(container, damage, progress.part(0.0, 0.2)), *snapshot);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return SnapshotPointer(std::move(snapshot));

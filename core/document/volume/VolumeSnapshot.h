@@ -7,7 +7,7 @@
 #include "volume/ClayLayers.h"
 #include "volume/ClayMask.h"
 #include "volume/SparseVolume.h"
-#include "volume/drilling/DrillRecord.h"
+#include "volume/drilling/DrillTries.h"
 #include "volume/segment/Segment.h"
 #include "volume/surface/VolumeSurface.h"
 
@@ -31,6 +31,8 @@ struct VolumeSnapshot : Snapshot {
   std::shared_ptr<const Scan> scan;  // that it was made from; null: there is none
   Segment segment;                   // what is chosen of the scan
   DrilledHoles holes;
+  // The holes that were drilled in work on an exercise: no undo takes one back. Null: none.
+  std::shared_ptr<const TriedHoles> tried;
 };
 
 }  // namespace handwheel

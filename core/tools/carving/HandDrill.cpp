@@ -72,6 +72,8 @@ std::shared_ptr<const DrillState> HandDrill::state() const {
 }
 
 void HandDrill::restart() {
+  if (m_gesture->isOn())
+    if (const auto hole = state(); hole->changedBlocks > 0) drop(*hole, recordOf(*hole));
   m_isHeld = false;
   m_feed.reset();
   m_gesture->restart();
@@ -166,10 +168,7 @@ ToolReply HandDrill::release() {
     restart();
     return ToolReply::Used;
   }
-  auto record = std::make_shared<DrillRecord>();
-  record->setup = m_begun;
-  record->poses = m_last->poses;
-  take(static_cast<const DrillSimulation&>(*ended), std::move(record));
+  take(static_cast<const DrillSimulation&>(*ended), std::make_shared<const DrillRecord>(recordOf(*m_last)));
   return ToolReply::Used;
 }
 

@@ -65,6 +65,11 @@ class HandDrill : public VolumeTool {
   virtual void refuse() {}  // it was tried all the same
   // A hole was drilled to its end; it is hole() and has this record. restart() is to follow, now or later.
   virtual void take(const DrillSimulation& drilled, std::shared_ptr<const DrillRecord> record) = 0;
+  // A hole was begun, and is dropped before its end.
+  virtual void drop(const DrillState& hole, const DrillRecord& record) { (void)hole, (void)record; }
+
+  // Ends the hole that is drilled, as if the button was let go.
+  ToolReply release();
 
   // Drops what was begun, and simulates from the present state on.
   void restart();
@@ -90,7 +95,7 @@ class HandDrill : public VolumeTool {
   std::optional<Start> startOfFeed(const PointerEvent& event);
   std::optional<Start> continued(const Vec3& place) const;
   ToolReply press(const PointerEvent& event);
-  ToolReply release();
+  DrillRecord recordOf(const DrillState& hole) const { return {m_begun, hole.poses}; }
 
   DrillSettings m_settings;
   bool m_isHeld = false;            // the feed, for now

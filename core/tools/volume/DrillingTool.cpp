@@ -3,6 +3,7 @@
 #include "tools/volume/DrillingTool.h"
 
 #include "document/volume/VolumeEdit.h"
+#include "tools/ToolProperty.h"
 #include "volume/VolumeReader.h"
 
 #include <algorithm>
@@ -63,6 +64,24 @@ std::shared_ptr<const KindPreview> DrillingTool::previewOf(const std::shared_ptr
   return volume;
 }
 
+void DrillingTool::settle() {
+  if (m_task && isLive()) release();
+}
+
+std::vector<Property> DrillingTool::settings() const {
+  std::vector<Property> all = HandDrill::settings();
+  if (!m_task) return all;
+  Property count = numberSetting("tries", QT_TRANSLATE_NOOP("Property", "Tries"), m_document.tryCount(),
+                                 Quantity::Number, {0.0, static_cast<double>(TriedHole::kMost)});
+  count.editable = false;
+  all.push_back(std::move(count));
+  return all;
+}
+
+void DrillingTool::drop(const DrillState& hole, const DrillRecord& record) {
+  if (m_task) m_document.addTried(record, hole.figures.forbidden);
+}
+
 // What is undone is not shown any more.
 void DrillingTool::documentChanged() {
   if (m_document.volume()->holes.size() != m_lastCount) forgetHole();
@@ -78,6 +97,7 @@ void DrillingTool::take(const DrillSimulation&, std::shared_ptr<const DrillRecor
   after->layers = nullptr;
   after->holes.push_back(std::move(record));
   m_lastCount = after->holes.size();
+  if (m_task) m_document.addTried(*after->holes.back(), drilled->figures.forbidden);
   m_document.commit(textOf(*drilled), std::make_unique<VolumeEdit>(std::move(after), drilled->changedBlocks));
 }
 

@@ -15,6 +15,9 @@ class DrillingTool : public HandDrill {
   DrillingTool(VolumeDocument& document, const SimulationServices& services);
 
   void documentChanged() override;
+  // Work on an exercise is handed in with the hole that is being drilled: no try is lost by leaving it.
+  void settle() override;
+  std::vector<Property> settings() const override;
   DrillSetup setup() const override;
   bool isWorkOnExercise() const override { return m_task != nullptr; }
 
@@ -27,6 +30,7 @@ class DrillingTool : public HandDrill {
   std::unique_ptr<DrillSimulation> simulation(const std::optional<DrillFeed>& feed) const override;
   std::shared_ptr<const KindPreview> previewOf(const std::shared_ptr<const DrillState>& state) const override;
   void take(const DrillSimulation& drilled, std::shared_ptr<const DrillRecord> record) override;
+  void drop(const DrillState& hole, const DrillRecord& record) override;
 
   VolumeDocument& m_document;
   std::shared_ptr<const DrillingTask> m_task;  // null: it is work on no exercise

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/drilling/DrillRecord.h"
 
+#include "base/Fingerprint.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +38,12 @@ Vec3 DrillPose::direction() const {
 bool DrillPose::isSound() const {
   const Vec3 along(axis[0], axis[1], axis[2]);
   return along.allFinite() && along.norm() > 0.5 && along.norm() < 2.0;
+}
+
+void addTo(Fingerprint& mark, const DrillPose& pose) {
+  mark.add(pose.micros);
+  for (const std::int64_t at : pose.at) mark.add(static_cast<std::uint64_t>(at));
+  for (const float direction : pose.axis) mark.add(static_cast<double>(direction));
 }
 
 }  // namespace handwheel

@@ -31,6 +31,9 @@ struct DrillPose {
   bool operator==(const DrillPose&) const = default;
 };
 
+class Fingerprint;
+void addTo(Fingerprint& mark, const DrillPose& pose);
+
 // How a hole was drilled: from it the same hole follows, with thrust and torque.
 struct DrillRecord {
   static constexpr std::size_t kMostPoses = 3'600'000;  // an hour at 1 kHz

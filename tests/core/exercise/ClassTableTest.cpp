@@ -116,17 +116,19 @@ class ClassTableTest : public QObject {
   // As RFC 4180 says; no field is a formula to a spreadsheet.
   void csv() {
     ClassTable table(task());
-    table.add(row("=Bob", 19.0, 10.0));
+    ClassRow bob = row("=Bob", 19.0, 10.0);
+    bob.tries = 2;
+    table.add(bob);
     table.add(row("Cleo, \"the 2nd\"", 30.0, 30.0));
     QCOMPARE(
         QByteArray::fromStdString(table.csv()),
         QByteArray(
-            "\xEF\xBB\xBFStudent,Points,Percent,Minutes,Hints,Made,Handed in,File,\"Diameter \"\"front\"\", 20 "
+            "\xEF\xBB\xBFStudent,Points,Percent,Minutes,Hints,Made,Tries,Handed in,File,\"Diameter \"\"front\"\", 20 "
             "(points)\",Time (points)\r\n"
-            "'=Bob,10,100,1.5,3,,2026-11-23T08:15:00Z,'=Bob.handwheel,8,2\r\n"
-            "\"Cleo, \"\"the 2nd\"\"\",0,0,1.5,3,,2026-11-23T08:15:00Z,\"Cleo, \"\"the 2nd\"\".handwheel\",0,0\r\n"));
+            "'=Bob,10,100,1.5,3,,2,2026-11-23T08:15:00Z,'=Bob.handwheel,8,2\r\n"
+            "\"Cleo, \"\"the 2nd\"\"\",0,0,1.5,3,,,2026-11-23T08:15:00Z,\"Cleo, \"\"the 2nd\"\".handwheel\",0,0\r\n"));
     QCOMPARE(ClassTable(Exercise()).csv(),
-             std::string("\xEF\xBB\xBFStudent,Points,Percent,Minutes,Hints,Made,Handed in,File\r\n"));
+             std::string("\xEF\xBB\xBFStudent,Points,Percent,Minutes,Hints,Made,Tries,Handed in,File\r\n"));
   }
 };
 

@@ -46,6 +46,20 @@ class MarkingTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // What was so in a try that was taken back costs its own points alone, also of a decisive criterion.
+  void earlierTry() {
+    Exercise exercise = only(within(0.0, 1.0, 5.0, 0.0));
+    exercise.criteria[0].isDecisive = true;
+    MarkingCriterion other = within(0.0, 1.0, 3.0, 0.0);
+    other.id = "d2";
+    exercise.criteria.push_back(other);
+    const Marking marking = markMeasurements(exercise, {{"d1", 1.5, {}, true}, {"d2", 0.5, {}}}, {});
+    QVERIFY(marking.marks[0].verdict == Verdict::TooLarge);
+    QCOMPARE(marking.marks[0].points, 0.0);
+    QCOMPARE(marking.points, 3.0);
+    QCOMPARE(marking.of, 8.0);
+  }
+
   // A decisive criterion that is not met, or not measured, takes all points, also its own share.
   void decisiveCriterion() {
     Exercise exercise = only(within(0.0, 1.0, 5.0, 2.0));

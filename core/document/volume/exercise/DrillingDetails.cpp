@@ -65,12 +65,7 @@ void addRecordedPieces(ReportDetails& details, const DrillRecord& hole) {
   for (std::size_t first = 0; first < hole.poses.size(); first += kPosesOfPiece) {
     const std::size_t last = std::min(first + kPosesOfPiece, hole.poses.size()) - 1;
     Fingerprint mark;
-    for (std::size_t i = first; i <= last; ++i) {
-      const DrillPose& pose = hole.poses[i];
-      mark.add(pose.micros);
-      for (const std::int64_t at : pose.at) mark.add(static_cast<std::uint64_t>(at));
-      for (const float direction : pose.axis) mark.add(static_cast<double>(direction));
-    }
+    for (std::size_t i = first; i <= last; ++i) addTo(mark, hole.poses[i]);
     details.pieces.push_back({mark.value(), hole.poses[last].seconds() - hole.poses[first].seconds()});
   }
 }
@@ -150,6 +145,17 @@ ReportDetails drillingDetails(const DrillingTask& task, const DrilledHoles& hole
   std::stable_sort(details.events.begin(), details.events.end(),
                    [](const ReportEvent& one, const ReportEvent& other) { return one.seconds < other.seconds; });
   return details;
+}
+
+void addTries(ReportDetails& details, const DrillTries& tries) {
+  if (tries.count == 0) return;
+  details.figures.push_back({"tries", static_cast<double>(tries.count)});
+  std::vector<ReportEvent> events;  // before the work that is there, which is the last try
+  for (const FailedTry& failed : tries.failed)
+    events.push_back({0.0,
+                      {QT_TRANSLATE_NOOP("Note", "Try %1 entered the forbidden region by %2 mm, and was taken back."),
+                       {std::to_string(failed.number), roundedText(failed.forbidden, 3)}}});
+  details.events.insert(details.events.begin(), events.begin(), events.end());
 }
 
 }  // namespace handwheel

@@ -21,4 +21,7 @@ ReportCurve heatCurve(const std::vector<DrillMoment>& moments);
 ReportDetails drillingDetails(const DrillingTask& task, const DrilledHoles& holes, const DrillReview& review,
                               Progress progress = {});
 
+// Adds how many tries the work took, and each that was in the forbidden region before it was taken back.
+void addTries(ReportDetails& details, const DrillTries& tries);
+
 }  // namespace handwheel

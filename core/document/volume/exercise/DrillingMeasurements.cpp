@@ -32,7 +32,7 @@ bool isSame(const DrillSetup& one, const DrillSetup& other) {
          one.material.tangential == other.material.tangential && std::abs(one.spindle - other.spindle) < 1e-9;
 }
 
-std::optional<double> valueOf(const std::string& figure, const DrillReview& review) {
+std::optional<double> valueIn(const DrillReview& review, const std::string& figure) {
   const DrillStatistics& f = review.figures;
   if (figure == "forbidden") return f.forbidden;
   if (!f.contact) return std::nullopt;
@@ -60,11 +60,17 @@ const std::vector<MeasurementType>& drillingMeasurementTypes() {
       {"last_thrust", QT_TRANSLATE_NOOP("Figure", "Mean thrust in the last millimetre"), "N"},
       {"torque", QT_TRANSLATE_NOOP("Figure", "Largest torque"), "N·mm"},
       {"heat", QT_TRANSLATE_NOOP("Figure", "Temperature rise (estimate)"), "K"},
-      {"hole_time", QT_TRANSLATE_NOOP("Figure", "Time of the hole"), "s"}};
+      {"hole_time", QT_TRANSLATE_NOOP("Figure", "Time of the hole"), "s"},
+      {"tries", QT_TRANSLATE_NOOP("Figure", "Tries"), ""}};
   return types;
 }
 
-MeasuredDrilling::MeasuredDrilling(const DrillingTask& task, const VolumeSnapshot& work, Progress progress) {
+DrillTries triesOf(const VolumeSnapshot& work) {
+  return triesOf(work.tried.get(), work.holes);
+}
+
+MeasuredDrilling::MeasuredDrilling(const DrillingTask& task, const VolumeSnapshot& work, Progress progress)
+    : m_tries(triesOf(work)), m_rule(task.failedTries) {
   const DrillSetup setup = task.setup();
   m_isAsPrepared =
       std::all_of(work.holes.begin(), work.holes.end(), [&](const auto& hole) { return isSame(hole->setup, setup); });
@@ -80,21 +86,45 @@ ExerciseText MeasuredDrilling::problem(const std::string& figure) const {
   if (!m_review) return {QT_TRANSLATE_NOOP("Note", "The measuring was cancelled.")};
   if (!m_isOfItsHoles) return {QT_TRANSLATE_NOOP("Note", "The volume was changed by something else than the drill.")};
   if (!m_review->figures.contact) return {QT_TRANSLATE_NOOP("Note", "Nothing was drilled.")};
-  if (!valueOf(figure, *m_review)) return {QT_TRANSLATE_NOOP("Note", "The drill did not come through.")};
+  if (!valueOf(figure)) return {QT_TRANSLATE_NOOP("Note", "The drill did not come through.")};
   return {};
+}
+
+std::optional<double> MeasuredDrilling::valueOf(const std::string& figure) const {
+  return figure == "tries" ? std::optional(static_cast<double>(m_tries.count)) : valueIn(*m_review, figure);
+}
+
+// Of the region that was entered in tries that were taken back. What is there now comes first: it may fail the work.
+void MeasuredDrilling::addFailedTries(const MarkingCriterion& criterion, Measurement& figure) const {
+  if (m_tries.failed.empty()) return;
+  const double deepest =
+      std::max_element(m_tries.failed.begin(), m_tries.failed.end(), [](const FailedTry& one, const FailedTry& other) {
+        return one.forbidden < other.forbidden;
+      })->forbidden;
+  const ExerciseText told = {
+      QT_TRANSLATE_NOOP("Note", "Tries that entered it and were taken back: %1 of %2, by %3 mm at most."),
+      {std::to_string(m_tries.failed.size()), std::to_string(m_tries.count), roundedText(deepest, 3)}};
+  if (figure.remark.text.empty()) figure.remark = told;
+  if (m_rule == FailedTries::AreListed || deepest <= *figure.value || earnedShare(criterion, *figure.value) < 1.0)
+    return;
+  figure.value = deepest;
+  figure.remark = told;
+  figure.isOfEarlierTry = m_rule == FailedTries::CostTheMark;
 }
 
 Measurement MeasuredDrilling::measure(const MarkingCriterion& criterion) const {
   Measurement figure{criterion.id, std::nullopt, problem(criterion.figure)};
   if (!figure.remark.text.empty()) return figure;
-  figure.value = valueOf(criterion.figure, *m_review);
-  if (criterion.figure == "forbidden" && *figure.value > 0.0) {
+  figure.value = valueOf(criterion.figure);
+  if (criterion.figure != "forbidden") return figure;
+  if (*figure.value > 0.0) {
     const auto& moments = m_review->moments;
     const auto first =
         std::find_if(moments.begin(), moments.end(), [](const DrillMoment& m) { return m.forbidden > 0.0; });
     figure.remark = {QT_TRANSLATE_NOOP("Note", "It was entered %1 s after contact."),
                      {roundedText(first->time - *m_review->figures.contact, 3)}};
   }
+  addFailedTries(criterion, figure);
   return figure;
 }
 

@@ -10,6 +10,9 @@ namespace handwheel {
 // All figures of drilling, with their units.
 const std::vector<MeasurementType>& drillingMeasurementTypes();
 
+// The tries that the holes of a work have taken.
+DrillTries triesOf(const VolumeSnapshot& work);
+
 // What was drilled in an exercise, gone through again for its figures.
 class MeasuredDrilling {
  public:
@@ -23,8 +26,12 @@ class MeasuredDrilling {
 
  private:
   ExerciseText problem(const std::string& figure) const;
+  std::optional<double> valueOf(const std::string& figure) const;
+  void addFailedTries(const MarkingCriterion& criterion, Measurement& figure) const;
 
   std::optional<DrillReview> m_review;
+  DrillTries m_tries;
+  FailedTries m_rule = FailedTries::CostTheMark;
   bool m_isAsPrepared = false;  // all of it with the drill of the task
   bool m_isOfItsHoles = false;  // they leave the volume that there is
 };

@@ -183,6 +183,10 @@ Status DrillingSubject::checkWork(const ExerciseTask& task, const Snapshot& work
   return Error{ExerciseError::OtherWork, {"its voxels are not those of the stock"}, {}, {}};
 }
 
+std::optional<std::size_t> DrillingSubject::triesOf(const Snapshot& work) const {
+  return handwheel::triesOf(workOf(work)).count;
+}
+
 Result<SnapshotPointer> DrillingSubject::makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                                   Progress progress) const {
   const DrillingTask& drilling = drillingOf(task);
@@ -280,7 +284,10 @@ ReportDetails DrillingSubject::details(const ExerciseTask& task, const Snapshot&
   const DrillingTask& drilling = drillingOf(task);
   const DrilledHoles& holes = workOf(work).holes;
   const auto review = reviewDrilling(drilling.volume(), drilling.plan, holes, progress.part(0.0, 0.8));
-  return review ? drillingDetails(drilling, holes, *review, progress.part(0.8, 1.0)) : ReportDetails();
+  if (!review) return {};
+  ReportDetails details = drillingDetails(drilling, holes, *review, progress.part(0.8, 1.0));
+  addTries(details, handwheel::triesOf(workOf(work)));
+  return details;
 }
 
 DisplayModel DrillingSubject::display(const ExerciseTask& task) const {

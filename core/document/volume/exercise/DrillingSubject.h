@@ -34,6 +34,7 @@ class DrillingSubject : public ExerciseSubject {
   SnapshotPointer start(const ExerciseTask& task) const override;
   bool startsSlowly() const override { return true; }
   Status checkWork(const ExerciseTask& task, const Snapshot& work) const override;
+  std::optional<std::size_t> triesOf(const Snapshot& work) const override;
   // As describedHoles() reads it.
   Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                    Progress progress) const override;

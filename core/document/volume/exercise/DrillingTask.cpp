@@ -20,7 +20,10 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char *kStock = "stock", *kSkull = "skull", *kForbidden = "forbidden", *kDrill = "drill",
-                     *kMaterial = "material", *kEntry = "entry", *kDirection = "direction";
+                     *kMaterial = "material", *kEntry = "entry", *kDirection = "direction",
+                     *kFailedTries = "failed_tries";
+// In the order of FailedTries.
+constexpr std::array kFailedTriesWords = {"cost_the_mark", "fail_the_work", "are_listed"};
 constexpr double kFarthestPlace = 1e5;  // mm, of places
 
 // A number of a task: its key in files, which is the id of its property, and its limits.
@@ -226,6 +229,9 @@ Json toJson(const DrillingTask& task) {
     json[kForbidden].push_back({ball.centre.x(), ball.centre.y(), ball.centre.z(), ball.radius});
   json[kDrill] = drillWordOf(task.tool);
   json[kMaterial] = task.material;
+  // What is usual is not written: keys of descriptions without one follow from their tasks.
+  if (task.failedTries != FailedTries::CostTheMark)
+    json[kFailedTries] = kFailedTriesWords[static_cast<std::size_t>(task.failedTries)];
   return json;
 }
 
@@ -256,6 +262,13 @@ DrillingTask drillingTaskFrom(const Json& json, std::vector<Error>& damage) {
     task.tool = *tool;
   } else {
     damage.push_back(malformedTask(kDrill, "it is no drill"));
+  }
+  const std::string rule = stringAt(json, kFailedTries, kFailedTriesWords.front());
+  const auto* const known = std::find(kFailedTriesWords.begin(), kFailedTriesWords.end(), rule);
+  if (known != kFailedTriesWords.end()) {
+    task.failedTries = static_cast<FailedTries>(known - kFailedTriesWords.begin());
+  } else {
+    damage.push_back(malformedTask(kFailedTries, "it is not known"));
   }
   return task;
 }
@@ -294,6 +307,15 @@ std::vector<Property> propertiesOf(const DrillingTask& task) {
     if (drillMaterials()[i].id == task.material) material.value = static_cast<double>(i);
   }
   all.push_back(std::move(material));
+  Property failedTries;
+  failedTries.id = kFailedTries;
+  failedTries.group = planGroup();
+  failedTries.label = QT_TRANSLATE_NOOP("Property", "Failed tries that were undone");
+  failedTries.value = static_cast<double>(task.failedTries);
+  failedTries.choices = {QT_TRANSLATE_NOOP("Property", "cost the mark of the forbidden region"),
+                         QT_TRANSLATE_NOOP("Property", "fail the work"),
+                         QT_TRANSLATE_NOOP("Property", "are listed only")};  // as FailedTries
+  all.insert(all.begin() + 4, std::move(failedTries));                       // behind the forbidden balls
   return all;
 }
 
@@ -307,6 +329,12 @@ Result<DrillingTask> withTaskProperty(DrillingTask task, const std::string& id, 
     if (!number || !(*number >= 0.0 && *number < static_cast<double>(drillMaterials().size())))
       return malformedTask(id, "there is no such choice");
     task.material = drillMaterials()[static_cast<std::size_t>(*number)].id;
+    return task;
+  }
+  if (id == kFailedTries) {
+    if (!number || !(*number >= 0.0 && *number < static_cast<double>(kFailedTriesWords.size())))
+      return malformedTask(id, "there is no such choice");
+    task.failedTries = static_cast<FailedTries>(static_cast<int>(*number));
     return task;
   }
   for (const TaskNumber& each : kNumbers) {

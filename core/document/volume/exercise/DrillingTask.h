@@ -10,6 +10,13 @@
 
 namespace handwheel {
 
+// What holes in the forbidden region cost that were taken back by undo. The work is marked as it is in the end.
+enum class FailedTries {
+  CostTheMark,  // the mark for that region, and no others
+  FailTheWork,  // as if they were still there
+  AreListed,    // nothing
+};
+
 // The data of an exercise of drilling: the stock, the drill, and its planned path.
 struct DrillingTask : ExerciseTask {
   static constexpr std::size_t kMostForbidden = 100;
@@ -20,6 +27,7 @@ struct DrillingTask : ExerciseTask {
   std::string material = "cortical-bone";  // id of a DrillMaterial
   double spindle = 1000.0;                 // r/min
   double feed = 1.0;                       // mm/s, with the mouse
+  FailedTries failedTries = FailedTries::CostTheMark;
 
   // At the site of the skull, with its brain forbidden.
   static DrillingTask ofSkull();

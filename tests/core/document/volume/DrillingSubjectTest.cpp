@@ -119,6 +119,50 @@ class DrillingSubjectTest : public QObject {
     QCOMPARE(failed.find("path")->reason.inEnglish(), std::string("no points, because “Not in” was not met"));
   }
 
+  // A try that went into the region and was taken back costs the mark of that region and no others, unless the
+  // exercise says otherwise. What is there now is marked as ever.
+  void failedTriesThatWereTakenBack() {
+    const SnapshotPointer good = workOf(holeTo(6.5, 0.3)), bad = workOf(holeTo(9.5));
+    const auto& deep = static_cast<const VolumeSnapshot&>(*bad);
+    const auto afterFailure = [&](const SnapshotPointer& left) {
+      auto work = std::make_shared<VolumeSnapshot>(static_cast<const VolumeSnapshot&>(*left));
+      TriedHoles tried = withHole({}, {}, *deep.holes.front(), 0.5);  // and undone
+      if (!work->holes.empty()) tried = withHole(std::move(tried), {}, *work->holes.front(), 0.0);
+      work->tried = std::make_shared<const TriedHoles>(std::move(tried));
+      return work;
+    };
+    const auto markedBy = [&](const Json& rule, const SnapshotPointer& work) {
+      ExerciseSnapshot scheme = *plate();
+      Json task = scheme.subject->toJson(*scheme.task);
+      if (!rule.is_null()) task["failed_tries"] = rule;
+      std::vector<Error> damage;
+      scheme.task = scheme.subject->fromJson(task, damage);
+      if (!damage.empty()) qFatal("the rule is not taken");
+      return markWork(scheme, *work, Attempt());
+    };
+    const auto second = afterFailure(good);
+    QVERIFY(plate()->subject->triesOf(*second) == std::optional<std::size_t>(2));
+    const Marking marking = markedBy({}, second);
+    QVERIFY(marking.find("in")->verdict == Verdict::TooLarge);
+    QCOMPARE(figureOf(marking, "in"), 0.5);
+    QCOMPARE(marking.find("in")->remark.inEnglish(),
+             std::string("Tries that entered it and were taken back: 1 of 2, by 0.5 mm at most."));
+    QCOMPARE(marking.points, 6.0);  // of 10 without the 4 of the region
+    QCOMPARE(markedBy("fail_the_work", second).points, 0.0);
+    const Marking listed = markedBy("are_listed", second);
+    QCOMPARE(listed.points, 10.0);
+    QCOMPARE(listed.find("in")->remark.text, marking.find("in")->remark.text);
+
+    // Who leaves the hole in the region has failed, whatever was before.
+    QCOMPARE(markedBy({}, afterFailure(bad)).points, 0.0);
+    const ReportDetails details = plate()->subject->details(*plate()->task, *second, {});
+    QCOMPARE(details.events.front().text.inEnglish(),
+             std::string("Try 1 entered the forbidden region by 0.5 mm, and was taken back."));
+    QCOMPARE(details.figures.back().value, 2.0);
+    const auto none = afterFailure(plate()->subject->start(*plate()->task));
+    QCOMPARE(markedBy({}, none).points, 0.0);  // nothing is drilled
+  }
+
   // Nothing drilled, not through, another drill, or a volume that something else has changed: it says so.
   void whatIsNotMeasured() {
     const SnapshotPointer none = plate()->subject->start(*plate()->task);
@@ -203,11 +247,13 @@ class DrillingSubjectTest : public QObject {
   // The peaks that a report tells are those of its curves.
   void peaksOfAHole() {
     const ReportDetails details = plate()->subject->details(*plate()->task, *workOf(holeTo(6.5)), {});
-    QCOMPARE(details.figures.size(), std::size_t{3});
+    QCOMPARE(details.figures.size(), std::size_t{4});
+    QCOMPARE(details.figures[3].figure, std::string("tries"));
+    QCOMPARE(details.figures[3].value, 1.0);
     const auto curve = [&](std::size_t i) { return details.curves[i == 2 ? 3 : i].series.front().points; };
     const std::vector<MeasurementType> types = plate()->subject->figures();
-    for (std::size_t i = 0; i < details.figures.size(); ++i) {
-      QVERIFY(measurementType(types, details.figures[i].figure) != nullptr);
+    for (const ReportMeasurement& each : details.figures) QVERIFY(measurementType(types, each.figure) != nullptr);
+    for (std::size_t i = 0; i < 3; ++i) {
       double largest = 0.0;
       for (const auto& point : curve(i)) largest = std::max(largest, point.second);
       QCOMPARE(details.figures[i].value, largest);
@@ -248,6 +294,7 @@ class DrillingSubjectTest : public QObject {
     QVERIFY(set("forbidden", std::string("0; 0; 0; 5 | 1; 2; 3; 4")));
     QVERIFY(set("drill", std::string("twist:3.2")));
     QVERIFY(set("tolerance", 0.7));
+    QVERIFY(set("failed_tries", 2.0));
     for (const auto& [id, wrong] :
          std::initializer_list<std::pair<const char*, PropertyValue>>{{"entry", std::string("1; 2")},
                                                                       {"entry", std::string("a; b; c")},
@@ -256,6 +303,7 @@ class DrillingSubjectTest : public QObject {
                                                                       {"drill", std::string("laser:3")},
                                                                       {"tolerance", -1.0},
                                                                       {"material", 1e9},
+                                                                      {"failed_tries", 3.0},
                                                                       {"nothing", 1.0}})
       QVERIFY2(!set(id, wrong), id);
     std::vector<Error> damage;
@@ -266,6 +314,7 @@ class DrillingSubjectTest : public QObject {
     QVERIFY((plan.direction - Vec3(0.0, 0.6, 0.8)).norm() < 1e-12);
     QCOMPARE(plan.forbidden.size(), std::size_t{2});
     QCOMPARE(plan.tolerance, 0.7);
+    QVERIFY(static_cast<const DrillingTask&>(*read).failedTries == FailedTries::AreListed);
     QCOMPARE(static_cast<const DrillingTask&>(*read).tool.diameter, 3.2);
     QCOMPARE(static_cast<const DrillingTask&>(*read).volume().material(),
              static_cast<const DrillingTask&>(*plate()->task).volume().material());
@@ -311,7 +360,8 @@ class DrillingSubjectTest : public QObject {
     for (const char* const task :
          {R"({"stock": {"voxel": 1, "origin": [0, 0, 0], "data": "////AAAA"}})", R"({"stock": 5})",
           R"({"entry": [0, 0]})", R"({"direction": [0, 0, 0]})", R"({"forbidden": [[1, 2, 3]]})",
-          R"({"tolerance": "x"})", R"({"drill": "ball"})", R"({"material": "cheese"})", "[]"}) {
+          R"({"tolerance": "x"})", R"({"drill": "ball"})", R"({"material": "cheese"})", R"({"failed_tries": 1})",
+          R"({"failed_tries": "never"})", "[]"}) {
       std::vector<Error> damage;
       plate()->subject->fromJson(Json::parse(task), damage);
       QVERIFY2(!damage.empty(), task);

@@ -178,6 +178,36 @@ class VolumeKindTest : public QObject {
     QVERIFY(static_cast<const VolumeSnapshot&>(**damaged).holes.empty());
   }
 
+  // What was tried comes back; a try that is impossible, as one before the last, ends the list and is said.
+  void triedHoles() {
+    const auto value = snapshotOf(moved(cube(4.0), Vec3::Zero()), 0.5);
+    const TriedHoles tried = {{~std::uint64_t{0}, 0.25, 1}, {7, 0.0, 1}, {8, 1e-3, 3}};
+    value->tried = std::make_shared<const TriedHoles>(tried);
+    Container container;
+    m_kind.save(*value, container);
+    std::vector<Error> damage;
+    const auto loaded = m_kind.load(container, damage, {});
+    QVERIFY(loaded.hasValue() && damage.empty());
+    QVERIFY(*static_cast<const VolumeSnapshot&>(**loaded).tried == tried);
+    const auto hostile = [&](const nlohmann::json& list) {
+      (*container.manifest)["document"]["tried"] = list;
+      damage.clear();
+      const auto read = m_kind.load(container, damage, {});
+      if (!read || damage.empty()) return std::size_t{999};
+      const auto& known = static_cast<const VolumeSnapshot&>(**read).tried;
+      return known ? known->size() : 0;
+    };
+    const auto row = [](const nlohmann::json& mark, const nlohmann::json& forbidden, const nlohmann::json& number) {
+      return nlohmann::json::array({mark, forbidden, number});
+    };
+    QCOMPARE(hostile(nlohmann::json::array({row(1u, 0.5, 2u), row(2u, 0.0, 1u)})), std::size_t{1});
+    QCOMPARE(hostile(nlohmann::json::array({row(1u, -0.5, 1u)})), std::size_t{0});
+    QCOMPARE(hostile(nlohmann::json::array({row(1u, 0.5, 0u)})), std::size_t{0});
+    QCOMPARE(hostile(nlohmann::json::array({row("a", 0.5, 1u)})), std::size_t{0});
+    QCOMPARE(hostile(nlohmann::json::array({3})), std::size_t{0});
+    QCOMPARE(hostile("all"), std::size_t{0});
+  }
+
   // A chunk that is lost is missing, is said, and the rest is closed off: also where the loss is beside what is full.
   void aLostChunk() {
     const auto value = snapshotOf(moved(icosphere(3), Vec3::Zero(), 10.0), 0.06);

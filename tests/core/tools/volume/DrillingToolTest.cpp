@@ -149,6 +149,77 @@ class DrillingToolTest : public QObject {
     bench.runner.perform("revert");
   }
 
+  // Who goes into the forbidden region and takes that back, by undo or before the hole is done, begins another try; the
+  // one that failed stays known. A hole that is gone on with and one that is done again are of the same try.
+  void triesOfAnExercise() {
+    DrillBench bench(R"({"stock": "skull", "entry": [0, 0, 20], "direction": [0, 0, -1], "tolerance": 1,
+                         "forbidden": [[0, 0, 0, 15]], "drill": "ball:4", "spindle_speed": 1500, "feed": 20,
+                         "material": "porcine-bone"})");
+    const auto drillUntil = [&](double removed) {
+      bench.event(PointerEvent::Kind::Press, 0.0, 0.0);
+      return QTest::qWaitFor([&] { return bench.setting("removed") > removed; }, 20'000);
+    };
+    const auto state = [&] {
+      const auto work = std::static_pointer_cast<const VolumeSnapshot>(bench.document.snapshot());
+      return triesOf(work->tried.get(), work->holes);
+    };
+    // A ball of 4 mm has removed 5 mm³ about 1 mm deep; the region begins 5 mm deep, seconds later.
+    bench.runner.setSetting("feed", PropertyValue(1.0));
+    QCOMPARE(bench.setting("tries"), 0.0);
+    QVERIFY(drillUntil(5.0));
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    QCOMPARE(state().count, 1u);
+    QVERIFY(state().failed.empty());
+    bench.runner.setSetting("feed", PropertyValue(20.0));
+    bench.event(PointerEvent::Kind::Press, 0.0, 0.0);
+    const auto isIn = [&] {
+      const auto hole = bench.tool->hole();
+      return hole && hole->figures.forbidden > 0.0;
+    };
+    QVERIFY(QTest::qWaitFor(isIn, 20'000));
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    const double entered = bench.tool->hole()->figures.forbidden;
+    QCOMPARE(state().count, 1u);
+    QVERIFY(state().failed.empty());  // it is there to be marked
+    bench.document.history()->undo();
+    QCOMPARE(state().failed.size(), std::size_t{1});
+    QCOMPARE(state().failed[0].number, 1u);
+    QCOMPARE(state().failed[0].forbidden, entered);
+    bench.document.history()->redo();
+    QVERIFY(state().failed.empty());
+    bench.document.history()->undo();
+    bench.runner.setSetting("feed", PropertyValue(1.0));
+    QVERIFY(drillUntil(5.0));
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    QCOMPARE(state().count, 2u);
+    QCOMPARE(bench.setting("tries"), 2.0);
+    // Dropped while it is drilled.
+    bench.runner.setSetting("feed", PropertyValue(20.0));
+    bench.event(PointerEvent::Kind::Press, 0.0, 0.0);
+    QVERIFY(QTest::qWaitFor(isIn, 20'000));
+    bench.runner.perform("revert");
+    QCOMPARE(state().count, 2u);
+    QCOMPARE(state().failed.size(), std::size_t{2});
+    // What is handed in while it is drilled is handed in with that hole.
+    bench.runner.setSetting("feed", PropertyValue(1.0));
+    QVERIFY(drillUntil(5.0));
+    const std::size_t holes = bench.document.volume()->holes.size();
+    bench.document.settle();
+    QCOMPARE(bench.document.volume()->holes.size(), holes + 1);
+    QCOMPARE(state().count, 3u);
+  }
+
+  // Tries are counted in exercises alone.
+  void noTriesOutsideOfExercises() {
+    DrillBench bench;
+    bench.runner.setSetting("feed", PropertyValue(20.0));
+    bench.event(PointerEvent::Kind::Press, 0.0, 0.0);
+    QVERIFY(QTest::qWaitFor([&] { return bench.setting("removed") > 5.0; }, 20'000));
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    QVERIFY(!bench.document.tried());
+    QCOMPARE(bench.setting("tries"), -1.0);
+  }
+
   // A saw stands upright on the surface and goes straight in: the slot is as wide as the saw. It has a width that
   // others have not, never more than its radius.
   void aSaw() {
