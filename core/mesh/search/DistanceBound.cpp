@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <utility>
 
 namespace handwheel {
 namespace {
@@ -37,15 +38,15 @@ class Proof {
   }
   Within result() const { return m_isRefuted ? Within::No : m_isGivenUp ? Within::Unknown : Within::Yes; }
 
-  void take(const TrianglePoints& face) {
+  // looked: parts since the last poll, of this face and of those before.
+  void take(const TrianglePoints& face, std::size_t& looked) {
     struct Part {
       TrianglePoints corners;
       int cuts;
     };
     std::vector<Part> parts{{face, 0}};
-    std::size_t looked = 0;
     while (!parts.empty()) {
-      if (++looked % kPartsPerLook == 0 && !pollProgress()) return;
+      if (++looked == kPartsPerLook && !poll(looked)) return;
       const auto [t, cuts] = parts.back();
       parts.pop_back();
       const Judgement judgement = judge(t);
@@ -60,13 +61,12 @@ class Proof {
     }
   }
 
- private:
-  bool pollProgress() {
-    m_parts += kPartsPerLook;
-    if (m_parts > kMostParts || m_progress.cancelled()) m_isGivenUp = true;
+  bool poll(std::size_t& looked) {
+    if ((m_parts += std::exchange(looked, 0)) > kMostParts || m_progress.cancelled()) m_isGivenUp = true;
     return !isOver();
   }
 
+ private:
   enum class Judgement { Near, Far, Unclear };
 
   Judgement judge(const TrianglePoints& part) {
@@ -114,9 +114,11 @@ Within liesWithin(const SurfaceDistance& surface, const SurfaceDistance& of, dou
   std::atomic<std::size_t> done{0};
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, n, kFacesPerBlock), [&](const Range& range) {
+    std::size_t looked = 0;
     for (std::size_t i = range.begin(); i < range.end() && !proof.isOver(); ++i) {
-      proof.take(surface.mesh().points(surface.faces()[i]));
+      proof.take(surface.mesh().points(surface.faces()[i]), looked);
     }
+    proof.poll(looked);
     progress.set(static_cast<double>(done += range.size()) / static_cast<double>(n));
   });
   if (beyond) *beyond = proof.takeBeyond();

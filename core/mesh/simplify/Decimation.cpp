@@ -48,10 +48,11 @@ Within isWithin(const SurfaceDistance& a, const SurfaceDistance& b, double error
   return other == Within::Yes ? one : other;
 }
 
-// The vertices of the faces of the surface that come as near to these places.
+// The vertices of the faces of the surface that come as near to these places. Of no use once cancelled.
 void addVerticesNear(const SurfaceDistance& surface, const std::vector<Vec3>& places, double reach,
-                     std::vector<Vertex>& vertices) {
+                     std::vector<Vertex>& vertices, const Progress& progress) {
   for (const Vec3& p : places) {
+    if (progress.cancelled()) return;
     const Box box(p - Vec3::Constant(reach), p + Vec3::Constant(reach));
     surface.hierarchy().forEachInBox(box, [&](std::uint32_t triangle) {
       for (const Vertex v : surface.mesh().triangle(surface.faces()[triangle])) vertices.push_back(v);
@@ -67,8 +68,10 @@ void addVerticesNear(const SurfaceDistance& surface, const std::vector<Vec3>& pl
 void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, DecimationReport& report,
                     const Progress& progress) {
   const HalfEdgeMesh original = mesh;
-  const SurfaceDistance surface(original);
-  double error = kFirstShare * *options.error, reach = 2.0 * *options.error, from = 0.0;
+  const SurfaceDistance surface(original, progress.part(0.0, 0.01));
+  report.cancelled = progress.cancelled();
+  if (report.cancelled) return;
+  double error = kFirstShare * *options.error, reach = 2.0 * *options.error, from = 0.01;
   std::vector<Vertex> fixed;
   for (int i = 0; i < kTries; ++i, error *= kNextShare, reach *= 2.0) {
     const double to = 0.5 * (from + 1.0);
@@ -79,9 +82,12 @@ void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, Decima
     report.cancelled = !Decimator(mesh, options, {&check, fixed}, whole.part(0.05, 0.1)).run(whole.part(0.1, 0.6));
     if (report.cancelled) return;
     std::vector<Vec3> beyond;
-    const Within within = isWithin(SurfaceDistance(mesh), surface, *options.error, beyond, whole.part(0.6, 0.8));
+    const SurfaceDistance made(mesh, whole.part(0.6, 0.65));
+    const Within within = isWithin(made, surface, *options.error, beyond, whole.part(0.65, 0.8));
+    report.cancelled = progress.cancelled();
+    if (report.cancelled) return;
     if (within == Within::No) {
-      addVerticesNear(surface, beyond, reach, fixed);
+      addVerticesNear(surface, beyond, reach, fixed, whole);
       continue;
     }
     report.largestDistance = distanceWithin(mesh, original, whole.part(0.8, 1.0));

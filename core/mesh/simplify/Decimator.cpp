@@ -14,7 +14,7 @@
 namespace handwheel {
 namespace {
 
-constexpr std::size_t kCollapsesPerLook = 256;
+constexpr std::size_t kCollapsesPerReport = 256;
 
 }  // namespace
 
@@ -112,10 +112,16 @@ void Decimator::collapse(HalfEdge h, const Vec3& p) {
 
 bool Decimator::drain(const Progress& progress) {
   const double toGo = static_cast<double>(m_faces - std::min(m_faces, m_options.faces)), start = double(m_faces);
+  double reported = 0.0;
+  std::size_t longest = 1;  // of the queue: where an error is the limit, most of the time goes into what is refused
   for (std::size_t i = 0; !m_queue.empty() && m_faces > m_options.faces; ++i) {
-    if (i % kCollapsesPerLook == 0) {
-      if (progress.cancelled()) return false;
-      progress.set((start - static_cast<double>(m_faces)) / toGo);
+    if (progress.cancelled()) return false;  // each time: to check one may take milliseconds
+    if (i % kCollapsesPerReport == 0) {
+      longest = std::max(longest, m_queue.size());
+      const double gone = (start - static_cast<double>(m_faces)) / toGo;
+      const double looked = 1.0 - static_cast<double>(m_queue.size()) / static_cast<double>(longest);
+      reported = std::max({reported, gone, looked});
+      progress.set(reported);
     }
     const Candidate c = m_queue.top();
     m_queue.pop();

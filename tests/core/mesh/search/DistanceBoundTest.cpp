@@ -23,6 +23,7 @@ class DistanceBoundTest : public QObject {
   void nothingToBeNearTo();
   void tooFineToProve();
   void cancelled();
+  void looksWhetherItIsCancelled();
 };
 
 namespace {
@@ -103,6 +104,14 @@ void DistanceBoundTest::cancelled() {
   job.cancelled = true;
   const SurfaceDistance cube = distanceSurfaceOf(test::cube());
   QCOMPARE(liesWithin(cube, cube, 1.0, Progress(job)), Within::Unknown);
+}
+
+// Also where each face takes a few steps only: 20,000 faces, and at least one step for each.
+void DistanceBoundTest::looksWhetherItIsCancelled() {
+  JobState job;
+  const SurfaceDistance low = distanceSurfaceOf(sheet(100, 0.0)), high = distanceSurfaceOf(sheet(100, 0.25));
+  QCOMPARE(liesWithin(low, high, 0.26, Progress(job)), Within::Yes);
+  QVERIFY(job.polls >= 20'000u / 1024u);
 }
 
 HANDWHEEL_TEST(DistanceBoundTest)
