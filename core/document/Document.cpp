@@ -47,14 +47,15 @@ QString Document::path() const {
 }
 
 QString Document::name() const {
-  if (!m_file.path.empty()) return QFileInfo(path()).fileName();
   if (!m_file.title.empty()) return QString::fromStdString(m_file.title);
+  if (!m_file.path.empty()) return QFileInfo(path()).fileName();
   return m_file.copyOf.empty() ? tr("Untitled") : QFileInfo(pathOf(m_file.copyOf)).completeBaseName();
 }
 
 void Document::markSaved(const QString& path, bool isContainer, const std::optional<FileTimestamp>& stamp) {
   m_file.stamp = stamp;
   m_file.path = QFile::encodeName(path).toStdString();
+  m_file.title.clear();
   m_file.isContainer = isContainer;
   m_file.isNewer = false;
   m_file.isPartial = false;

@@ -31,7 +31,7 @@ class Document : public QObject {
   const DocumentKind& kind() const { return m_kind; }
   const DocumentFile& file() const { return m_file; }
   QString path() const;
-  // File name; without one that of the file that it is a copy of, without ending, else "Untitled".
+  // Its title, else the file name; without one that of the file that it is a copy of, without ending, else "Untitled".
   QString name() const;
   std::uint64_t revision() const { return m_revision; }  // grows with every change, undo and redo included
 

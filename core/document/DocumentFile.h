@@ -24,7 +24,7 @@ class DocumentKind;
 struct DocumentFile {
   std::string id;           // UUID; made when a document is imported, kept in containers
   std::string path;         // absolute, as bytes; empty for a document that was never saved
-  std::string title = {};   // what a document without a file is called, UTF-8; empty: nothing
+  std::string title = {};   // what it is called until it is saved, UTF-8; empty: by its file, if it has one
   std::string copyOf = {};  // as path: the file whose surface it was made of; it is to be saved beside that
   std::optional<FileTimestamp> stamp = {};  // of that file as it was read or written; none where that is not known
   LengthUnit displayUnit = LengthUnit::Millimetre;

@@ -123,7 +123,11 @@ QString NumberField::text() const {
 
 void NumberField::showValue() {
   if (m_line->isModified()) return;
-  if (m_line->text() != text()) m_line->setText(text());
+  if (m_line->text() != text()) {
+    m_line->setText(text());
+    // Where there is no room for all of it, its first digits are seen: without them it would be another number.
+    if (!m_line->hasFocus()) m_line->setCursorPosition(0);
+  }
   showProblem(rangeProblem(m_value));
 }
 

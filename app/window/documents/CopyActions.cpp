@@ -65,8 +65,9 @@ void CopyActions::start(const DocumentKind& kind, DocumentTab* from, const MakeO
     emit message({Message::Weight::Error, tr("%1 was not copied").arg(name), errorSentence(error), errorAdvice(error)});
   };
   // It is called as the other one, without the ending.
-  const std::string title =
-      from->document.path().isEmpty() ? from->document.file().title : QFileInfo(name).completeBaseName().toStdString();
+  const std::string& known = from->document.file().title;
+  const bool isTitled = from->document.path().isEmpty() || !known.empty();
+  const std::string title = isTitled ? known : QFileInfo(name).completeBaseName().toStdString();
   job.work = [this, failed, make, &kind, title, name = name.toStdString(), &own = from->document.kind(),
               content = from->document.snapshot(), file = from->document.file().path,
               unit = from->document.displayUnit()](Progress progress) -> Job::Finish {

@@ -90,7 +90,8 @@ void FileLoader::recover(const std::filesystem::path& file, const AutosaveInfo& 
     if (!joined) return [this, path, error = joined.error()] { notRecovered(path, error); };
     Result<OpenedFile> opened = m_kinds.open(file, {}, progress.part(0.4, 1.0));
     if (!opened) return [this, path, error = opened.error()] { failed(path, error, ReadOptions{.partial = true}); };
-    if (path.isEmpty()) opened->file.title = info.name;  // containers do not keep it: saved, they are called by a file
+    // Containers do not keep it: saved, they are called by a file.
+    if (path.isEmpty() || info.name != QFileInfo(path).fileName().toStdString()) opened->file.title = info.name;
     return [this, file, info, path, then, joined = *joined, opened = std::move(opened.value())] {
       DocumentTab* recovered = open(opened);
       recovered->document.markRecovered(path, info.stamp, info.isPartial);

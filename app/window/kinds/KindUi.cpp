@@ -66,6 +66,7 @@ QString KindUi::suggestedName(const DocumentTab& document) const {
   if (of.path.empty())
     return QFileInfo(QFile::decodeName(of.copyOf.c_str())).dir().filePath(document.document.name() + ending);
   const QFileInfo file(document.document.path());
+  if (!of.title.empty()) return file.path() + QLatin1Char('/') + fileNameOf({document.document.name()}, ending.mid(1));
   const QString name = file.fileName().chopped(endingOf(document.document.kind(), document.document.path()).size());
   return file.path() + QLatin1Char('/') + name + ending;
 }

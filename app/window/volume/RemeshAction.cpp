@@ -57,8 +57,9 @@ void RemeshAction::ask() {
   m_dialog->setModal(true);
   m_dialog->setLengthUnit(document.displayUnit());
   // As the volume is called, without the ending.
-  const std::string title =
-      document.path().isEmpty() ? document.file().title : QFileInfo(document.path()).completeBaseName().toStdString();
+  const std::string title = document.path().isEmpty() || !document.file().title.empty()
+                                ? document.file().title
+                                : QFileInfo(document.path()).completeBaseName().toStdString();
   connect(m_dialog, &QDialog::finished, this,
           [this, title, unit = document.displayUnit(), owner = static_cast<const void*>(&document)](int result) {
             m_predicting.cancelAll();

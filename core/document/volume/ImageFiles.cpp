@@ -23,6 +23,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kDicomHead = 133;  // bytes by which a file is known
 
+bool isDicomFile(const fs::path& path) {
+  const Result<std::string> head = readFileHead(path, kDicomHead);
+  return head && looksLikeDicom(*head);
+}
+
 // The files of a folder that begin as DICOM, by their names, this one first; at most so many bytes.
 Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Progress progress) {
   constexpr std::size_t kMostFiles = 20'000, kMostBytes = std::size_t{4} << 30;
@@ -43,8 +48,7 @@ Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Pr
   for (const fs::path& path : paths) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     progress.set(static_cast<double>(done++) / static_cast<double>(paths.size()));
-    const Result<std::string> head = readFileHead(path, kDicomHead);
-    if (!head || !looksLikeDicom(*head)) continue;
+    if (!isDicomFile(path)) continue;
     std::error_code ignored;
     const auto size = static_cast<std::size_t>(fs::file_size(path, ignored));
     if (size > most || files.size() + size > most)
@@ -161,8 +165,17 @@ std::vector<Note> notesOn(std::span<const ImageRemark> remarks) {
 std::string sourceName(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return "DICOM";
-  const Result<std::string> head = readFileHead(path, kDicomHead);
-  return head && looksLikeDicom(*head) ? "DICOM" : path.filename().string();
+  return isDicomFile(path) ? "DICOM" : path.filename().string();
+}
+
+std::string seriesTitle(const fs::path& path) {
+  std::error_code failed;
+  const fs::path whole = fs::absolute(path, failed).lexically_normal();
+  if (fs::is_directory(whole, failed)) return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+  if (!isDicomFile(whole)) return {};
+  for (fs::directory_iterator each(whole.parent_path(), failed), end; !failed && each != end; each.increment(failed))
+    if (each->path() != whole && isDicomFile(each->path())) return whole.parent_path().filename().string();
+  return {};
 }
 
 }  // namespace handwheel

@@ -27,4 +27,7 @@ std::vector<Note> notesOn(std::span<const ImageRemark> remarks);
 // The name of an image where it is kept or shown: that of the file, but for DICOM, whose names are often the patient's.
 std::string sourceName(const std::filesystem::path& path);
 
+// What a document of a series of DICOM is called: as the folder of its files. Empty: it is a file by itself.
+std::string seriesTitle(const std::filesystem::path& path);
+
 }  // namespace handwheel

@@ -6,6 +6,7 @@
 #include "document/formats/MeshExport.h"
 #include "document/formats/TextNumber.h"
 #include "document/volume/HoleBlobs.h"
+#include "document/volume/ImageFiles.h"
 #include "document/volume/LayerBlobs.h"
 #include "document/volume/ScanBlobs.h"
 #include "document/volume/VolumeBlobs.h"
@@ -83,6 +84,7 @@ Result<OpenedFile> VolumeKind::import(const std::filesystem::path& path, const R
   Result<std::shared_ptr<const VolumeSnapshot>> volume = importVolume(path, opened.file.notes, progress, m_pieceCells);
   if (!volume) return volume.error();
   opened.content = std::move(*volume);
+  opened.file.title = seriesTitle(path);
   return opened;
 }
 

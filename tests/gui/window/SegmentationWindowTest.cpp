@@ -91,6 +91,7 @@ class SegmentationWindowTest : public QObject {
     QVERIFY(driver.open(scan()));
     QTRY_VERIFY(driver.find<QDockWidget>("segmentationDock")->isVisible());
     QVERIFY(driver.find<QDockWidget>("slicesDock")->isVisible());
+    QTRY_VERIFY(!driver.find<QWidget>("segmentationPanel")->visibleRegion().isEmpty());  // in front of the other tabs
     driver.find<QAction>("segmentationToggle")->trigger();
     QTRY_VERIFY(driver.find<QDockWidget>("segmentationDock")->isHidden());
     driver.find<QAction>("segmentationToggle")->trigger();

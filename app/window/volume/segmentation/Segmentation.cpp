@@ -154,7 +154,10 @@ void Segmentation::show() {
   const bool isShown = isOpen();
   m_panelDock->setVisible(isShown);
   m_slicesDock->setVisible(isShown);
-  if (isShown) m_panelDock->raise();
+  // Once the window has raised the panel of the kind, and the dock has its place among the tabs.
+  QTimer::singleShot(0, this, [this] {
+    if (isOpen()) m_panelDock->raise();
+  });
 }
 
 void Segmentation::refresh() {

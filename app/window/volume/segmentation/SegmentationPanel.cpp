@@ -4,6 +4,7 @@
 
 #include "controls/NumberField.h"
 #include "process/SystemMemory.h"
+#include "tools/ToolProperty.h"
 #include "volume/VolumeMemory.h"
 #include "volume/image/ImageToVolume.h"
 #include "volume/segment/SegmentToVolume.h"
@@ -91,6 +92,15 @@ double leastRadius(const ImageGrid& grid) {
 double largestRadius(const ImageGrid& grid) {
   constexpr double kMostAcross = 200.0;
   return 0.5 * kMostAcross * grid.spacing().minCoeff();
+}
+
+// From a tenth of a sample, which adds nothing any more, to an eighth of the scan, which leaves little of it.
+Limits voxelLimits(const ImageGrid& grid) {
+  const double usual = usualVoxel(grid);
+  double longest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+    longest = std::max(longest, grid.spacing()[axis] * grid.size[static_cast<std::size_t>(axis)]);
+  return {0.1 * usual, std::max(usual, 0.125 * longest)};
 }
 
 // To two digits, so that what is proposed is easily read.
@@ -208,8 +218,6 @@ QWidget* SegmentationPanel::makeGreys() {
 
 QWidget* SegmentationPanel::makeSurface() {
   m_voxel = field(tr("Edge of a voxel"), "segmentVoxel", Quantity::Length);
-  m_voxel->setRange(1e-3, 1e3);
-  m_voxel->setMaximumWidth(130);
   m_isSmoothed = new QCheckBox(tr("Smooth &it"));
   m_isSmoothed->setObjectName(QStringLiteral("segmentSmoothSurface"));
   m_isSmoothed->setToolTip(tr("Smooths the voxel steps of the surface"));
@@ -220,7 +228,7 @@ QWidget* SegmentationPanel::makeSurface() {
   m_make->setDefault(true);
   connect(m_voxel, &NumberField::valueEdited, this, &SegmentationPanel::showMemory);
   connect(m_make, &QPushButton::clicked, this, &SegmentationPanel::surfaceRequested);
-  return groupOf(tr("Surface"), {rowOf({new QLabel(tr("Voxel")), m_voxel, m_isSmoothed}), m_memory, rowOf({m_make})});
+  return groupOf(tr("Surface"), {rowOf({new QLabel(tr("Voxel")), m_voxel}), m_isSmoothed, m_memory, rowOf({m_make})});
 }
 
 void SegmentationPanel::setScan(const std::shared_ptr<const Scan>& scan) {
@@ -235,6 +243,8 @@ void SegmentationPanel::setScan(const std::shared_ptr<const Scan>& scan) {
     each->setRange(scan->histogram.values.least, scan->histogram.values.largest);
     each->setStep(step);
   }
+  const Limits voxels = voxelLimits(scan->image.grid());
+  m_voxel->setRange(voxels.least, voxels.largest);
   m_voxel->setValue(usualVoxel(scan->image.grid()));
   // About a dozen samples across.
   m_radius->setRange(leastRadius(scan->image.grid()), largestRadius(scan->image.grid()));

@@ -56,6 +56,34 @@ class ImageFilesTest : public QObject {
     QVERIFY(readImageFile(root / "d.stl", {}).error().code == DocumentError::FormatUnknown);
   }
 
+  // A series is called by its folder, whatever its files are called; what is alone in its folder by its own name.
+  void titleOfASeries() {
+    const QTemporaryDir folder;
+    const fs::path root = folder.path().toStdString(), series = root / "CT of the head";
+    fs::create_directory(series);
+    const std::string head = std::string(128, '\0') + "DICM\x02";
+    put(series / "DOE_JOHN_1", head);
+    put(series / "readme.txt", "slices");
+    QCOMPARE(seriesTitle(series / "DOE_JOHN_1"), std::string());
+    put(series / "DOE_JOHN_2", head);
+    QCOMPARE(seriesTitle(series / "DOE_JOHN_1"), std::string("CT of the head"));
+    QCOMPARE(seriesTitle(series), std::string("CT of the head"));
+    QCOMPARE(seriesTitle(series / ""), std::string("CT of the head"));
+    QCOMPARE(seriesTitle(series / "readme.txt"), std::string());
+    QCOMPARE(seriesTitle(root / "nothing.dcm"), std::string());
+
+    DocumentFile file;
+    file.path = (series / "DOE_JOHN_1").string();
+    file.title = seriesTitle(file.path);
+    const VolumeKind kind;
+    OpenedFile opened = DocumentKinds::blank(kind);
+    opened.file = file;
+    const std::unique_ptr<Document> document = kind.make(std::move(opened));
+    QCOMPARE(document->name(), QStringLiteral("CT of the head"));
+    document->markSaved(QString::fromStdString((root / "skull.handwheel").string()), true);
+    QCOMPARE(document->name(), QStringLiteral("skull.handwheel"));
+  }
+
   // Opened as a document it becomes what is above the threshold between the two values, which is said.
   void opened() {
     const QTemporaryDir folder;
