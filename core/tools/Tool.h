@@ -150,6 +150,11 @@ class Tool {
   // Whether settings as the user left them hold when the tool is started again, for any document. False for a tool
   // whose settings describe the next edit, or are kept by the owner of its services.
   virtual bool remembersSettings() const { return true; }
+  // Whether a setting holds for the present document alone when it is remembered, as a plane of symmetry of its part.
+  virtual bool isOfDocument(std::string_view setting) const {
+    (void)setting;
+    return false;
+  }
   virtual std::vector<DeviceSpring> forces() const { return {}; }
   virtual SnapTargets snapTargets() const { return {}; }
 

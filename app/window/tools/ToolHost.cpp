@@ -123,8 +123,10 @@ ToolHost::~ToolHost() {
 void ToolHost::start(std::unique_ptr<Tool> tool, Document& document) {
   m_needed.clear();
   for (const std::string& service : tool->needs()) m_needed.push_back(m_needs.need(service));
-  if (tool->remembersSettings())
+  if (tool->remembersSettings()) {
     for (const auto& [id, value] : m_chosen[tool->id()]) tool->setSetting(id, value);
+    for (const auto& [id, value] : m_chosenOfDocument[{document.file().id, tool->id()}]) tool->setSetting(id, value);
+  }
   m_panel.setActions({}, {});  // those of another tool have nothing to do with its own
   m_runner.start(std::move(tool), document);
   show();
@@ -137,8 +139,12 @@ void ToolHost::setVisible(bool visible) {
 }
 
 void ToolHost::choose(const std::string& tool, const std::string& setting, const PropertyValue& value) {
-  m_chosen[tool][setting] = value;
-  if (m_runner.tool() && m_runner.tool()->id() == tool) m_runner.setSetting(setting, value);
+  const bool isRunning = m_runner.tool() && m_runner.tool()->id() == tool;
+  if (isRunning && m_runner.tool()->isOfDocument(setting))
+    m_chosenOfDocument[{m_runner.document()->file().id, tool}][setting] = value;
+  else
+    m_chosen[tool][setting] = value;
+  if (isRunning) m_runner.setSetting(setting, value);
 }
 
 // A hover is never kept from the view, which tells the lists what is under the cursor.

@@ -94,9 +94,11 @@ class ToolHost : public QObject {
   bool m_isMoving = false;   // the tool is handling a mouse move
   bool m_isShowDue = false;  // showSoon() was called
   bool m_isVisible = true;
-  int m_frame = 0;                                                       // shown while the preview is live
-  QTimer m_frames;                                                       // runs while the preview is live
-  std::map<std::string, std::map<std::string, PropertyValue>> m_chosen;  // by tool
+  int m_frame = 0;  // shown while the preview is live
+  QTimer m_frames;  // runs while the preview is live
+  using Chosen = std::map<std::string, PropertyValue>;
+  std::map<std::string, Chosen> m_chosen;                                    // by tool
+  std::map<std::pair<std::string, std::string>, Chosen> m_chosenOfDocument;  // by the document's id and tool
 };
 
 }  // namespace handwheel

@@ -6,6 +6,7 @@
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "document/volume/exercise/DrillingSubject.h"
+#include "panels/MessageBar.h"
 #include "theme/Theme.h"
 #include "tools/volume/ClayTool.h"
 #include "tools/volume/DrillingTool.h"
@@ -199,7 +200,7 @@ std::vector<ToolDescriptor> VolumeUi::tools() {
     const SimulationServices services{parts().servoClock, parts().services.simulation()};
     auto tool =
         std::make_unique<ClayTool>(static_cast<VolumeDocument&>(document()->document), services, m_stamp->services());
-    tool->whenRefused([this] { m_layers->refuse(); });
+    tool->whenRefused([this] { refuseStroke(); });
     return tool;
   };
   const auto drill = [this]() -> std::unique_ptr<Tool> {
@@ -211,6 +212,15 @@ std::vector<ToolDescriptor> VolumeUi::tools() {
           drillToolDescriptor(drill),
           m_reshape->tool(),
           measureParts()};
+}
+
+void VolumeUi::refuseStroke() {
+  if (!document()->document.file().assigned) return m_layers->refuse();
+  Message told{Message::Weight::Warning, tr("This volume is to be drilled, not shaped"),
+               tr("It is work on an exercise, which measures what the drill takes and nothing else."),
+               tr("Choose Drill (Shift+D).")};
+  told.about = &document()->document;
+  emit message(told);
 }
 
 Suggestion VolumeUi::suggestion() {

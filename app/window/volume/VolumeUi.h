@@ -53,6 +53,7 @@ class VolumeUi : public RigidPartsUi {
   void offerStill();
   void followTool();
   void followFidelity();
+  void refuseStroke();
 
   VolumeKind& m_kind;
   std::shared_ptr<VolumeLayer> m_volumeLayer;

@@ -14,7 +14,7 @@
 namespace handwheel {
 namespace {
 
-constexpr std::size_t kCollapsesPerReport = 256;
+constexpr std::size_t kEdgesPerReport = 256;
 
 }  // namespace
 
@@ -116,7 +116,7 @@ bool Decimator::drain(const Progress& progress) {
   std::size_t longest = 1;  // of the queue: where an error is the limit, most of the time goes into what is refused
   for (std::size_t i = 0; !m_queue.empty() && m_faces > m_options.faces; ++i) {
     if (progress.cancelled()) return false;  // each time: to check one may take milliseconds
-    if (i % kCollapsesPerReport == 0) {
+    if (i % kEdgesPerReport == 0) {
       longest = std::max(longest, m_queue.size());
       const double gone = (start - static_cast<double>(m_faces)) / toGo;
       const double looked = 1.0 - static_cast<double>(m_queue.size()) / static_cast<double>(longest);

@@ -72,6 +72,7 @@ ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services)
 
 ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services, StampServices stamps)
     : m_document(document),
+      m_isOfExercise(static_cast<bool>(document.file().assigned)),
       m_stamps(std::move(stamps)),
       m_gesture(services, channel()->inputs, kRate, [this] { return simulation(); }) {
   m_brush = usualClayBrush(*m_document.volume());
@@ -142,7 +143,7 @@ ToolReply ClayTool::press(const PointerEvent& event) {
     m_grip = Grip{m_document.volume(), hit->point, event.ray.direction};
   }
   const ClayBrush brush = brushFor(event.modifiers);
-  if (brush.action != ClayAction::Mask && !takesStrokes(*m_document.volume())) {
+  if (m_isOfExercise || (brush.action != ClayAction::Mask && !takesStrokes(*m_document.volume()))) {
     m_grip.reset();
     if (m_refused) m_refused();
     return ToolReply::Used;

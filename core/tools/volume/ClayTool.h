@@ -30,7 +30,7 @@ class ClayTool : public VolumeTool {
 
   ClayFeel feelAtDevice() const override;
 
-  // Sets who is told of a stroke that the topmost layer does not take.
+  // Sets who is told of a stroke that the topmost layer does not take, or that is no work on the drilling exercise.
   void whenRefused(std::function<void()> listener) { m_refused = std::move(listener); }
 
   static std::span<const ToolKey> keys();
@@ -45,6 +45,7 @@ class ClayTool : public VolumeTool {
   void settle() override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
+  bool isOfDocument(std::string_view setting) const override { return setting.starts_with("mirror_"); }
   void documentChanged() override { restart(); }
   std::vector<std::string> needs() const override { return {"simulation"}; }
 
@@ -71,8 +72,9 @@ class ClayTool : public VolumeTool {
   void setMask(const char* text, std::shared_ptr<const ClayMask> mask);
 
   VolumeDocument& m_document;
-  ClayBrush m_brush;    // as it is set
-  ClayBrush m_present;  // of the gesture: with the modifiers that were held
+  const bool m_isOfExercise;  // in which volumes are drilled, and nothing else
+  ClayBrush m_brush;          // as it is set
+  ClayBrush m_present;        // of the gesture: with the modifiers that were held
   double m_resistance = 0.05;
   StampServices m_stamps;
   std::size_t m_stamp = 0;  // its number

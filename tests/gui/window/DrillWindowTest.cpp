@@ -156,9 +156,10 @@ class DrillWindowTest : public QObject {
     QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
       return label->isVisible() && label->text().contains(QStringLiteral("The attempt has failed"));
     }));
-    // Undone, the hole and its record are gone.
+    // Undone, the hole and its record are gone; that it was tried is not.
     volume(driver).history()->undo();
     QVERIFY(volume(driver).volume()->holes.empty());
+    QVERIFY(volume(driver).tried() && volume(driver).tried()->back().forbidden > 0.0);
   }
 
   // An STL file: through a plate, the hole is in its triangles by one step, and in the file that is saved.

@@ -6,6 +6,7 @@
 #include "document/volume/VolumeDocument.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/tools/ToolHost.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -13,6 +14,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTabBar>
 #include <algorithm>
 #include <cmath>
 
@@ -109,6 +111,34 @@ class VolumeWindowTest : public QObject {
     driver.find<QDialog>("voxelizeDialog")->reject();
     QVERIFY(driver.settle());
     QCOMPARE(driver.tabs(), 1);
+  }
+
+  // A plane of symmetry is of the part: it stays there, and is in no other document. How strong a stroke is, is of the
+  // hand.
+  void mirrorOfADocument() {
+    WindowDriver driver;
+    const auto beginClay = [&] {
+      driver.choose("newVolume");
+      QVERIFY(driver.settle());
+      driver.find<QAction>("clayTool")->trigger();
+    };
+    auto* const host = driver.window().findChild<ToolHost*>();
+    const auto setting = [&](const char* id) {
+      const Tool* const tool = host->runner().tool();
+      for (const Property& each : tool ? tool->settings() : std::vector<Property>())
+        if (each.id == id) return each.value;
+      return PropertyValue(-1.0);
+    };
+    beginClay();
+    host->choose("clay", "mirror_x", PropertyValue(true));
+    host->choose("clay", "strength", PropertyValue(0.3));
+    QVERIFY(setting("mirror_x") == PropertyValue(true));
+    beginClay();
+    QVERIFY(setting("mirror_x") == PropertyValue(false));
+    QVERIFY(setting("strength") == PropertyValue(0.3));
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    QVERIFY(driver.settle());
+    QVERIFY(setting("mirror_x") == PropertyValue(true));
   }
 
   // The whole volume is changed from the menu: shown first, applied by a key, undone; nothing of it is there before.

@@ -10,6 +10,7 @@
 
 #include <QtTest>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 using namespace handwheel;
 
@@ -293,6 +294,26 @@ class ClayToolTest : public QObject {
     bench.set("stamp", PropertyValue(99.0));  // there is none
     bench.set("stamp", PropertyValue(0.0));
     QVERIFY(!bench.tool->feelAtDevice().isCutting);
+  }
+
+  // A volume that is work on a drilling exercise takes no stroke, and who tries is told.
+  void refusedInAnExercise() {
+    ClayBench bench;
+    const nlohmann::json exercise = {{"subject", "drilling"}, {"task", nlohmann::json::object()}};
+    bench.document.assign({std::make_shared<const nlohmann::json>(exercise),
+                           std::make_shared<const nlohmann::json>(nlohmann::json::object())},
+                          false);
+    auto started = std::make_unique<ClayTool>(bench.document, SimulationServices{bench.clock, bench.simulation});
+    int refusals = 0;
+    started->whenRefused([&] { ++refusals; });
+    bench.tool = started.get();
+    bench.runner.start(std::move(started), bench.document);
+    const auto before = bench.document.volume();
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
+    QVERIFY(!bench.tool->isLive());
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    QCOMPARE(refusals, 1);
+    QCOMPARE(bench.document.volume(), before);
   }
 
   // Strokes go on the layer and off with it; while it is weak they are refused, but those of a mask.
