@@ -65,15 +65,19 @@ ProfilePoint ProfileSegment::nearest(const ProfilePoint& p) const {
     const double t = square > 0.0 ? std::clamp((p - from).dot(along) / square, 0.0, 1.0) : 0.0;
     return t == 1.0 ? to : ProfilePoint(from + t * along);
   }
-  const ProfilePoint c = centre(), outward = p - c;
-  const double distance = outward.norm(), turn = bulge > 0.0 ? 1.0 : -1.0;
-  const ProfilePoint nearEnd = (p - from).squaredNorm() <= (p - to).squaredNorm() ? from : to;
+  const ProfilePoint outward = p - centre(), v = p - from, along = to - from, left(-along.y(), along.x());
+  const double distance = outward.norm();
+  const ProfilePoint nearEnd = v.squaredNorm() <= (p - to).squaredNorm() ? from : to;
   if (!(distance > 0.0)) return nearEnd;  // all of it is as near
-  // The angle from the start to the point, in the direction of the arc, within 0…2π.
-  double swept = turn * std::atan2(cross(from - c, outward), (from - c).dot(outward));
-  if (swept < 0.0) swept += 2.0 * M_PI;
-  if (swept > std::abs(angle())) return nearEnd;
-  return c + radius() / distance * outward;
+  // Between the radii to both ends, by the tangents there, and how far from the circle, by the power of the point: both
+  // are exact however far the centre is.
+  const double cosine = 1.0 - bulge * bulge, sine = 2.0 * bulge;  // of half of the angle, times 1 + bulge²
+  const bool isPastStart = v.dot(cosine * along - sine * left) >= 0.0;
+  const bool isBeforeEnd = (p - to).dot(cosine * along + sine * left) <= 0.0;
+  const bool isBeside = std::abs(bulge) <= 1.0 ? isPastStart && isBeforeEnd : isPastStart || isBeforeEnd;
+  if (!isBeside) return nearEnd;
+  const double power = v.dot(v - along) - 0.5 * (1.0 / bulge - bulge) * v.dot(left);
+  return p - power / (distance + radius()) / distance * outward;
 }
 
 ProfileBox ProfileSegment::box() const {

@@ -5,6 +5,7 @@
 #include "machining/target/OutlineChecks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,35 @@ ProfileBox boxOf(const std::vector<ProfileSegment>& segments) {
   return box;
 }
 
+// The places of an arc's circle at a height, as radii from that of its start; the same twice where it is touched.
+//
+// With the chord d from the start and the bulge b, a point v from the start is on the circle where
+// b (v·v − v·d) = ½ (1 − b²) v·left(d). Nothing in that is large for a flat arc, whose centre is far away.
+std::optional<std::array<double, 2>> radiiOfCircle(const ProfileSegment& arc, double z) {
+  constexpr double kTouching = 1e-14;  // of the discriminant, by rounding
+  const ProfilePoint d = arc.to - arc.from;
+  const double up = z - arc.from.y(), b = arc.bulge, half = 0.5 * (1.0 - b * b);
+  const double linear = half * d.y() - b * d.x(), constant = b * up * (up - d.y()) - half * up * d.x();
+  const double square = linear * linear, product = 4.0 * b * constant;
+  const double discriminant = square - product;
+  if (!(discriminant >= -kTouching * (square + std::abs(product)))) return std::nullopt;
+  const double q = -0.5 * (linear + std::copysign(std::sqrt(std::max(discriminant, 0.0)), linear));
+  return q == 0.0 ? std::array{0.0, 0.0} : std::array{q / b, constant / q};
+}
+
+// Whether a point on an arc's circle is on the arc. v: from its start.
+bool isOnArc(const ProfileSegment& arc, const ProfilePoint& v) {
+  constexpr double kRounding = 1e-12;  // of the chord
+  const ProfilePoint d = arc.to - arc.from;
+  const double whole = d.squaredNorm(), along = v.dot(d), aside = crossed(d, v);
+  // Of an arc of half a circle at most, beside its chord and not across the circle; else of the rest of the circle.
+  const bool isMinor = std::abs(arc.bulge) <= 1.0;
+  const double bulge = isMinor ? arc.bulge : -1.0 / arc.bulge, slack = isMinor ? kRounding : -kRounding;
+  const bool isBeside = along >= -slack * whole && along <= (1.0 + slack) * whole;
+  const double toCentre = 0.25 * (1.0 / std::abs(bulge) - std::abs(bulge)) * whole;
+  return (isBeside && (bulge > 0.0 ? aside : -aside) <= toCentre) == isMinor;
+}
+
 // Extends the range of radii by the points of a segment at a height.
 void extendAt(const ProfileSegment& segment, double z, double& least, double& largest) {
   const auto take = [&](double r) {
@@ -41,14 +71,10 @@ void extendAt(const ProfileSegment& segment, double z, double& least, double& la
     if (t > 0.0 && t < 1.0) take(segment.from.x() + t * (segment.to.x() - segment.from.x()));
     return;
   }
-  const ProfilePoint c = segment.centre();
-  const double radius = segment.radius(), up = z - c.y();
-  if (std::abs(up) > radius) return;
-  const double aside = std::sqrt((radius - up) * (radius + up));
-  for (const double r : {c.x() - aside, c.x() + aside}) {
-    const ProfilePoint p(r, z);
-    if ((segment.nearest(p) - p).norm() <= 1e-9 * std::max(1.0, radius)) take(r);
-  }
+  const auto radii = radiiOfCircle(segment, z);
+  if (!radii) return;
+  for (const double r : *radii)
+    if (isOnArc(segment, {r, z - segment.from.y()})) take(segment.from.x() + r);
 }
 
 }  // namespace
@@ -91,7 +117,7 @@ double TargetProfile::distance(const ProfilePoint& p) const {
   if (near.point == segment.from || near.point == segment.to) {
     isOutside = isOutsideOfCorner(near.segment, near.point == segment.to, p);
   } else if (std::isfinite(segment.radius())) {
-    const bool isBeyond = (p - segment.centre()).norm() > segment.radius();
+    const bool isBeyond = (p - near.point).dot(p - segment.centre()) > 0.0;
     isOutside = isBeyond == (segment.bulge > 0.0);
   } else {
     isOutside = crossed(segment.to - segment.from, p - segment.from) < 0.0;

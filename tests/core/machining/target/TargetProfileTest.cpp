@@ -100,6 +100,26 @@ class TargetProfileTest : public QObject {
     }
   }
 
+  // The radius on an arc is exact however flat that is, and what lies on its circle beyond its end is none of it.
+  void extentOnArcs() {
+    for (const double bulge : {1e-9, 1e-7, 1e-4, -1e-4, -1e-2, 0.2}) {
+      const ProfileSegment arc{{10, 10}, {14, 30}, bulge};
+      const auto made = TargetProfile::make(
+          {{{0, 0}, {10, 0}, 0.0}, {{10, 0}, {10, 10}, 0.0}, arc, {{14, 30}, {14, 50}, 0.0}, {{14, 50}, {0, 50}, 0.0}});
+      QVERIFY(made.hasValue());
+      for (const double share : {1e-6, 0.1, 0.5, 0.77, 1.0 - 1e-6}) {
+        const ProfilePoint p = arc.at(share);
+        QVERIFY(std::abs(made->extentAt(p.y())->outer - p.x()) < 1e-12);
+        QVERIFY(std::abs(made->distance(p)) < 1e-12);
+      }
+      QCOMPARE(made->extentAt(30.0 + 1e-7)->outer, 14.0);
+      // Beside its middle, by a distance that the rounding of a far centre would hide.
+      const ProfilePoint middle = arc.at(0.5), along = arc.direction(0.5), out(along.y(), -along.x());
+      for (const double aside : {-1e-8, 1e-8, 1e-3})
+        QVERIFY(std::abs(made->distance(middle + aside * out) - aside) < 1e-12);
+    }
+  }
+
   void aBoredBush() {
     const Segments ring = through({{5, 0}, {20, 0}, {20, 30}, {5, 30}, {5, 0}});
     for (const Segments& given : {ring, turnedRound(ring), through({{20, 0}, {20, 30}, {5, 30}, {5, 0}})}) {
