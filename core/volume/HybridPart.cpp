@@ -162,8 +162,10 @@ void HybridPart::add(std::span<const VoxelIndex> tiles) {
   std::vector<Tile> made(fresh.size());
   tbb::parallel_for(std::size_t{0}, fresh.size(), [&](std::size_t i) { made[i] = madeTile(fresh[i]); });
   for (std::size_t i = 0; i < fresh.size(); ++i) {
-    m_near += made[i].near;
-    m_lost += made[i].lost;
+    if (m_judged.insert(hybridKey(fresh[i])).second) {
+      m_near += made[i].near;
+      m_lost += made[i].lost;
+    }
     for (int b = 0; b < SurfaceTile::kAllBlocks; ++b) {
       const VoxelIndex block = SurfaceTile::kBlocks * fresh[i] + SurfaceTile::blockAt(b);
       const SparseVolume::Content& content = made[i].blocks[static_cast<std::size_t>(b)];

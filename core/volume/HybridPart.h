@@ -93,7 +93,8 @@ class HybridPart {
   // Crossings of the rows of tiles, by z and y.
   std::map<std::array<int, 2>, std::shared_ptr<const ScanlineCrossings>> m_rows;
   bool m_isSimple = true;
-  std::size_t m_near = 0, m_lost = 0;  // voxels beside the surface, and those of them where it was lost
+  std::size_t m_near = 0, m_lost = 0;  // voxels beside the surface, and those of them where it was lost,
+  std::set<Key> m_judged;              // of these tiles: each counts once, however often it comes back
   Figures m_figures;
 };
 

@@ -204,7 +204,7 @@ void ClayLayersView::commit(const QString& text, const LayerStep& step) {
 void ClayLayersView::start(const QString& text, StepOf of) {
   volume().settle();
   if (m_step || chosen() < 0) return;
-  m_step = Step{text, of, static_cast<std::size_t>(chosen())};
+  m_step = Step{text, of, static_cast<std::size_t>(chosen()), layers().size(), ++m_stepCount};
   computeStep();
   refresh();
 }
@@ -215,9 +215,10 @@ void ClayLayersView::computeStep() {
   job.name = m_step->text;
   job.work = [this, before = volume().volume(), step = *m_step](Progress) -> Job::Finish {
     const auto made = std::make_shared<const LayerStep>(step.of(*before, step.layer));
-    return [this, before, made] { finish(before, made); };
+    return [this, before, made, number = step.number] { finish(number, before, made); };
   };
-  job.failed = [this](const Error& error) {
+  job.failed = [this, number = m_step->number](const Error& error) {
+    if (!m_step || m_step->number != number) return;
     m_step.reset();
     if (m_document) warn(error);
     refresh();
@@ -225,12 +226,13 @@ void ClayLayersView::computeStep() {
   m_computing.start(std::move(job));
 }
 
-// Computed anew after what was done meanwhile. What settled the document has done the step already.
-void ClayLayersView::finish(const std::shared_ptr<const VolumeSnapshot>& before,
+// Computed anew after what was done meanwhile. What settled the document has done the step already; an undo of that
+// brings back the volume it was computed of, and another step may be under way there.
+void ClayLayersView::finish(quint64 number, const std::shared_ptr<const VolumeSnapshot>& before,
                             const std::shared_ptr<const LayerStep>& made) {
-  if (!m_step || !m_document) return;
+  if (!m_step || m_step->number != number || !m_document) return;
   if (isStrokeLive()) {
-    QTimer::singleShot(kAgainMs, this, [this, before, made] { finish(before, made); });
+    QTimer::singleShot(kAgainMs, this, [this, number, before, made] { finish(number, before, made); });
     return;
   }
   if (volume().volume() != before) {

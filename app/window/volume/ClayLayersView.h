@@ -57,8 +57,12 @@ class ClayLayersView : public QObject {
     QString text;  // of the undo step
     StepOf of;
     std::size_t layer;
+    std::size_t count;  // of layers then: with as many, the layer is still the one that was meant
+    quint64 number;     // of all that were started
 
-    bool isPossible(const VolumeSnapshot& volume) const { return volume.layers && layer < volume.layers->all().size(); }
+    bool isPossible(const VolumeSnapshot& volume) const {
+      return volume.layers && volume.layers->all().size() == count && layer < count;
+    }
   };
 
   VolumeDocument& volume() const;
@@ -72,7 +76,8 @@ class ClayLayersView : public QObject {
   void commit(const QString& text, const LayerStep& step);
   void start(const QString& text, StepOf of);
   void computeStep();
-  void finish(const std::shared_ptr<const VolumeSnapshot>& before, const std::shared_ptr<const LayerStep>& made);
+  void finish(quint64 number, const std::shared_ptr<const VolumeSnapshot>& before,
+              const std::shared_ptr<const LayerStep>& made);
   void take(const QListWidgetItem& item);
   void setStrength(DragPhase phase);
   void want(Wanted wanted);
@@ -95,6 +100,7 @@ class ClayLayersView : public QObject {
   quint64 m_wantedCount = 0;
   bool m_isComputing = false;
   std::optional<Step> m_step;
+  quint64 m_stepCount = 0;
   QPointer<QDockWidget> m_dock;
   QListWidget* m_list = nullptr;
   QSlider* m_strength = nullptr;

@@ -386,6 +386,27 @@ class HybridPartTest : public QObject {
     QVERIFY(!along.isExact());
   }
 
+  // A hand that goes to and fro beside a small place where a wall is lost makes no more of it: the whole is judged by
+  // what there is, not by how often it was made.
+  void judgedOnce() {
+    TriangleSoup fin = box({0.0, 0.0, 0.0}, {8.0, 0.002, 8.0});
+    const Eigen::AngleAxisd turn(0.4, Vec3::UnitZ());
+    for (Vec3& p : fin.points) p = turn * p + Vec3(4.0, 4.0, 24.0);
+    TriangleSoup finned = box({0.0, 0.0, 0.0}, {40.0, 40.0, 20.0});
+    append(finned, fin);
+    HybridPart part = *HybridPart::of(finned, 0.5);
+    const std::vector<VoxelIndex> all = allTiles(part);
+    part.make(all);
+    QVERIFY(part.isExact());  // a part in a hundred of the surface
+    for (int i = 0; i < 200; ++i) {
+      part.hold(Box(Vec3(4.0, 4.0, 26.0), Vec3(10.0, 8.0, 30.0)));
+      part.make({});
+      part.hold(Box(Vec3(30.0, 30.0, 2.0), Vec3(32.0, 32.0, 4.0)));
+      part.make({});
+    }
+    QVERIFY(part.isExact());
+  }
+
   void refused() {
     QVERIFY(HybridPart::of({}, 0.3).error().code == MeshError::NoTriangles);
     QVERIFY(HybridPart::of(turnedOver(cube(5.0)), 0.3).error().code == VolumeErrors::NothingInside);

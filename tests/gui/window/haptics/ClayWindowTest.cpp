@@ -282,6 +282,13 @@ class ClayWindowTest : public QObject {
     clay.driver.click("clayLayerRemove");
     QTRY_COMPARE_WITH_TIMEOUT(list->count(), 0, kPatienceMs);
     QCOMPARE(material(), ball);
+    clay.document().history()->undo();
+    clay.driver.click("clayLayerRemove");
+    clay.document().settle();
+    clay.document().history()->undo();
+    clay.driver.click("clayLayerMerge");  // of the same volume, while what was computed to remove it is still to come
+    QTRY_COMPARE_WITH_TIMEOUT(list->count(), 0, kPatienceMs);
+    QCOMPARE(material(), carved);
   }
 
   // A layer is made, sculpted by the mouse, weakened by a drag of the slider and turned off; all is undone and done
