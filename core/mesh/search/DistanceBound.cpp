@@ -16,14 +16,16 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kFacesPerBlock = 64;
-constexpr std::size_t kMostParts = 20'000'000;  // some 20 s of one processor
+constexpr std::size_t kMostParts = 20'000'000;  // some 20 s of one processor,
+constexpr std::size_t kMostPartsOfFace = 64;    // and on average of larger meshes
 constexpr int kMostCuts = 16;                   // of a face: parts of 1 / 65,536 of its length
 constexpr std::size_t kPartsPerLook = 1024;
 
 class Proof {
  public:
-  Proof(const TriangleHierarchy& of, double distance, bool isForAll, const Progress& progress)
+  Proof(const TriangleHierarchy& of, double distance, bool isForAll, std::size_t faces, const Progress& progress)
       : m_of(of),
+        m_mostParts(std::max(kMostParts, kMostPartsOfFace * faces)),
         m_distance(distance),
         m_near(distance / (1.0 + kBoundSlack)),
         m_isForAll(isForAll),
@@ -62,7 +64,7 @@ class Proof {
   }
 
   bool poll(std::size_t& looked) {
-    if ((m_parts += std::exchange(looked, 0)) > kMostParts || m_progress.cancelled()) m_isGivenUp = true;
+    if ((m_parts += std::exchange(looked, 0)) > m_mostParts || m_progress.cancelled()) m_isGivenUp = true;
     return !isOver();
   }
 
@@ -94,6 +96,7 @@ class Proof {
   }
 
   const TriangleHierarchy& m_of;
+  std::size_t m_mostParts;
   double m_distance;
   double m_near;  // so that small parts end: what they spare is no less than their size
   bool m_isForAll;
@@ -109,8 +112,8 @@ class Proof {
 Within liesWithin(const SurfaceDistance& surface, const SurfaceDistance& of, double distance, Progress progress,
                   std::vector<Vec3>* beyond) {
   if (progress.cancelled()) return Within::Unknown;
-  Proof proof(of.hierarchy(), distance, beyond != nullptr, progress);
   const std::size_t n = surface.faces().size();
+  Proof proof(of.hierarchy(), distance, beyond != nullptr, n, progress);
   std::atomic<std::size_t> done{0};
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, n, kFacesPerBlock), [&](const Range& range) {
