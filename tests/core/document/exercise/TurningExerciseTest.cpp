@@ -370,7 +370,8 @@ class TurningExerciseTest : public QObject {
   // As on the drawing, and in the marks: the bar of 100 mm goes from the finished face to 100 mm below it.
   void plotsTellPlacesFromTheFinishedFace() {
     const auto work = workFrom(*shoulder(), shoulderWork());
-    for (const ReportCurve& curve : shoulder()->subject->details(*shoulder()->task, *work, {}).curves) {
+    const ReportDetails details = shoulder()->subject->details(*shoulder()->task, *work, {});
+    for (const ReportCurve& curve : details.curves) {
       if (curve.xUnit != "mm") continue;
       QCOMPARE(curve.x, std::string("Z from the finished face"));
       if (curve.title != "Profile") continue;

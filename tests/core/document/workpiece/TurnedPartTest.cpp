@@ -317,7 +317,7 @@ class TurnedPartTest : public QObject {
     DisplayModel first = displayOf(workpiece.part->surface, 0.0), second = first;
     const PartedBlock cut = showPartedOff(first, workpiece.part->profile);
     QVERIFY(cut.whole && cut.held && cut.parted);
-    QCOMPARE(showPartedOff(second, workpiece.part->profile, cut).parted, cut.parted);
+    QVERIFY(showPartedOff(second, workpiece.part->profile, cut).parted == cut.parted);
     DisplayModel bar = displayOf(TurnedSurface(TurnedProfile(workpiece.stock, 0.1), 0.05), 0.0);
     showPartedOff(bar, TurnedProfile(workpiece.stock, 0.1));
     for (const DisplayPart& part : bar.parts) QCOMPARE(part.group, std::string(kStockGroup));
