@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "../haptics/TurningWindow.h"
+#include "document/workpiece/TurnedPartEdit.h"
 #include "tools/workpiece/ManualLatheTool.h"
 #include "window/tools/ToolHost.h"
 
 #include <QDockWidget>
 #include <QLabel>
 #include <QListWidget>
+#include <QRegularExpression>
+#include <cmath>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -44,6 +47,30 @@ class LatheMessagesTest : public QObject {
     const QRect seen = latest->visibleRegion().boundingRect();
     QVERIFY2(seen.left() == 0 && seen.width() >= latest->fontMetrics().horizontalAdvance(latest->text()),
              qPrintable(QString("%1 of %2: %3").arg(seen.width()).arg(latest->width()).arg(latest->text())));
+  }
+
+  // A bar of 100 mm is parted off at Z 70, and behind that at Z 30: each time the piece that comes off is told.
+  void whatComesOffIsTold() {
+    TurningWindow window;
+    window.driver.choose("newWorkpiece");
+    QVERIFY(window.driver.settle());
+    const auto partOff = [&](double z) {
+      TurningPass pass;
+      pass.noseRadius = 1.0;
+      pass.path = {{0.0, z}};
+      pass.times = {0.0};
+      const auto part = withPass(window.document().workpiece(), pass, 0.1);
+      window.document().commit("Part off", std::make_unique<TurnedPartEdit>(part));
+      return window.driver.settle();
+    };
+    QVERIFY(partOff(70.0));
+    QTRY_VERIFY(window.driver.text("messageText").contains("has come off at the free end"));
+    QVERIFY(!window.driver.text("messageText").contains("came off before"));
+    QVERIFY(partOff(30.0));
+    QTRY_VERIFY(window.driver.text("messageText").contains("came off before"));
+    const QString text = window.driver.text("messageText");
+    const QRegularExpressionMatch length = QRegularExpression("A piece of ([0-9.]+) mm").match(text);
+    QVERIFY2(std::abs(length.captured(1).toDouble() - 38.0) < 0.21, qPrintable(text));  // from Z 31 to Z 69
   }
 };
 
