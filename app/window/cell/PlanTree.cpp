@@ -34,7 +34,9 @@ PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
   connect(this, &QTreeWidget::currentItemChanged, this, [this] {
     if (!m_isFilling) emit currentChanged();
   });
-  connect(this, &QTreeWidget::itemExpanded, this, &PlanTree::shareColumns);
+  connect(this, &QTreeWidget::itemExpanded, this, [this] {
+    if (!m_isFilling) shareColumns();
+  });
   connect(this, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) { emit activated(entryOf(item)); });
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
     if (!m_isFilling && column == 0) emit renameRequested(entryOf(item), item->text(0).trimmed());
