@@ -177,6 +177,7 @@ Json toJson(const ClassReport& report) {
                  {"hints", row.attempt.hintCount()}};
     static constexpr const char* kOrigins[] = {"", "hand", "program", "both"};
     json["made_by"] = row.origin == WorkOrigin::Unknown ? Json() : Json(kOrigins[static_cast<std::size_t>(row.origin)]);
+    json["tries"] = row.tries ? Json(*row.tries) : Json();
     json["problem"] = row.problem.empty() ? Json() : Json(row.problem);
     json["remarks"] = row.remarks;
     json["points"] = row.marking.points;
