@@ -86,8 +86,10 @@ class MarkedClassTest : public QObject {
   // Saved and opened again: names, files, marks with their reasons, what was moved.
   void theClassIsInTheFile() {
     ExerciseSnapshot exercise = classExercise();
+    ReportedWork ada = markedWork("Ada", shoulderWork());
+    ada.row.tries = 2;
     exercise.marked = std::make_shared<const MarkedClass>(
-        withMarked({}, {markedWork("Ada", shoulderWork()), unmarkedWork("/class/caf\xe9/broken.handwheel")}));
+        withMarked({}, {std::move(ada), unmarkedWork("/class/caf\xe9/broken.handwheel")}));
     std::vector<Error> damage;
     const auto read = readBack(bytesOf(exercise), damage);
     QVERIFY(read && read->marked && damage.empty());
@@ -98,6 +100,7 @@ class MarkedClassTest : public QObject {
     QCOMPARE(after.row.file, std::string("Ada.handwheel"));
     QVERIFY(after.row.attempt == before.row.attempt);
     QVERIFY(after.row.origin == before.row.origin && after.scheme == before.scheme);
+    QVERIFY(after.row.tries == std::optional<std::size_t>(2) && !(*read->marked)[1]->row.tries);
     QCOMPARE(after.row.marking.points, 25.0);
     QCOMPARE(after.row.marking.marks.size(), before.row.marking.marks.size());
     for (std::size_t i = 0; i < before.row.marking.marks.size(); ++i) {
