@@ -62,6 +62,10 @@
         <source>Made</source>
         <translation>Hergestellt</translation>
     </message>
+    <message>
+        <source>Tries</source>
+        <translation>Versuche</translation>
+    </message>
 </context>
 <context>
     <name>ClosePrompt</name>
@@ -1114,16 +1118,8 @@
         <translation>Wählen Sie einen Punkt an einer scharfen Kante des Teils, oder einen Schnitt hindurch.</translation>
     </message>
     <message>
-        <source>the robot cannot reach point %1 of %2 of the curve, at X %3 Y %4 Z %5 mm</source>
-        <translation>der Roboter kann Punkt %1 von %2 der Kurve nicht erreichen, bei X %3 Y %4 Z %5 mm</translation>
-    </message>
-    <message>
         <source>Move the part nearer, turn the tool, or let it turn about its own axis.</source>
         <translation>Rücken Sie das Teil näher, drehen Sie das Werkzeug, oder lassen Sie es sich um seine Achse drehen.</translation>
-    </message>
-    <message>
-        <source>at point %1 of %2 of the curve, X %3 Y %4 Z %5 mm, the robot collides: %6 with %7</source>
-        <translation>bei Punkt %1 von %2 der Kurve, X %3 Y %4 Z %5 mm, stößt der Roboter an: %6 mit %7</translation>
     </message>
     <message>
         <source>Divide the curve, turn the tool, or let it turn about its own axis.</source>
@@ -1310,10 +1306,6 @@
         <translation>Zeichnen Sie um die Lücke herum, oder setzen Sie mehr Punkte.</translation>
     </message>
     <message>
-        <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a jump of a joint</source>
-        <translation>der Arm kann der Kurve nicht bis Punkt %1 von %2, bei X %3 Y %4 Z %5 mm, folgen, ohne dass ein Gelenk springt</translation>
-    </message>
-    <message>
         <source>the cell would have %2 %1, and it can contain %3</source>
         <translation>die Zelle hätte %2 %1, und sie kann %3 aufnehmen</translation>
     </message>
@@ -1324,18 +1316,6 @@
     <message>
         <source>&apos;%1&apos; belongs to another robot than the one to plan for: %2</source>
         <translation>„%1“ gehört zu einem anderen Roboter als dem, für den geplant wird: %2</translation>
-    </message>
-    <message>
-        <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm in this orientation</source>
-        <translation>der Arm kann sein Werkzeug in dieser Ausrichtung nicht nach X %1 Y %2 Z %3 mm bringen</translation>
-    </message>
-    <message>
-        <source>to bring the tool to X %1 Y %2 Z %3 mm in this orientation, the joint %4 would exceed its limits</source>
-        <translation>um das Werkzeug in dieser Ausrichtung nach X %1 Y %2 Z %3 mm zu bringen, müsste das Gelenk %4 seine Grenzen überschreiten</translation>
-    </message>
-    <message>
-        <source>with its tool at X %1 Y %2 Z %3 mm the robot collides in every configuration: %4 with %5</source>
-        <translation>mit dem Werkzeug bei X %1 Y %2 Z %3 mm kollidiert der Roboter in jeder Stellung: %4 mit %5</translation>
     </message>
     <message>
         <source>the exercise does not specify its subject</source>
@@ -1640,6 +1620,38 @@
     <message>
         <source>Use the built-in robot, add a link &apos;base&apos; to the description, or give the motions joint values.</source>
         <translation>Den eingebauten Roboter verwenden, der Beschreibung ein Glied „base“ hinzufügen oder den Bewegungen Gelenkwerte geben.</translation>
+    </message>
+    <message>
+        <source>the robot cannot reach point %1 of %2 of the curve, at X %3 Y %4 Z %5 mm in the cell</source>
+        <translation>der Roboter kann Punkt %1 von %2 der Kurve nicht erreichen, bei X %3 Y %4 Z %5 mm in der Zelle</translation>
+    </message>
+    <message>
+        <source>at point %1 of %2 of the curve, X %3 Y %4 Z %5 mm in the cell, the robot collides: %6 with %7</source>
+        <translation>bei Punkt %1 von %2 der Kurve, X %3 Y %4 Z %5 mm in der Zelle, stößt der Roboter an: %6 mit %7</translation>
+    </message>
+    <message>
+        <source>the arm cannot follow the curve to point %1 of %2, X %3 Y %4 Z %5 mm in the cell, without a jump of a joint</source>
+        <translation>der Arm kann der Kurve nicht bis Punkt %1 von %2, bei X %3 Y %4 Z %5 mm in der Zelle, folgen, ohne dass ein Gelenk springt</translation>
+    </message>
+    <message>
+        <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm in the cell in this orientation</source>
+        <translation>der Arm kann sein Werkzeug in dieser Ausrichtung nicht nach X %1 Y %2 Z %3 mm in der Zelle bringen</translation>
+    </message>
+    <message>
+        <source>to bring the tool to X %1 Y %2 Z %3 mm in the cell in this orientation, joint %4 would exceed its limits</source>
+        <translation>um das Werkzeug in dieser Ausrichtung nach X %1 Y %2 Z %3 mm in der Zelle zu bringen, müsste das Gelenk %4 seine Grenzen überschreiten</translation>
+    </message>
+    <message>
+        <source>with its tool at X %1 Y %2 Z %3 mm in the cell the robot collides in every configuration: %4 with %5</source>
+        <translation>mit dem Werkzeug bei X %1 Y %2 Z %3 mm in der Zelle kollidiert der Roboter in jeder Stellung: %4 mit %5</translation>
+    </message>
+    <message>
+        <source>along the line the arm does not come to its end with configuration %1, and controllers stop</source>
+        <translation>entlang der Geraden kommt der Arm nicht mit der Konfiguration %1 an ihr Ende, und Steuerungen halten an</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, correct the configuration, or write ConfL\Off before the line.</source>
+        <translation>Berichtigen Sie in einer Kopie des Programms die Konfiguration, oder schreiben Sie ConfL\Off vor die Zeile.</translation>
     </message>
 </context>
 <context>
@@ -3212,6 +3224,14 @@
         <source>the robot reaches its place in no way with this configuration</source>
         <translation>der Roboter erreicht die Stelle mit dieser Konfiguration auf keine Weise</translation>
     </message>
+    <message>
+        <source>it is not a list of tries</source>
+        <translation>es ist keine Liste von Versuchen</translation>
+    </message>
+    <message>
+        <source>a try is impossible</source>
+        <translation>ein Versuch ist unmöglich</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -3410,10 +3430,6 @@
     <message>
         <source>Let the pass end 30 mm from the end, so that a face stands there.</source>
         <translation>Beenden Sie den Schnitt 30 mm vom Ende der Stange, sodass dort eine Planfläche steht.</translation>
-    </message>
-    <message>
-        <source>Z in the label is the height of the middle of the nose above the chuck&apos;s end of the bar. The face stands one nose radius, 0.8 mm, below it: stop at Z 50.8.</source>
-        <translation>Z in der Anzeige am Zeiger ist die Höhe der Mitte der Schneidenecke über dem Ende der Stange im Futter. Die Planfläche steht um einen Eckenradius, 0,8 mm, darunter: Halten Sie bei Z 50,8 an.</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -3694,6 +3710,26 @@
     <message>
         <source>Straight in to the axis, at a small feed.</source>
         <translation>Gerade bis zur Achse einstechen, mit kleinem Vorschub.</translation>
+    </message>
+    <message>
+        <source>boring bar</source>
+        <translation>Innendrehmeißel</translation>
+    </message>
+    <message>
+        <source>parting tool</source>
+        <translation>Abstechmeißel</translation>
+    </message>
+    <message>
+        <source>threading tool of 60°</source>
+        <translation>Gewindedrehmeißel von 60°</translation>
+    </message>
+    <message>
+        <source>On the lathe, drill first: a boring bar needs a hole to begin in.</source>
+        <translation>Bohren Sie auf der Drehmaschine zuerst: Ein Innendrehmeißel braucht ein Loch, in dem er beginnt.</translation>
+    </message>
+    <message>
+        <source>Z in the label is the place of the face that the tool leaves, from the finished end of the bar: stop at Z -30.</source>
+        <translation>Z in der Anzeige am Zeiger ist der Ort der Planfläche, die das Werkzeug hinterlässt, vom fertigen Ende der Stange aus: Halten Sie bei Z -30 an.</translation>
     </message>
 </context>
 <context>
@@ -4465,6 +4501,18 @@
     <message>
         <source>Length of a taper</source>
         <translation>Länge eines Kegels</translation>
+    </message>
+    <message>
+        <source>Tries</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Z from the finished face</source>
+        <translation>Z von der fertigen Planfläche aus</translation>
+    </message>
+    <message>
+        <source>Z from the free end of the bar</source>
+        <translation>Z vom freien Ende der Stange aus</translation>
     </message>
 </context>
 <context>
@@ -5482,6 +5530,18 @@
     <message>
         <source>Pictures and curves are not kept: mark the file again to have them here.</source>
         <translation>Bilder und Kurven werden nicht aufbewahrt: die Datei noch einmal bewerten, um sie hier zu haben.</translation>
+    </message>
+    <message>
+        <source>Try %1 entered the forbidden region by %2 mm, and was taken back.</source>
+        <translation>Versuch %1 ist %2 mm in den verbotenen Bereich eingedrungen und wurde zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>Tries that entered it and were taken back: %1 of %2, by %3 mm at most.</source>
+        <translation>Versuche, die eingedrungen sind und zurückgenommen wurden: %1 von %2, um höchstens %3 mm.</translation>
+    </message>
+    <message>
+        <source>Tool: %1</source>
+        <translation>Werkzeug: %1</translation>
     </message>
 </context>
 <context>
@@ -7967,6 +8027,30 @@
         <source>Compound slide angle, ° (+: thicker away from the chuck)</source>
         <translation>Winkel des Oberschlittens, ° (+: dicker vom Futter weg)</translation>
     </message>
+    <message>
+        <source>Failed tries that were undone</source>
+        <translation>Gescheiterte Versuche, die rückgängig gemacht wurden</translation>
+    </message>
+    <message>
+        <source>cost the mark of the forbidden region</source>
+        <translation>kosten die Punkte des verbotenen Bereichs</translation>
+    </message>
+    <message>
+        <source>fail the work</source>
+        <translation>lassen die Arbeit scheitern</translation>
+    </message>
+    <message>
+        <source>are listed only</source>
+        <translation>werden nur aufgeführt</translation>
+    </message>
+    <message>
+        <source>it turns to and fro again and again: a section, or a larger tolerance, is smoother</source>
+        <translation>sie wendet sich immer wieder hin und her: Ein Schnitt oder eine größere Toleranz ist glatter</translation>
+    </message>
+    <message>
+        <source>Tries</source>
+        <translation>Versuche</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -8998,10 +9082,6 @@
         <translation>den Körper auf und ab bewegen</translation>
     </message>
     <message>
-        <source>Turning pass %1: −%2 mm³</source>
-        <translation>Drehschnitt %1: −%2 mm³</translation>
-    </message>
-    <message>
         <source>Thicken sheets</source>
         <translation>Flächen aufdicken</translation>
     </message>
@@ -9988,6 +10068,38 @@
     <message>
         <source>the mesh is being prepared for the drill</source>
         <translation>das Netz wird für den Bohrer vorbereitet</translation>
+    </message>
+    <message>
+        <source>Pass %1</source>
+        <translation>Schnitt %1</translation>
+    </message>
+    <message>
+        <source>Plunging pass %1</source>
+        <translation>Einstechschnitt %1</translation>
+    </message>
+    <message>
+        <source>Threading pass %1</source>
+        <translation>Gewindeschnitt %1</translation>
+    </message>
+    <message>
+        <source>Boring pass %1</source>
+        <translation>Innendrehschnitt %1</translation>
+    </message>
+    <message>
+        <source>Drilling pass %1</source>
+        <translation>Bohrgang %1</translation>
+    </message>
+    <message>
+        <source>Filing pass %1</source>
+        <translation>Feilgang %1</translation>
+    </message>
+    <message>
+        <source>Grinding pass %1</source>
+        <translation>Schleifgang %1</translation>
+    </message>
+    <message>
+        <source>%1: −%2 mm³</source>
+        <translation>%1: −%2 mm³</translation>
     </message>
 </context>
 <context>
@@ -11383,6 +11495,10 @@
         <source>&amp;Let %1 touch %2</source>
         <translation>%1 darf %2 &amp;berühren</translation>
     </message>
+    <message>
+        <source>Its curve turns to and fro again and again, as edges of scanned parts do: follow a section or a drawn curve, or set a larger tolerance.</source>
+        <translation>Die Kurve wendet sich immer wieder hin und her, wie Kanten gescannter Teile: Folgen Sie einem Schnitt oder einer gezeichneten Kurve, oder setzen Sie eine größere Toleranz.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -12252,10 +12368,6 @@
         <translation>Der Bohrer ist in den verbotenen Bereich eingedrungen.</translation>
     </message>
     <message>
-        <source>Undo the hole to try again; stop at the breakthrough.</source>
-        <translation>Machen Sie das Bohrloch rückgängig, um es noch einmal zu versuchen; halten Sie beim Durchbruch an.</translation>
-    </message>
-    <message>
         <source>Beside the planned path</source>
         <translation>Neben der geplanten Bahn</translation>
     </message>
@@ -12290,6 +12402,10 @@
     <message>
         <source>Hold the button on the part to drill</source>
         <translation>Zum Bohren die Taste auf dem Teil halten</translation>
+    </message>
+    <message>
+        <source>Undo the hole to try again, and stop at the breakthrough. The report tells of this try.</source>
+        <translation>Machen Sie das Bohrloch rückgängig, um es noch einmal zu versuchen, und halten Sie beim Durchbruch an. Der Bericht nennt diesen Versuch.</translation>
     </message>
 </context>
 <context>
@@ -13915,6 +14031,18 @@
         <source>The spindle stands still.</source>
         <translation>Die Spindel steht still.</translation>
     </message>
+    <message>
+        <source>The spindle was stopped</source>
+        <translation>Die Spindel wurde angehalten</translation>
+    </message>
+    <message>
+        <source>The lathe of %1 stands still while another document is shown.</source>
+        <translation>Die Drehmaschine von %1 steht still, solange ein anderes Dokument gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Its slides stay where they are, and its handwheels count on.</source>
+        <translation>Die Schlitten bleiben, wo sie sind, und die Handräder zählen weiter.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheWheels</name>
@@ -14605,10 +14733,6 @@
         <translation>Kollision: %1 mit %2</translation>
     </message>
     <message>
-        <source>To place %1 of %2: X %3  Y %4  Z %5 mm</source>
-        <translation>Zu Punkt %1 von %2: X %3  Y %4  Z %5 mm</translation>
-    </message>
-    <message>
         <source>; collision: %1 with %2</source>
         <translation>; Kollision: %1 mit %2</translation>
     </message>
@@ -14627,6 +14751,18 @@
     <message>
         <source>Too near: %1 to %2</source>
         <translation>Zu nah: %1 an %2</translation>
+    </message>
+    <message>
+        <source>X %1  Y %2  Z %3 mm</source>
+        <translation>X %1  Y %2  Z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>To place %1 of %2: %3</source>
+        <translation>Zu Punkt %1 von %2: %3</translation>
     </message>
 </context>
 <context>
@@ -17890,6 +18026,18 @@
         <source>Start with a synthetic skull to be drilled, not that of a patient</source>
         <translation>Mit einem künstlichen Schädel zum Bohren beginnen, der von keinem Patienten stammt</translation>
     </message>
+    <message>
+        <source>This volume is to be drilled, not shaped</source>
+        <translation>Dieses Volumen ist zu bohren, nicht zu formen</translation>
+    </message>
+    <message>
+        <source>It is work on an exercise, which measures what the drill takes and nothing else.</source>
+        <translation>Es ist die Arbeit an einer Übung, und diese misst nur, was der Bohrer wegnimmt.</translation>
+    </message>
+    <message>
+        <source>Choose Drill (Shift+D).</source>
+        <translation>Wählen Sie Bohren (Umschalt+D).</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::VoxelizeQuestion</name>
@@ -18087,6 +18235,14 @@
     <message>
         <source>Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP files are those of the piece.</source>
         <translation>Sein Volumen ist %1 mm³; %2 mm³ bleiben im Futter. Maße sowie ausgegebene Zeichnungen und STEP-Dateien sind die des Stücks.</translation>
+    </message>
+    <message>
+        <source>A piece of %1 mm length has come off.</source>
+        <translation>Ein Stück von %1 mm Länge ist abgefallen.</translation>
+    </message>
+    <message>
+        <source>Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP files are still those of the piece at the free end, which came off before.</source>
+        <translation>Sein Volumen ist %1 mm³; %2 mm³ bleiben im Futter. Maße und exportierte Zeichnungen und STEP-Dateien sind weiter die des Stücks am freien Ende, das vorher abgefallen ist.</translation>
     </message>
 </context>
 </TS>

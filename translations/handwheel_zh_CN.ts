@@ -62,6 +62,10 @@
         <source>Made</source>
         <translation>加工方式</translation>
     </message>
+    <message>
+        <source>Tries</source>
+        <translation>尝试次数</translation>
+    </message>
 </context>
 <context>
     <name>ClosePrompt</name>
@@ -1114,16 +1118,8 @@
         <translation>请选择零件锐边上的一点，或穿过零件的截面。</translation>
     </message>
     <message>
-        <source>the robot cannot reach point %1 of %2 of the curve, at X %3 Y %4 Z %5 mm</source>
-        <translation>机器人无法到达曲线的第 %1 / %2 点，位于 X %3 Y %4 Z %5 mm</translation>
-    </message>
-    <message>
         <source>Move the part nearer, turn the tool, or let it turn about its own axis.</source>
         <translation>请将零件移近、转动工具，或允许工具绕自身轴线转动。</translation>
-    </message>
-    <message>
-        <source>at point %1 of %2 of the curve, X %3 Y %4 Z %5 mm, the robot collides: %6 with %7</source>
-        <translation>在曲线的第 %1 / %2 点（X %3 Y %4 Z %5 mm）机器人发生碰撞：%6 与 %7</translation>
     </message>
     <message>
         <source>Divide the curve, turn the tool, or let it turn about its own axis.</source>
@@ -1310,10 +1306,6 @@
         <translation>请绕过间隙绘制，或放置更多的点。</translation>
     </message>
     <message>
-        <source>the arm cannot follow the curve to point %1 of %2, at X %3 Y %4 Z %5 mm, without a jump of a joint</source>
-        <translation>机械臂无法沿曲线到达第 %1 / %2 点（X %3 Y %4 Z %5 mm）而不发生关节跳变</translation>
-    </message>
-    <message>
         <source>the cell would have %2 %1, and it can contain %3</source>
         <translation>单元将有 %2 个%1，而最多只能容纳 %3 个</translation>
     </message>
@@ -1324,18 +1316,6 @@
     <message>
         <source>&apos;%1&apos; belongs to another robot than the one to plan for: %2</source>
         <translation>“%1”属于另一个机器人 %2，而非当前规划的机器人</translation>
-    </message>
-    <message>
-        <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm in this orientation</source>
-        <translation>机械臂无法以该姿态将其工具移到 X %1 Y %2 Z %3 mm</translation>
-    </message>
-    <message>
-        <source>to bring the tool to X %1 Y %2 Z %3 mm in this orientation, the joint %4 would exceed its limits</source>
-        <translation>若以该姿态将工具移到 X %1 Y %2 Z %3 mm，关节 %4 会超出其限位</translation>
-    </message>
-    <message>
-        <source>with its tool at X %1 Y %2 Z %3 mm the robot collides in every configuration: %4 with %5</source>
-        <translation>工具位于 X %1 Y %2 Z %3 mm 时，机器人无论取何种位形都会碰撞：%4 与 %5</translation>
     </message>
     <message>
         <source>the exercise does not specify its subject</source>
@@ -1640,6 +1620,38 @@
     <message>
         <source>Use the built-in robot, add a link &apos;base&apos; to the description, or give the motions joint values.</source>
         <translation>请使用内置机器人，在描述中添加连杆“base”，或为运动给出关节值。</translation>
+    </message>
+    <message>
+        <source>the robot cannot reach point %1 of %2 of the curve, at X %3 Y %4 Z %5 mm in the cell</source>
+        <translation>机器人无法到达曲线的第 %1 个点（共 %2 个），位于单元坐标 X %3 Y %4 Z %5 mm 处</translation>
+    </message>
+    <message>
+        <source>at point %1 of %2 of the curve, X %3 Y %4 Z %5 mm in the cell, the robot collides: %6 with %7</source>
+        <translation>在曲线的第 %1 个点（共 %2 个），单元坐标 X %3 Y %4 Z %5 mm 处，机器人发生碰撞：%6 与 %7</translation>
+    </message>
+    <message>
+        <source>the arm cannot follow the curve to point %1 of %2, X %3 Y %4 Z %5 mm in the cell, without a jump of a joint</source>
+        <translation>手臂无法在关节不跳变的情况下沿曲线到达第 %1 个点（共 %2 个），单元坐标 X %3 Y %4 Z %5 mm 处</translation>
+    </message>
+    <message>
+        <source>the arm cannot bring its tool to X %1 Y %2 Z %3 mm in the cell in this orientation</source>
+        <translation>手臂无法以此姿态将工具移到单元坐标 X %1 Y %2 Z %3 mm 处</translation>
+    </message>
+    <message>
+        <source>to bring the tool to X %1 Y %2 Z %3 mm in the cell in this orientation, joint %4 would exceed its limits</source>
+        <translation>要以此姿态将工具移到单元坐标 X %1 Y %2 Z %3 mm 处，关节 %4 将超出其限位</translation>
+    </message>
+    <message>
+        <source>with its tool at X %1 Y %2 Z %3 mm in the cell the robot collides in every configuration: %4 with %5</source>
+        <translation>工具位于单元坐标 X %1 Y %2 Z %3 mm 处时，机器人在每种构型下都会碰撞：%4 与 %5</translation>
+    </message>
+    <message>
+        <source>along the line the arm does not come to its end with configuration %1, and controllers stop</source>
+        <translation>沿该直线手臂不会以构型 %1 到达终点，控制器会停止</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, correct the configuration, or write ConfL\Off before the line.</source>
+        <translation>请在程序的副本中更正构型，或在该行之前写入 ConfL\Off。</translation>
     </message>
 </context>
 <context>
@@ -3212,6 +3224,14 @@
         <source>the robot reaches its place in no way with this configuration</source>
         <translation>机器人以此构型无法到达该位置</translation>
     </message>
+    <message>
+        <source>it is not a list of tries</source>
+        <translation>它不是尝试的列表</translation>
+    </message>
+    <message>
+        <source>a try is impossible</source>
+        <translation>某次尝试不可能成立</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -3410,10 +3430,6 @@
     <message>
         <source>Let the pass end 30 mm from the end, so that a face stands there.</source>
         <translation>使走刀在距端面 30 mm 处结束，在该处形成台阶端面。</translation>
-    </message>
-    <message>
-        <source>Z in the label is the height of the middle of the nose above the chuck&apos;s end of the bar. The face stands one nose radius, 0.8 mm, below it: stop at Z 50.8.</source>
-        <translation>标签中的 Z 是刀尖圆弧中心距棒料卡盘端的高度。台阶端面比它低一个刀尖圆弧半径，即 0.8 mm：请停在 Z 50.8。</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -3694,6 +3710,26 @@
     <message>
         <source>Straight in to the axis, at a small feed.</source>
         <translation>以小进给直切到轴线。</translation>
+    </message>
+    <message>
+        <source>boring bar</source>
+        <translation>镗刀</translation>
+    </message>
+    <message>
+        <source>parting tool</source>
+        <translation>切断刀</translation>
+    </message>
+    <message>
+        <source>threading tool of 60°</source>
+        <translation>60° 螺纹车刀</translation>
+    </message>
+    <message>
+        <source>On the lathe, drill first: a boring bar needs a hole to begin in.</source>
+        <translation>在车床上请先钻孔：镗刀需要从已有的孔开始。</translation>
+    </message>
+    <message>
+        <source>Z in the label is the place of the face that the tool leaves, from the finished end of the bar: stop at Z -30.</source>
+        <translation>标签中的 Z 是刀具所留下端面的位置，从棒料的完工端面算起：请在 Z -30 处停止。</translation>
     </message>
 </context>
 <context>
@@ -4465,6 +4501,18 @@
     <message>
         <source>Length of a taper</source>
         <translation>锥面长度</translation>
+    </message>
+    <message>
+        <source>Tries</source>
+        <translation>尝试次数</translation>
+    </message>
+    <message>
+        <source>Z from the finished face</source>
+        <translation>从完工端面算起的 Z</translation>
+    </message>
+    <message>
+        <source>Z from the free end of the bar</source>
+        <translation>从棒料自由端算起的 Z</translation>
     </message>
 </context>
 <context>
@@ -5482,6 +5530,18 @@
     <message>
         <source>Pictures and curves are not kept: mark the file again to have them here.</source>
         <translation>图片和曲线不予保留：请重新评分该文件以在此显示。</translation>
+    </message>
+    <message>
+        <source>Try %1 entered the forbidden region by %2 mm, and was taken back.</source>
+        <translation>第 %1 次尝试进入禁区 %2 mm，随后被撤销。</translation>
+    </message>
+    <message>
+        <source>Tries that entered it and were taken back: %1 of %2, by %3 mm at most.</source>
+        <translation>进入禁区后被撤销的尝试：%2 次中有 %1 次，最深 %3 mm。</translation>
+    </message>
+    <message>
+        <source>Tool: %1</source>
+        <translation>刀具：%1</translation>
     </message>
 </context>
 <context>
@@ -7963,6 +8023,30 @@
         <source>Compound slide angle, ° (+: thicker away from the chuck)</source>
         <translation>小刀架角度，°（+：远离卡盘处变粗）</translation>
     </message>
+    <message>
+        <source>Failed tries that were undone</source>
+        <translation>已撤销的失败尝试</translation>
+    </message>
+    <message>
+        <source>cost the mark of the forbidden region</source>
+        <translation>扣除禁区一项的分数</translation>
+    </message>
+    <message>
+        <source>fail the work</source>
+        <translation>使整份作业不合格</translation>
+    </message>
+    <message>
+        <source>are listed only</source>
+        <translation>仅列出</translation>
+    </message>
+    <message>
+        <source>it turns to and fro again and again: a section, or a larger tolerance, is smoother</source>
+        <translation>它反复来回转折：截面或更大的公差会更平滑</translation>
+    </message>
+    <message>
+        <source>Tries</source>
+        <translation>尝试次数</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -8943,10 +9027,6 @@
     <message>
         <source>move the body up and down</source>
         <translation>上下移动物体</translation>
-    </message>
-    <message>
-        <source>Turning pass %1: −%2 mm³</source>
-        <translation>车削走刀 %1：−%2 mm³</translation>
     </message>
     <message>
         <source>Thicken sheets</source>
@@ -9935,6 +10015,38 @@
     <message>
         <source>the mesh is being prepared for the drill</source>
         <translation>正在为钻头准备网格</translation>
+    </message>
+    <message>
+        <source>Pass %1</source>
+        <translation>走刀 %1</translation>
+    </message>
+    <message>
+        <source>Plunging pass %1</source>
+        <translation>切入走刀 %1</translation>
+    </message>
+    <message>
+        <source>Threading pass %1</source>
+        <translation>螺纹走刀 %1</translation>
+    </message>
+    <message>
+        <source>Boring pass %1</source>
+        <translation>镗削走刀 %1</translation>
+    </message>
+    <message>
+        <source>Drilling pass %1</source>
+        <translation>钻削走刀 %1</translation>
+    </message>
+    <message>
+        <source>Filing pass %1</source>
+        <translation>锉削走刀 %1</translation>
+    </message>
+    <message>
+        <source>Grinding pass %1</source>
+        <translation>磨削走刀 %1</translation>
+    </message>
+    <message>
+        <source>%1: −%2 mm³</source>
+        <translation>%1：−%2 mm³</translation>
     </message>
 </context>
 <context>
@@ -11310,6 +11422,10 @@
         <source>&amp;Let %1 touch %2</source>
         <translation>允许 %1 接触 %2(&amp;L)</translation>
     </message>
+    <message>
+        <source>Its curve turns to and fro again and again, as edges of scanned parts do: follow a section or a drawn curve, or set a larger tolerance.</source>
+        <translation>该曲线像扫描零件的边缘那样反复来回转折：请沿截面或绘制的曲线走，或设置更大的公差。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -12176,10 +12292,6 @@
         <translation>钻头进入了禁区。</translation>
     </message>
     <message>
-        <source>Undo the hole to try again; stop at the breakthrough.</source>
-        <translation>请撤销该孔后重试；钻穿时请停止。</translation>
-    </message>
-    <message>
         <source>Beside the planned path</source>
         <translation>偏离规划路径</translation>
     </message>
@@ -12214,6 +12326,10 @@
     <message>
         <source>Hold the button on the part to drill</source>
         <translation>在零件上按住按钮即可钻孔</translation>
+    </message>
+    <message>
+        <source>Undo the hole to try again, and stop at the breakthrough. The report tells of this try.</source>
+        <translation>撤销此孔即可再试，并在钻穿时停止。报告会列出这次尝试。</translation>
     </message>
 </context>
 <context>
@@ -13823,6 +13939,18 @@
         <source>The spindle stands still.</source>
         <translation>主轴静止。</translation>
     </message>
+    <message>
+        <source>The spindle was stopped</source>
+        <translation>主轴已停止</translation>
+    </message>
+    <message>
+        <source>The lathe of %1 stands still while another document is shown.</source>
+        <translation>显示其他文档时，%1 的车床保持静止。</translation>
+    </message>
+    <message>
+        <source>Its slides stay where they are, and its handwheels count on.</source>
+        <translation>滑板保持原位，手轮继续计数。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheWheels</name>
@@ -14508,10 +14636,6 @@
         <translation>碰撞：%1 与 %2</translation>
     </message>
     <message>
-        <source>To place %1 of %2: X %3  Y %4  Z %5 mm</source>
-        <translation>前往第 %1 / %2 个位置：X %3  Y %4  Z %5 mm</translation>
-    </message>
-    <message>
         <source>; collision: %1 with %2</source>
         <translation>；碰撞：%1 与 %2</translation>
     </message>
@@ -14530,6 +14654,18 @@
     <message>
         <source>Too near: %1 to %2</source>
         <translation>过近：%1 与 %2</translation>
+    </message>
+    <message>
+        <source>X %1  Y %2  Z %3 mm</source>
+        <translation>X %1  Y %2  Z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1（在 %2 中）</translation>
+    </message>
+    <message>
+        <source>To place %1 of %2: %3</source>
+        <translation>到第 %1 点（共 %2 点）：%3</translation>
     </message>
 </context>
 <context>
@@ -17769,6 +17905,18 @@
         <source>Start with a synthetic skull to be drilled, not that of a patient</source>
         <translation>从一个可供钻孔的合成颅骨开始，并非取自患者</translation>
     </message>
+    <message>
+        <source>This volume is to be drilled, not shaped</source>
+        <translation>此体素模型用于钻孔，而非塑形</translation>
+    </message>
+    <message>
+        <source>It is work on an exercise, which measures what the drill takes and nothing else.</source>
+        <translation>它是练习的作业，练习只测量钻头切除的部分。</translation>
+    </message>
+    <message>
+        <source>Choose Drill (Shift+D).</source>
+        <translation>请选择“钻孔”(Shift+D)。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::VoxelizeQuestion</name>
@@ -17966,6 +18114,14 @@
     <message>
         <source>Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP files are those of the piece.</source>
         <translation>其体积为 %1 mm³；%2 mm³ 留在卡盘中。尺寸及导出的图纸和 STEP 文件均为该段的。</translation>
+    </message>
+    <message>
+        <source>A piece of %1 mm length has come off.</source>
+        <translation>已切下一段长 %1 毫米的工件。</translation>
+    </message>
+    <message>
+        <source>Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP files are still those of the piece at the free end, which came off before.</source>
+        <translation>其体积为 %1 mm³；卡盘中留有 %2 mm³。尺寸以及导出的图纸和 STEP 文件仍是先前从自由端切下的那一段的。</translation>
     </message>
 </context>
 </TS>

@@ -18,6 +18,7 @@
 #include "tools/workpiece/TurnTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/camera/CameraNavigation.h"
+#include "viewport/surface/PartsLayer.h"
 #include "window/JobRunner.h"
 #include "window/WindowServices.h"
 #include "window/documents/DocumentTab.h"

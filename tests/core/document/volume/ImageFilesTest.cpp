@@ -3,6 +3,7 @@
 #include "document/volume/ImageFiles.h"
 
 #include "TestClass.h"
+#include "document/Document.h"
 #include "document/DocumentErrors.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"

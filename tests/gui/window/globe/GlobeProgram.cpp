@@ -8,5 +8,5 @@
 int main(int argc, char** argv) {
   using namespace handwheel;
   const RegisteredKinds kinds(test::kindsWithGlobe());
-  return runCommand(argc, argv, {kinds.set.documents, kinds.commands, registeredDrivers});
+  return runCommand(argc, argv, {kinds.set.documents, kinds.commands, registeredDrivers, kinds.shipped});
 }

@@ -8,6 +8,7 @@
 #include "robot/posts/PostErrors.h"
 
 #include <QTest>
+#include <numeric>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -243,7 +244,8 @@ class ProgramRemarksTest : public QObject {
     const QString told = remarksOn(cell, "rapid", program("[9E9,9E9,9E9,9E9]"));
     QVERIFY2(told.contains(": 3."), qPrintable(told));
     ProgramPath many;
-    for (std::size_t line = 1; line <= 1000; ++line) many.openWays.push_back(line);
+    many.openWays.resize(1000);
+    std::iota(many.openWays.begin(), many.openWays.end(), std::size_t{1});
     QVERIFY(programRemarks(many, Pose::Identity()).join(QString()).contains(": 1, 2, 3, 4, 5, …."));
     QVERIFY(programRemarks(ProgramPath(), Pose::Identity()).isEmpty());
   }
