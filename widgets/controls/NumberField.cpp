@@ -118,7 +118,7 @@ void NumberField::showMarks() {
 }
 
 QString NumberField::text() const {
-  return numberText(m_value / perShownUnit(m_quantity, m_unit), locale());
+  return quantityNumber(m_value, m_quantity, m_unit, locale());
 }
 
 void NumberField::showValue() {

@@ -39,8 +39,14 @@ QString numberText(double value, const QLocale& locale) {
   return QString::fromStdString(shownText(value)).replace(QLatin1Char('.'), locale.decimalPoint());
 }
 
+QString quantityNumber(double value, Quantity quantity, LengthUnit unit, const QLocale& locale) {
+  constexpr double kLeastAngle = 1e-9;  // degrees
+  const double shown = value / perShownUnit(quantity, unit);
+  return numberText(quantity == Quantity::Angle && std::abs(shown) < kLeastAngle ? 0.0 : shown, locale);
+}
+
 QString quantityText(double value, Quantity quantity, LengthUnit unit, const QLocale& locale) {
-  const QString number = numberText(value / perShownUnit(quantity, unit), locale);
+  const QString number = quantityNumber(value, quantity, unit, locale);
   const QString symbol = unitSymbol(quantity, unit);
   return quantity == Quantity::Length ? number + QChar::Nbsp + symbol : number + symbol;
 }

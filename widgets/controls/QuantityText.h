@@ -20,6 +20,10 @@ QString unitSymbol(Quantity quantity, LengthUnit unit);
 // are not finite.
 QString numberText(double value, const QLocale& locale);
 
+// The number of a value in mm or radian in the displayed unit, without its symbol. Angles below a billionth of a degree
+// are what rounding leaves of 0, and shown as that.
+QString quantityNumber(double value, Quantity quantity, LengthUnit unit, const QLocale& locale);
+
 // Formats a value in mm or radian with its unit: "12.7 mm", "90°".
 QString quantityText(double value, Quantity quantity, LengthUnit unit, const QLocale& locale);
 

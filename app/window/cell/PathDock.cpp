@@ -65,18 +65,19 @@ void PathDock::setDocument(DocumentTab* document) {
   open(false);
   if (m_document) m_document->document.disconnect(this);
   m_document = document;
-  if (document) connect(&document->document, &Document::changed, this, &PathDock::closeIfMoved);
+  if (document) connect(&document->document, &Document::changed, this, &PathDock::takeChange);
 }
 
 JointValues PathDock::standing() const {
   return static_cast<const RobotCellDocument&>(m_document->document).joints();
 }
 
-// Who moves the robot, in whatever panel, sees where it stands.
-void PathDock::closeIfMoved() {
+// Who moves the robot, in whatever panel, sees where it stands; who works in another frame, the place in that.
+void PathDock::takeChange() {
   if (!m_isOpen) return;
   const JointValues now = standing();
-  if (now.size() != m_standing.size() || now != m_standing) close();
+  if (now.size() != m_standing.size() || now != m_standing) return close();
+  if (m_countedIn != m_paths.plans().workFrame) show(m_line->time());
 }
 
 void PathDock::open(bool isOpen) {
@@ -207,6 +208,7 @@ void PathDock::show(double seconds) {
     text += tr("; collision: %1 with %2").arg(QString::fromStdString(link), QString::fromStdString(other));
   }
   m_text->setText(text);
+  m_countedIn = m_paths.plans().workFrame;
   m_paths.setShownJoints(scene->whole(values));
   emit partsShown(model, {colliding});
 }

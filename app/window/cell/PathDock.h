@@ -44,7 +44,7 @@ class PathDock : public QObject {
  private:
   void makeDock();
   JointValues standing() const;
-  void closeIfMoved();
+  void takeChange();
   void open(bool isOpen);
   void prepare();
   void showNothing();
@@ -60,7 +60,8 @@ class PathDock : public QObject {
   QAction m_toggle;
   bool m_isOpen = false;
   DocumentTab* m_document = nullptr;
-  JointValues m_standing;  // where the robot stood when it was opened
+  JointValues m_standing;   // where the robot stood when it was opened
+  std::string m_countedIn;  // the frame that the text counts in; empty: the cell
   QPointer<QDockWidget> m_dock;
   QPointer<QLabel> m_text;
   QPointer<TimeLinePanel> m_line;

@@ -90,6 +90,11 @@ void QuantityTextTest::quantities() {
   QCOMPARE(quantityText(12.7, Quantity::Length, LengthUnit::Millimetre, kQuantityTextGerman), QString("12,7\u00a0mm"));
   QCOMPARE(quantityText(std::numbers::pi / 2, Quantity::Angle, LengthUnit::Metre, QLocale::c()), QString("90°"));
   QCOMPARE(quantityText(-2.5, Quantity::Number, LengthUnit::Metre, QLocale::c()), QString("-2.5"));
+  // What rounding leaves of an angle of 0; one of a millionth of a degree is meant.
+  for (const double noise : {4e-13, -4e-13, -0.0})
+    QCOMPARE(quantityText(noise, Quantity::Angle, LengthUnit::Metre, QLocale::c()), QString("0°"));
+  QCOMPARE(quantityText(kRadiansPerDegree * 1e-6, Quantity::Angle, LengthUnit::Metre, QLocale::c()),
+           QString("0.000001°"));
 }
 
 HANDWHEEL_TEST(QuantityTextTest)

@@ -422,7 +422,7 @@ class CellPlanningWindowTest : public QObject {
     driver.choose("storeFrame");
     driver.choose("workInFrame");
     driver.tree()->setCurrentItem(driver.paths()->child(0));
-    QTRY_COMPARE(shown()[3], QString(" in Frame 1"));
+    QTRY_VERIFY2(shown()[3] == QString(" in Frame 1"), qPrintable(driver.text("pathText")));
     for (int i = 0; i < 3; ++i) QVERIFY2(std::abs(shown()[i].toDouble()) < 5.0, qPrintable(shown()[i]));
   }
 
