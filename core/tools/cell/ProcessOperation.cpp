@@ -135,6 +135,20 @@ Status addLeg(const CellScene& scene, const CellPlans& plans, const Waypoint& fr
   return Done{};
 }
 
+// Near which the joints along the curve are looked for: the first end of the path that has joints of its own, so that
+// the path is the same wherever the robot happens to stand. Without one, as targets have none: where the robot stands.
+Result<JointValues> jointsToBeginFrom(const CellScene& scene, const RobotCellSnapshot& cell,
+                                      const OperationValues& values) {
+  for (const char* const end : {"from", "to"}) {
+    if (!values.isSet(end)) continue;
+    const std::string name = values.text(end);
+    if (!cell.plans->configuration(name) && cell.plans->target(name)) continue;
+    Result<Waypoint> place = placeCalled(scene, cell, name, cell.joints);
+    return place ? Result<JointValues>(std::move(place->joints)) : place.error();
+  }
+  return cell.joints;
+}
+
 // Which curve of which part the tool follows.
 std::vector<Parameter> curveParameters() {
   return {textParameter("part", "BODY", "The part, given by name or number"),
@@ -296,8 +310,10 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
   route.plan.check.clearance = values.given("clearance").value_or(cell.plans->clearance);
   route.plan.seconds = 10.0;
   const TrackSettings settings{.check = route.plan.check, .line = {}, .spins = values.flag("free") ? kFreeSpins : 1};
-  const FollowedTrack followed = followTrack(scene.scene, scene.arm, cell.plans->tool, poses,
-                                             scene.planned(cell.joints), settings, progress.part(0.0, 0.8));
+  const Result<JointValues> near = jointsToBeginFrom(scene, cell, values);
+  if (!near) return near.error();
+  const FollowedTrack followed = followTrack(scene.scene, scene.arm, cell.plans->tool, poses, scene.planned(*near),
+                                             settings, progress.part(0.0, 0.8));
   if (const Status solved = checkFollowed(followed, poses, scene); !solved) return solved.error();
   PlannedPath planned;
   std::vector<Waypoint>& places = planned.path.places;

@@ -24,9 +24,10 @@ SurfaceTrack finishedTrack(SurfaceTrack track, const Vec3& near, const Body& bod
 Result<BodyPointer> partCalled(const OperationValues& values, const CellScene& scene);
 
 // Plans the tool's path along a curve on a part: to its first point from above, along it, away from its last; from and
-// to places, if these are given. All of it is proven free. Errors: those of trackOn() and plannedThrough(),
-// PoseOfTrackUnreachable, TrackBlocked, TrackBroken, PlaceMissing, Cancelled. chosenAt: where the part was when the
-// curve was chosen, which is at the same place of the part now; none: where it is. The path keeps what made it.
+// to places, if these are given; then it does not depend on where the robot stands, unless all that are given are
+// targets. All of it is proven free. Errors: those of trackOn() and plannedThrough(), PoseOfTrackUnreachable,
+// TrackBlocked, TrackBroken, PlaceMissing, Cancelled. chosenAt: where the part was when the curve was chosen, which is
+// at the same place of the part now; none: where it is. The path keeps what made it.
 Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot& cell, const OperationValues& values,
                                 const std::shared_ptr<const PartSurface>& surface, const Body& body,
                                 Progress progress = {}, const std::optional<Pose>& chosenAt = {});

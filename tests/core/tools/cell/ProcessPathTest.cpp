@@ -8,6 +8,9 @@
 #include "tools/cell/ProcessOperation.h"
 
 #include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -25,6 +28,7 @@ class BlockCell {
   }
   RobotCellDocument& document() { return m_cell.document(); }
   auto scene() { return m_cell.scene(); }
+  void stand(std::initializer_list<double> joints) { m_cell.stand(joints); }
   Body block() { return *document().bodies().withId(m_block); }
   Result<PlannedPath> planned(const OperationValues& values, const std::optional<Pose>& chosenAt = {}) {
     const Body body = block();
@@ -176,6 +180,36 @@ class ProcessPathTest : public QObject {
     for (const char* path : {"known", "unknown"}) QVERIFY(!outdating(path).isAny());
     moveTo(stood);
     for (const char* path : {"known", "unknown"}) QVERIFY((outdating(path) == Outdating{.part = "box1"}));
+  }
+
+  // Joint 6 turns further than once round: where the robot stands, nearly a turn is behind it. The path comes from
+  // another place, and needs no more than half a turn of that joint from there, as any attitude of the tool does.
+  void whereTheRobotStands_data() {
+    QTest::addColumn<bool>("isFree");
+    QTest::newRow("held") << false;
+    QTest::newRow("free to turn") << true;
+  }
+  void whereTheRobotStands() {
+    QFETCH(const bool, isFree);
+    BlockCell cell;
+    CellPlans plans = *cell.document().plans();
+    plans.configurations.push_back({.name = "left", .joints = cell.document().joints()});
+    cell.document().commit("Plan", cell.document().plansEdit(plans));
+    OperationValues values = valuesAlong(kAlongEdge);
+    values.setValid("free", isFree);
+    for (const char* const end : {"from", "to"}) values.setValid(end, std::string("left"));
+    const auto expected = cell.planned(values);
+    QVERIFY2(expected.hasValue(), expected.hasValue() ? "" : expected.error().code->id);
+    cell.stand({0.0, 0.5, 0.3, 0.0, 0.77, -6.1});
+    const auto planned = cell.planned(values);
+    QVERIFY2(planned.hasValue(), planned.hasValue() ? "" : planned.error().code->id);
+    const auto approach = std::find_if(planned->path.places.begin(), planned->path.places.end(),
+                                       [](const Waypoint& place) { return place.name == "approach"; });
+    QVERIFY(approach != planned->path.places.end());
+    QVERIFY(std::abs(approach->joints[5]) <= std::numbers::pi + kSame);
+    QCOMPARE(planned->path.places.size(), expected->path.places.size());
+    for (std::size_t i = 0; i < planned->path.places.size(); ++i)
+      QVERIFY((planned->path.places[i].joints - expected->path.places[i].joints).cwiseAbs().maxCoeff() < kSame);
   }
 
   void valuesComeBack() {
