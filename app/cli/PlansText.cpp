@@ -6,6 +6,7 @@
 #include "base/ShownDistance.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
@@ -34,12 +35,29 @@ std::string outdatingText(const nlohmann::json& path) {
   return text;
 }
 
-// What was found when it was verified, which is stored with the cell, and may not hold any more.
+// What was changed since a path was verified, by its key in the description.
+std::string changeText(const std::string& changed) {
+  static const std::map<std::string, std::string> kTexts{{"robots", "a robot was moved, added or removed"},
+                                                         {"path", "the path was changed"},
+                                                         {"joints", "other joints were moved"},
+                                                         {"bodies", "the bodies were changed"},
+                                                         {"pairs", "the allowed pairs were changed"},
+                                                         {"tool", "the tool centre point was changed"},
+                                                         {"clearance", "the clearance was changed"},
+                                                         {"targets", "its targets were moved"},
+                                                         {"configurations", "its configurations were changed"}};
+  return kTexts.at(changed);
+}
+
+// What was found when it was verified, which is stored with the cell; of a former state of it, that it may not hold.
 std::string verifiedText(const nlohmann::json& path) {
   if (!path.contains("verified")) return {};
   const nlohmann::json& found = path["verified"];
   const auto count = [&](const char* key) { return found[key].get<std::size_t>(); };
-  std::string text = ", verified " + found["at"].get<std::string>() + ": ";
+  const nlohmann::json& changed = found["changed_since"];
+  std::string text = changed.is_null() ? ", verified " + found["at"].get<std::string>() + ": "
+                                       : ", not verified since " + changeText(changed.get<std::string>()) +
+                                             "; before, " + found["at"].get<std::string>() + ": ";
   if (found["certified"].get<bool>())
     return text + "free of collisions, clearance " + shownText(shownDistance(found["clearance_mm"].get<double>())) +
            " mm";

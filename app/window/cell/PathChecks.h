@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tools/cell/path/PathBasis.h"
+#include "document/cell/path/PathBasis.h"
+#include "document/cell/path/PathDigests.h"
 #include "tools/cell/path/PathCheck.h"
-#include "tools/cell/path/PathDigests.h"
 #include "window/cell/CellCollisions.h"
 
 #include <QDateTime>

@@ -9,6 +9,7 @@
 #include "document/cell/CellImport.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/cell/path/Outdating.h"
+#include "document/cell/path/PathDigests.h"
 #include "document/formats/MeshExport.h"
 #include "document/scene/BodyDescription.h"
 #include "document/scene/BodyDisplay.h"
@@ -136,15 +137,43 @@ nlohmann::json describeFrames(const RobotCellSnapshot& cell) {
   return list;
 }
 
+// What of a path's basis has changed since it was verified. Null: nothing, so what was found holds.
+nlohmann::json describeChange(BasisChange change) {
+  switch (change) {
+    case BasisChange::Robots:
+      return "robots";
+    case BasisChange::Path:
+      return "path";
+    case BasisChange::Joints:
+      return "joints";
+    case BasisChange::Bodies:
+      return "bodies";
+    case BasisChange::Pairs:
+      return "pairs";
+    case BasisChange::Tool:
+      return "tool";
+    case BasisChange::Clearance:
+      return "clearance";
+    case BasisChange::Targets:
+      return "targets";
+    case BasisChange::Configurations:
+      return "configurations";
+    case BasisChange::Nothing:
+      break;
+  }
+  return nullptr;
+}
+
 // Of the cell as it was then.
-nlohmann::json describeProof(const PathProof& proof) {
+nlohmann::json describeProof(const PathProof& proof, const BasisDigests& now) {
   const PathFindings& found = proof.found;
   const std::size_t tooNear = std::min(found.tooNear, found.collisions);
   nlohmann::json described = {{"at", proof.at},
                               {"certified", found.isCertified},
                               {"clearance_mm", found.leastClearance},
                               {"collisions", found.collisions - tooNear},
-                              {"too_near", tooNear}};
+                              {"too_near", tooNear},
+                              {"changed_since", describeChange(changeBetween(proof.basis, now))}};
   if (found.stopsAt) described["stops_at"] = *found.stopsAt;
   return described;
 }
@@ -152,6 +181,7 @@ nlohmann::json describeProof(const PathProof& proof) {
 nlohmann::json describePaths(const RobotCellSnapshot& cell) {
   nlohmann::json list = nlohmann::json::array();
   const CellPlacement placement{*cell.plans, cell.bodies, cell.robot->model, cell.joints};
+  std::optional<PathDigests> digests;  // they read all shapes: only where something is known of a path
   for (const RobotPath& path : cell.plans->paths) {
     const Outdating outdating = outdatingOf(*cell.robot, placement, path);
     list.push_back({{"name", path.name},
@@ -164,7 +194,9 @@ nlohmann::json describePaths(const RobotCellSnapshot& cell) {
     if (!outdating.targets.empty()) list.back()["targets_moved"] = outdating.targets;
     if (!outdating.configurations.empty()) list.back()["configurations_changed"] = outdating.configurations;
     const auto proof = cell.proofs->find(path.name);
-    if (proof != cell.proofs->end()) list.back()["verified"] = describeProof(proof->second);
+    if (proof == cell.proofs->end()) continue;
+    if (!digests) digests.emplace(std::make_shared<const RobotCellSnapshot>(cell));
+    list.back()["verified"] = describeProof(proof->second, digests->of(path));
   }
   return list;
 }

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/cell/path/PathDigests.h"
+#include "document/cell/path/PathDigests.h"
 
 #include "../ArmCell.h"
 #include "TestClass.h"
 #include "document/Container.h"
 #include "document/cell/RobotChanges.h"
+#include "document/cell/path/PathBasis.h"
+#include "document/scene/BodyEdit.h"
 #include "robot/dh/DhTable.h"
 #include "scene/MeshGeometry.h"
-#include "tools/cell/path/PathBasis.h"
 
 #include <rapidcheck.h>
 #include <cmath>
@@ -114,6 +115,33 @@ class PathDigestsTest : public QObject {
     RobotCellDocument& document = m_cell->document();
     document.setProofs({{"way", proof}}, false);
     QVERIFY(*throughAFile(*now())->proofs == (PathProofs{{"way", proof}}));
+  }
+
+  // The description tells what was found, and what has changed since; where that is undone, it holds again.
+  void isDescribed() {
+    RobotCellDocument& document = m_cell->document();
+    const auto described = [&] { return RobotCellKind().describe(*now())["paths"][0]; };
+    QVERIFY(!described().contains("verified"));
+    const PathProof proof{
+        {.isCertified = true, .clearance = 0.7, .leastClearance = 1.5}, "2026-11-24T10:00:00Z", digestsOf(now())};
+    document.setProofs({{"way", proof}}, false);
+    const auto changedSince = [&] { return described()["verified"]["changed_since"]; };
+    QVERIFY(changedSince().is_null());
+    auto moved = std::make_shared<Body>(*document.bodies().withId(m_box));
+    moved->pose.translation().x() += 1.0;
+    document.commit("Move", std::make_unique<BodyEdit>(std::vector<BodyEdit::Change>{{m_box, std::move(moved)}}));
+    QCOMPARE(changedSince().get<std::string>(), std::string("bodies"));
+    QVERIFY(described()["verified"]["certified"].get<bool>());  // as it was found then
+    document.history()->undo();
+    QVERIFY(changedSince().is_null());
+    CellPlans plans = *document.plans();
+    plans.clearance = 0.8;
+    m_cell->plan(plans);
+    QCOMPARE(changedSince().get<std::string>(), std::string("clearance"));
+    plans.clearance = 0.7;
+    plans.paths.front().places.back().joints[0] = 0.2;
+    m_cell->plan(plans);
+    QCOMPARE(changedSince().get<std::string>(), std::string("path"));
   }
 
   // Read from text that anybody may have written.

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/cell/path/PathDigests.h"
+#include "document/cell/path/PathDigests.h"
 
 #include "document/cell/CellArms.h"
+#include "document/cell/path/PathBasis.h"
 #include "scene/PrimitiveGeometry.h"
-#include "tools/cell/path/PathBasis.h"
 
 #include <QCryptographicHash>
 #include <algorithm>

@@ -8,7 +8,7 @@
 namespace handwheel {
 
 // Digests of the inputs on which the verification of paths depends. For a proof that outlives the session: equal where
-// PathBasis (tools/cell/path/PathBasis.h) finds no change, also in a cell that was stored and read again. Reads all
+// PathBasis (document/cell/path/PathBasis.h) finds no change, also in a cell that was stored and read again. Reads all
 // shapes once, about 5 s for a gigabyte of them. A value; any thread.
 class PathDigests {
  public:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/cell/path/PathBasis.h"
+#include "document/cell/path/PathBasis.h"
 
 #include "document/cell/CellArms.h"
 #include "robot/arm/SerialArm.h"
