@@ -396,6 +396,13 @@ class PlanTest : public QObject {
     QCOMPARE(jsonOf(verified.out)["waypoints"].get<int>(), 2);
     QVERIFY(cell.run({"post", "cell.handwheel", "seam", "--controller", "rapid", "-o", "kept.mod"}).code == 0 &&
             cell.read("kept.mod").contains("! Clearance kept: 5 mm."));  // the robot has simplified shapes
+    // The same program with less at its head is one that keeps less, and says so again when it is written.
+    QByteArray less = cell.read("kept.mod");
+    cell.put("less.mod", less.replace("Clearance kept: 5 mm", "Clearance kept: 0.5 mm"));
+    const QStringList openLess{"configuration", "cell.handwheel", "--open", "less.mod", "-o", "less.handwheel"};
+    QVERIFY(cell.run(openLess).code == 0);
+    QCOMPARE(cell.run({"post", "less.handwheel", "less", "--controller", "krl", "-o", "less.src"}).code, 0);
+    QVERIFY(cell.read("less.src").contains("; Clearance kept: 0.5 mm."));
     // Joint 1 turns by 20 degrees.
     QVERIFY(std::abs(jsonOf(verified.out)["length_rad"].get<double>() - M_PI / 9.0) < 1e-6);
     const nlohmann::json again = jsonOf(cell.run(open + QStringList{"--json"}).out);

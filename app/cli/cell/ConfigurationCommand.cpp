@@ -71,7 +71,8 @@ Result<OpenedPath> openPath(const Arguments& arguments, RobotCellSnapshot& cell,
   CellPlans plans = *cell.plans;
   if (arguments.has("name")) std::erase_if(plans.paths, [&](const RobotPath& path) { return path.name == name; });
   read->path.name = plans.freePathName(isBodyName(name) ? name : "path");
-  if (!read->path.clearance) read->path.clearance = plans.ownClearance(offeredClearance(*cell.robot, plans));
+  const double offered = offeredClearance(*cell.robot, plans);
+  read->path.clearance = plans.ownClearance(read->path.clearance.value_or(offered));
   plans.paths.push_back(std::move(read->path));
   opened.frames = takeFrames(read->frames, {*cell.plans, cell.bodies, cell.robot->model, cell.joints}, plans);
   cell.plans = std::make_shared<const CellPlans>(std::move(plans));

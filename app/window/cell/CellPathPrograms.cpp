@@ -258,7 +258,8 @@ void CellPaths::importProgram(const QString& file) {
       const QStringList remarks = programRemarks(*read, content->plans->tool);
       RobotPath& path = read->path;
       path.name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
-      if (!path.clearance) path.clearance = changed.ownClearance(offeredClearance(cellIn(tab).robot(), changed));
+      const double offered = offeredClearance(cellIn(tab).robot(), changed);
+      path.clearance = changed.ownClearance(path.clearance.value_or(offered));
       const PlanTree::Entry entry{PlanTree::Entry::Kind::Path, path.name};
       changed.paths.push_back(std::move(path));
       const TakenFrames frames = takeFrames(read->frames, cellIn(tab).placement(), changed);

@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "robot/posts/PostErrors.h"
+#include "robot/program/RobotPath.h"
 
 #include <algorithm>
 #include <charconv>
@@ -12,6 +13,8 @@
 namespace handwheel {
 
 namespace {
+
+constexpr std::string_view kClearanceKept = "Clearance kept: ";
 
 bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -101,8 +104,26 @@ std::string readName(std::string_view name) {
 
 std::vector<std::string> proofRemarks(const RobotProgram& program) {
   if (!program.clearance) return {};
-  return {"Clearance kept: " + roundedText(*program.clearance, 6) + " mm.",
+  return {std::string(kClearanceKept) + roundedText(*program.clearance, 6) + " mm.",
           "The way to the first place is not checked."};
+}
+
+std::optional<double> keptClearance(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::size_t at = line.find(kClearanceKept);
+    if (at == line.npos) continue;
+    // Before it there is no more than the sign of a comment, in some languages after the number of the line.
+    const std::string_view before = line.substr(0, at), rest = line.substr(at + kClearanceKept.size());
+    const bool isRemark =
+        before.find_first_of("!;#/") != before.npos && before.find_first_not_of(" \t!;#/:0123456789") == before.npos;
+    double kept = 0.0;
+    ErrorCode why = ErrorCode::NumberMalformed;
+    const bool isNumber = parseDecimal(rest.substr(0, rest.find_first_of(" ;\r")), kept, why);
+    if (isRemark && isNumber && kept >= 0.0 && kept <= RobotPath::kLargestClearance) return kept;
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> headRemarks(const RobotProgram& program) {

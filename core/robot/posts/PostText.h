@@ -8,6 +8,7 @@
 #include "robot/posts/PostProcessor.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,8 @@ Eigen::Matrix3d fromZyx(const Vec3& angles);
 bool hasLines(const RobotProgram& program);
 // What was proven of a program, and where that begins: sentences. Empty: nothing was.
 std::vector<std::string> proofRemarks(const RobotProgram& program);
+// The clearance that a program of any language says in such a remark to keep, mm; none where it does not. O(text).
+std::optional<double> keptClearance(std::string_view text);
 // What is said of a program in comments at its head: the robot, what was assumed, what was proven, and what was not.
 std::vector<std::string> headRemarks(const RobotProgram& program);
 

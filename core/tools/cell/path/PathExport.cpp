@@ -206,6 +206,7 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   if (!motions) return motions.error();
   const std::optional<Pose> controllers = controllerBase(cell.robot->model, scene.plannedArm());
   RobotPath path{"program", {}, cell.plans->arm};
+  path.clearance = keptClearance(text);
   std::vector<std::size_t> openWays;
   std::optional<Pose> otherTool;
   ArmValues before = scene.planned(cell.joints);

@@ -57,8 +57,9 @@ struct ProgramPath {
 // A program in the language of a controller as a path: poses are reached by the joint values that are nearest to those
 // of the place before. RAPID may name frames of the cell that this robot does not move without having their data.
 // Speeds are those of the program; where it gives a joint motion the speed of the tool, the share is that with which
-// the tool comes to it on average. Errors: those of PostProcessor::read(); PoseUnreachable {motion, line}, BaseUnknown
-// of a description without the base of its controller, Cancelled.
+// the tool comes to it on average. The path keeps the clearance that the head of the program tells (keptClearance()).
+// Errors: those of PostProcessor::read(); PoseUnreachable {motion, line}, BaseUnknown of a description without the base
+// of its controller, Cancelled.
 Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
                                     std::string_view text, Progress progress = {});
 

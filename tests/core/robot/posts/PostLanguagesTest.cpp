@@ -322,10 +322,22 @@ class PostLanguagesTest : public QObject {
       const std::string text = postCalled(post)->write(program);
       QVERIFY2(text.find("Clearance kept: 2.5") != text.npos, text.c_str());
       QVERIFY2(text.find("first") != text.npos && text.find("not checked") != text.npos, text.c_str());
+      QVERIFY(!keptClearance(before) && keptClearance(text) == 2.5);
       const auto check = checkWritten(*postCalled(post), program, text);
       QVERIFY(check.hasValue());
       QCOMPARE(check->motions, std::size_t{1});
     }
+  }
+
+  // Only a comment of its own says what is kept, and a length that a path can have.
+  void whatIsNoProof() {
+    for (const char* const text :
+         {"", "Clearance kept: 2 mm.", "TPWrite \"! Clearance kept: 2 mm.\";", "! was: Clearance kept: 2 mm.",
+          "! Clearance kept: ", "! Clearance kept: -1 mm.", "! Clearance kept: nan mm.", "! Clearance kept: inf mm.",
+          "! Clearance kept: 1e9 mm.", "! Clearance kept: 2mm."})
+      QVERIFY2(!keptClearance(text), text);
+    QVERIFY(keptClearance("! Clearance kept: much\r\n! Clearance kept: 0 mm.\r\n! Clearance kept: 3 mm.") == 0.0);
+    QVERIFY(keptClearance("   4:  !Clearance kept: 0.25 ;") == 0.25);
   }
 
   // Speeds as the manuals of the languages define them.
