@@ -10,6 +10,7 @@
 #include <QTextDocument>
 #include <QTextTable>
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -39,6 +40,37 @@ std::vector<PrintedBlock> blocksOf(const QTextDocument& document) {
   return blocks;
 }
 
+// Makes a picture smaller that is larger than the room on a page. Sizes of formats are in pixels of the screen, `room`
+// in those of the device of the layout: how many of these one is, the layout alone knows.
+void fitPicture(QTextDocument& document, const QTextFragment& picture, const QSizeF& room) {
+  QTextObjectInterface* const handler = document.documentLayout()->handlerForObject(QTextFormat::ImageObject);
+  QTextImageFormat format = picture.charFormat().toImageFormat();
+  const QSizeF size = handler->intrinsicSize(&document, picture.position(), format);
+  if (size.isEmpty()) return;
+  const double factor = std::min(room.width() / size.width(), room.height() / size.height());
+  if (factor >= 1.0) return;
+  constexpr double kProbe = 1000.0;
+  QTextImageFormat probe = format;
+  probe.setWidth(kProbe);
+  const double scale = handler->intrinsicSize(&document, picture.position(), probe).width() / kProbe;
+  if (scale <= 0.0) return;
+  format.setWidth(std::max(1.0, std::floor(factor * size.width() / scale)));
+  format.setHeight(std::max(1.0, std::floor(factor * size.height() / scale)));
+  QTextCursor cursor(&document);
+  cursor.setPosition(picture.position());
+  cursor.setPosition(picture.position() + picture.length(), QTextCursor::KeepAnchor);
+  cursor.setCharFormat(format);
+}
+
+void fitPictures(QTextDocument& document, const QSizeF& room) {
+  std::vector<QTextFragment> pictures;
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+    for (auto each = block.begin(); !each.atEnd(); ++each)
+      if (each.fragment().charFormat().isImageFormat()) pictures.push_back(each.fragment());
+  }
+  for (const QTextFragment& picture : pictures) fitPicture(document, picture, room);
+}
+
 }  // namespace
 
 std::vector<PrintedPage> pagesOf(const std::vector<PrintedBlock>& blocks, double height) {
@@ -60,20 +92,22 @@ std::vector<PrintedPage> pagesOf(const std::vector<PrintedBlock>& blocks, double
   return pages;
 }
 
-void printWholeRows(QTextDocument& document, QPagedPaintDevice& device) {
+void printWholeRows(QTextDocument& document, QPaintDevice& device, const std::function<void()>& newPage) {
   QPainter painter(&device);
   if (!painter.isActive()) return;
   QAbstractTextDocumentLayout* const layout = document.documentLayout();
   layout->setPaintDevice(&device);
   const double across = kMarginOfPaper * device.logicalDpiX(), down = kMarginOfPaper * device.logicalDpiY();
   document.setDocumentMargin(0.0);
-  document.setTextWidth(device.width() - 2.0 * across);
+  const QSizeF room(device.width() - 2.0 * across, device.height() - 2.0 * down);
+  fitPictures(document, room);
+  document.setTextWidth(room.width());
   const QFont numbers(document.defaultFont(), &device);
   QAbstractTextDocumentLayout::PaintContext context;
   context.palette.setColor(QPalette::Text, Qt::black);  // whatever the theme of the window is
   int number = 0;
-  for (const PrintedPage& page : pagesOf(blocksOf(document), device.height() - 2.0 * down)) {
-    if (++number > 1) device.newPage();
+  for (const PrintedPage& page : pagesOf(blocksOf(document), room.height())) {
+    if (++number > 1) newPage();
     painter.save();
     painter.translate(across, down - page.from);
     context.clip = QRectF(0.0, page.from, document.textWidth(), page.to - page.from);
@@ -85,6 +119,10 @@ void printWholeRows(QTextDocument& document, QPagedPaintDevice& device) {
     painter.drawText(QRectF(across, device.height() - down, document.textWidth(), down),
                      Qt::AlignRight | Qt::AlignVCenter, QString::number(number));
   }
+}
+
+void printWholeRows(QTextDocument& document, QPagedPaintDevice& device) {
+  printWholeRows(document, device, [&device] { device.newPage(); });
 }
 
 }  // namespace handwheel

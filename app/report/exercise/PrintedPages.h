@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 class QPagedPaintDevice;
+class QPaintDevice;
 class QTextDocument;
 
 namespace handwheel {
@@ -27,7 +29,9 @@ struct PrintedPage {
 std::vector<PrintedPage> pagesOf(const std::vector<PrintedBlock>& blocks, double height);
 
 // Prints a document with margins of 2 cm and numbers on its pages. QTextDocument::print() would cut rows of tables
-// between their lines. The document is laid out anew, for the device.
+// between their lines. The document is laid out anew, for the device; pictures that are larger than the room between
+// the margins are made as large as that.
+void printWholeRows(QTextDocument& document, QPaintDevice& device, const std::function<void()>& newPage);
 void printWholeRows(QTextDocument& document, QPagedPaintDevice& device);
 
 }  // namespace handwheel

@@ -5,8 +5,12 @@
 #include "../WindowTestMain.h"
 
 #include <QBuffer>
+#include <QImage>
+#include <QPainter>
 #include <QPdfWriter>
 #include <QTextDocument>
+#include <QUrl>
+#include <cmath>
 
 using namespace handwheel;
 
@@ -67,6 +71,60 @@ class PrintedPagesTest : public QObject {
       printWholeRows(document, writer);
     }
     QCOMPARE(buffer.data().count("/Type /Page\n"), 3);
+  }
+
+  // Blue, and red in the last tenth at the right: on the page it is as wide as the text, with a tenth that is red.
+  void aWidePictureIsWhole_data() {
+    QTest::addColumn<QString>("size");
+    QTest::newRow("as it is") << QString();
+    QTest::newRow("of a width") << QStringLiteral("width=\"1500\"");
+    QTest::newRow("of both") << QStringLiteral("width=\"1500\" height=\"300\"");
+  }
+  void aWidePictureIsWhole() {
+    QFETCH(QString, size);
+    QImage picture(2000, 400, QImage::Format_RGB32);
+    picture.fill(Qt::blue);
+    QPainter(&picture).fillRect(1800, 0, 200, 400, Qt::red);
+    QTextDocument document;
+    document.addResource(QTextDocument::ImageResource, QUrl("wide"), picture);
+    document.setHtml("<p><img src=\"wide\" " + size + "/></p>");
+    QImage page(827, 1169, QImage::Format_RGB32);  // A4, 100 in an inch
+    page.setDotsPerMeterX(3937);
+    page.setDotsPerMeterY(3937);
+    page.fill(Qt::white);
+    int more = 0;
+    printWholeRows(document, page, [&more] { ++more; });
+    QCOMPARE(more, 0);
+    const double margin = 100.0 * 2.0 / 2.54, width = 827.0 - 2.0 * margin;
+    int coloured = 0, red = 0, last = 0;
+    for (int x = 0; x < page.width(); ++x) {
+      const QColor colour = page.pixelColor(x, 130);  // below the margin, above the lower edge of the picture
+      if (colour == QColor(Qt::white)) continue;
+      ++coloured;
+      if (colour.red() > colour.blue()) ++red;
+      last = x;
+    }
+    QVERIFY2(std::abs(coloured - width) <= 4.0, qPrintable(QString::number(coloured)));
+    QVERIFY2(std::abs(red - 0.1 * width) <= 3.0, qPrintable(QString::number(red)));
+    QVERIFY2(last <= 827.0 - margin + 1.0, qPrintable(QString::number(last)));
+    QVERIFY(page.pixelColor(last, 130).red() > 200);
+  }
+
+  // Of 100 by 50, and of 10 by 5000: the one stays, the other is as high as a page.
+  void onlyWhatIsTooLargeIsMadeSmaller() {
+    QImage picture(100, 50, QImage::Format_RGB32), high(10, 5000, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    high.fill(Qt::red);
+    QTextDocument document;
+    document.addResource(QTextDocument::ImageResource, QUrl("small"), picture);
+    document.addResource(QTextDocument::ImageResource, QUrl("high"), high);
+    document.setHtml("<p><img src=\"small\"/></p><p><img src=\"high\"/></p>");
+    QImage page(827, 1169, QImage::Format_RGB32);
+    page.fill(Qt::white);
+    printWholeRows(document, page, [&page] { page.fill(Qt::white); });  // the last page stays
+    const QString html = document.toHtml();
+    QVERIFY(!html.contains("src=\"small\" width"));
+    QVERIFY(html.contains("src=\"high\" width"));
   }
 };
 
