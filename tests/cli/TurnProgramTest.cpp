@@ -166,6 +166,25 @@ class TurnProgramTest : public QObject {
     QCOMPARE(bench.run({"program", "none.svg", "-o", "x.ngc"}).code, 1);
   }
 
+  // A sleeve of 24 mm inside: without a drill its bore stays solid, 12 mm from the wall to the axis, and that is told.
+  void aBoreThatIsLeftIsTold() {
+    const Bench bench;
+    QByteArray drawing = "0\nSECTION\n2\nENTITIES\n";
+    const double corners[][2] = {{0, 12}, {0, 18}, {50, 18}, {50, 12}, {0, 12}};
+    for (int i = 0; i < 4; ++i) {
+      drawing += "0\nLINE\n8\n0\n";
+      for (int k = 0; k < 2; ++k)
+        drawing += QStringLiteral("1%1\n%2\n2%1\n%3\n").arg(k).arg(corners[i + k][0]).arg(corners[i + k][1]).toUtf8();
+    }
+    bench.put("t.dxf", drawing + "0\nENDSEC\n0\nEOF\n");
+    const Ran left = bench.run({"program", "t.dxf", "--stock", "cylinder:40x100", "-o", "t.ngc"});
+    QVERIFY2(left.code == 0, left.err);
+    QVERIFY2(left.err.contains("leaves up to 12 mm over the target, in its bore") && left.err.contains("--drill 20."),
+             left.err);
+    const Ran bored = bench.run({"program", "t.dxf", "--stock", "cylinder:40x100", "--drill", "auto", "-o", "b.ngc"});
+    QVERIFY2(bored.code == 0 && !bored.err.contains("leaves"), bored.err);
+  }
+
   void mistakesHaveLineAndColumn() {
     const Bench bench;
     bench.put("p.ngc", "G21 G18\nG0 X10\nG1 X8 Y2 F100\nM2\n");

@@ -78,7 +78,20 @@ struct Written {
   std::string text, problem;
   std::optional<Error> error;
   std::string tools = {};  // as a table
+  std::string warning = {};
 };
+
+// What cycles leave of the target; empty: nothing to speak of.
+std::string warningOf(const CycleRest& rest, const TargetProfile& target, double drill, const LatheTools& tools) {
+  if (!rest.isWorthTelling()) return {};
+  const std::string sentence = "The program leaves up to " + roundedText(rest.height, 3) + " mm over the target, " +
+                               (rest.isInBore ? "in its bore at Z " : "at Z ") + roundedText(rest.z, 4) + ". ";
+  if (!rest.isInBore || drill > 0.0) return sentence + "Cut the rest by hand, or by a program of your own.";
+  if (const double fitting = drillFor(target, tools); fitting > 0.0)
+    return sentence + "Add --drill " + roundedText(fitting, 3) + ".";
+  const std::optional<Error> why = whyNoDrill(target, tools);
+  return why ? sentence + "No drill makes it: " + why->arguments[2] + ". " + why->arguments[3] : sentence;
+}
 
 Written cyclesFor(const ProgramRequest& request, const DocumentKinds& kinds, Progress progress) {
   const Result<TargetProfile> target = readTarget(request.from, kinds, progress.part(0.0, 0.2));
@@ -92,14 +105,14 @@ Written cyclesFor(const ProgramRequest& request, const DocumentKinds& kinds, Pro
   task.lathe = ProgramLathe{lathe.chuck, lathe.tailstock, nullptr};
   CycleSettings cycles = request.cycles;
   if (request.choosesDrill) cycles.drill = drillFor(*target, tools);
-  if (request.choosesDrill && cycles.drill == 0.0) {  // why, the smallest drill tells
-    constexpr double kSmallest = 6.0;                 // mm
-    const Result<BoreTools> none = boreTools(*target, kSmallest, tools);
-    return {{}, {}, none ? Error{} : none.error()};
-  }
+  if (request.choosesDrill && cycles.drill == 0.0) return {{}, {}, whyNoDrill(*target, tools).value_or(Error{})};
   auto program = cycleProgram(task, request.dialect, cycles, progress.part(0.2, 1.0));
   if (!program) return {{}, {}, program.error()};
-  return {std::move(program->text), {}, {}, toolTableText(program->tools)};
+  return {std::move(program->text),
+          {},
+          {},
+          toolTableText(program->tools),
+          warningOf(program->rest, *target, cycles.drill, tools)};
 }
 
 Written passesOfFile(const ProgramRequest& request, const DocumentKinds& kinds, Progress progress) {
@@ -135,6 +148,7 @@ int runProgramCommand(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!request.tools.empty()) {
     if (const Status saved = writeFileAtomically(request.tools, written.tools); !saved) return fail(saved.error());
   }
+  if (!written.warning.empty()) complain(written.warning);
   return print("Wrote " + request.output + ".\n");
 }
 

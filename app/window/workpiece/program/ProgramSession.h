@@ -17,7 +17,9 @@
 
 namespace handwheel {
 
+class TargetProfile;
 class WorkpieceDocument;
+struct CycleRest;
 
 // What the view shows of a program that was run.
 struct ProgramPicture {
@@ -63,7 +65,9 @@ class ProgramSession : public QObject {
   ProgramSetup setup() const;
   void prepareActions();
   bool isToBeDoneByHand() const;  // as the exercise wants it that this is work on; O(its description)
-  bool isRefused();               // as it is to be done by hand; says so
+  // mm, of the first tool of the exercise that turns the outside; none: there is no exercise, or no such tool.
+  std::optional<double> noseOfExercise() const;
+  bool isRefused();  // as it is to be done by hand; says so
   void connectPanel();
   // The text is another one, or is understood otherwise: what was found of it is over.
   void textChanged();
@@ -89,6 +93,8 @@ class ProgramSession : public QObject {
   void storeTools(const ProgramTools& chosen);
   void dialectChanged();
   void writeCycles(const std::vector<double>& numbers);
+  // What cycles leave of the target; nothing where that is not worth telling.
+  void tellRest(const CycleRest& rest, const TargetProfile& target, double drill);
   void offer(const std::string& text, ProgramTools tools);
   void showName();
   void fail(const QString& title, const Error& error);

@@ -7,6 +7,7 @@
 #include "panels/LogModel.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileDialogs.h"
+#include "window/kinds/SuggestedName.h"
 #include "window/workpiece/program/ProgramSession.h"
 
 #include <QFileDialog>
@@ -90,8 +91,10 @@ void ProgramSession::askForName(std::function<void(bool)> ended) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   const bool isFanuc = m_panel->dialect() == ProgramDialect::Fanuc;
-  dialog->setDefaultSuffix(isFanuc ? QStringLiteral("nc") : QStringLiteral("ngc"));
-  if (!m_path.isEmpty()) dialog->selectFile(m_path);
+  const QString ending = isFanuc ? QStringLiteral("nc") : QStringLiteral("ngc");
+  dialog->setDefaultSuffix(ending);
+  const QFileInfo ofDocument(m_document.ui.suggestedName(m_document));
+  dialog->selectFile(m_path.isEmpty() ? fileNameOf({ofDocument.completeBaseName()}, ending) : m_path);
   connect(dialog, &QFileDialog::fileSelected, this, [this, ended](const QString& path) { write(path, ended); });
   if (ended) connect(dialog, &QFileDialog::rejected, this, [ended] { ended(false); });
   dialog->open();

@@ -14,11 +14,15 @@
 #include "machining/program/cycles/BoreCuts.h"
 #include "machining/program/cycles/CycleProgram.h"
 #include "panels/LogModel.h"
+#include "panels/MessageBar.h"
+#include "text/ErrorWords.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/workpiece/program/NumbersDialog.h"
 #include "window/workpiece/program/ProgramSession.h"
 #include "window/workpiece/program/ToolTableDialog.h"
+
+#include <QLocale>
 
 namespace handwheel {
 
@@ -55,7 +59,8 @@ void ProgramSession::writePasses(double spindle) {
 
 void ProgramSession::askForCycles() {
   if (isRefused()) return;
-  const CycleSettings usual;
+  CycleSettings usual;
+  usual.nose = noseOfExercise().value_or(usual.nose);
   const auto& target = workpiece().workpiece().target;
   const double drill = target ? drillFor(target->profile, shippedLatheTools()) : 0.0;
   auto* dialog = new NumbersDialog(
@@ -106,9 +111,33 @@ void ProgramSession::writeCycles(const std::vector<double>& numbers) {
                          programAllowance(start)};
     const Result<CycleProgram> program = cycleProgram(task, dialect, settings, progress);
     if (!program) return [failed, error = program.error()] { failed(error); };
-    return [this, made = *program] { offer(made.text, made.tools); };
+    return [this, made = *program, target = start.target, drill = settings.drill] {
+      offer(made.text, made.tools);
+      tellRest(made.rest, target->profile, drill);
+    };
   };
   m_runs.start(std::move(job));
+}
+
+void ProgramSession::tellRest(const CycleRest& rest, const TargetProfile& target, double drill) {
+  if (!rest.isWorthTelling()) return;
+  const QString height = QLocale().toString(rest.height, 'f', 1), z = QLocale().toString(rest.z, 'f', 1);
+  Message told{Message::Weight::Warning, tr("The program leaves material over the target"),
+               rest.isInBore ? tr("In the bore it is up to %1 mm, at Z %2 mm.").arg(height, z)
+                             : tr("It is up to %1 mm, at Z %2 mm.").arg(height, z),
+               tr("Cut the rest by hand, or by a program of your own.")};
+  if (rest.isInBore && drill == 0.0) {
+    const LatheTools tools = shippedLatheTools();
+    if (const double fitting = drillFor(target, tools); fitting > 0.0) {
+      told.advice = tr("Choose a drill of %1 mm for the bore.").arg(QLocale().toString(fitting));
+    } else if (const std::optional<Error> why = whyNoDrill(target, tools)) {
+      const auto said = [&why](std::size_t i) { return errorArgument(QString::fromStdString(why->arguments[i])); };
+      told.detail += QLatin1Char(' ') + tr("No drill makes it: %1.").arg(said(2));
+      told.advice = said(3);
+    }
+  }
+  told.about = &m_document.document;
+  emit message(told);
 }
 
 // The tools that an exercise does not provide are not offered.

@@ -12,6 +12,7 @@
 #include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/target/TargetPlace.h"
 #include "machining/TurningFidelity.h"
+#include "machining/lathe/LatheJson.h"
 #include "machining/program/ProgramCheck.h"
 #include "machining/program/ProgramErrors.h"
 #include "panels/MessageBar.h"
@@ -120,6 +121,20 @@ void ProgramSession::documentChanged() {
 bool ProgramSession::isToBeDoneByHand() const {
   const auto task = assignedTask(m_document.document.file().assigned);
   return task && !task->areProgramsAllowed;
+}
+
+// A tool without a body is only named, and taken for one that turns the outside.
+std::optional<double> ProgramSession::noseOfExercise() const {
+  const auto task = assignedTask(m_document.document.file().assigned);
+  if (!task) return std::nullopt;
+  const auto turns = [tools = shippedLatheTools()](const AllowedTool& tool) {
+    if (tool.noseRadius < TurningPass::kLeastNose || tool.noseRadius > TurningPass::kLargestNose) return false;
+    const std::shared_ptr<const LatheTool> body = toolNamed(tools, tool.tool);
+    return !body || body->kind == LatheToolKind::RightTurning || body->kind == LatheToolKind::LeftTurning;
+  };
+  const auto found = std::find_if(task->tools.begin(), task->tools.end(), turns);
+  if (found == task->tools.end()) return std::nullopt;
+  return found->noseRadius;
 }
 
 bool ProgramSession::isRefused() {

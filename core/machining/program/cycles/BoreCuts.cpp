@@ -219,6 +219,13 @@ double drillFor(const TargetProfile& target, const LatheTools& tools) {
   return largest;
 }
 
+std::optional<Error> whyNoDrill(const TargetProfile& target, const LatheTools& tools) {
+  constexpr double kSmallest = 6.0;  // mm
+  const Result<BoreTools> made = boreTools(target, kSmallest, tools);
+  if (made) return std::nullopt;
+  return made.error();
+}
+
 Result<std::vector<ToolMove>> drillAndBore(const TargetProfile& target, const BoreTools& tools,
                                            const CycleSettings& settings, double below) {
   try {

@@ -5,6 +5,8 @@
 #include "machining/lathe/LatheTool.h"
 #include "machining/program/cycles/RoughAndFinish.h"
 
+#include <optional>
+
 namespace handwheel {
 
 // The tools that make a bore. bar: null where the drill alone makes it.
@@ -19,6 +21,9 @@ Result<BoreTools> boreTools(const TargetProfile& target, double drill, const Lat
 
 // The diameter of the largest drill for the bore of a target; 0: it has none that can be made so.
 double drillFor(const TargetProfile& target, const LatheTools& tools);
+
+// Why there is no drill for it: what boreTools() says of the smallest one, ProgramError::Refused.
+std::optional<Error> whyNoDrill(const TargetProfile& target, const LatheTools& tools);
 
 // The paths of the tips that make the bore: a hole along the axis, levels outward from it, once along the wall with the
 // allowance, and along the wall itself. Over a flat bottom the drill stays 0.3 mm above it, and what its point leaves

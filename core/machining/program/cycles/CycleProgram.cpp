@@ -12,6 +12,7 @@
 #include "machining/target/TargetDeviation.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -27,7 +28,18 @@ std::vector<std::string> commentsOf(const ProgramTools& tools) {
   return comments;
 }
 
-Status checkCycles(const std::string& text, const CycleTask& task, const ProgramSetup& setup, Progress progress) {
+CycleRest restOf(const CycleTask& task, const TurnedProfile& part, Progress progress) {
+  const AxisRange range = rangeOfTarget(task.target, part, task.base);
+  const TargetDeviation::Place most = deviationFrom(task.target, part, task.base, progress, range).largestOver;
+  if (most.distance <= 0.0) return {};
+  const auto last = static_cast<double>(part.size() - 1);
+  const double sample = std::round((most.at.y() - task.base) / part.spacing());
+  const auto i = static_cast<std::size_t>(std::clamp(sample, 0.0, last));
+  return {most.distance, most.at.y() - task.base - part.length() + task.allowance, most.at.x() < part.radius(i)};
+}
+
+Result<CycleRest> checkCycles(const std::string& text, const CycleTask& task, const ProgramSetup& setup,
+                              Progress progress) {
   const Result<ToolPath> path = runProgram(text, setup, progress.part(0.0, 0.3));
   if (!path) return path.error();
   ProgramSimulation simulation(task.part, *path, setup);
@@ -36,7 +48,7 @@ Status checkCycles(const std::string& text, const CycleTask& task, const Program
     return Error{ProgramError::CyclesCollide, {std::to_string(simulation.collisions().front().line)}, {}, {}};
   const TurnedProfile& part = simulation.part();
   const TargetProfile& target = task.target;
-  const TargetDeviation deviation = deviationFrom(target, part, task.base, progress.part(0.8, 1.0));
+  const TargetDeviation deviation = deviationFrom(target, part, task.base, progress.part(0.8, 0.9));
   for (std::size_t i = 0; i < part.size(); ++i) {
     const double z = part.z(i) + task.base;
     const bool isInside = z > target.lowerEnd() + part.spacing() && z < target.upperEnd() - part.spacing();
@@ -51,7 +63,7 @@ Status checkCycles(const std::string& text, const CycleTask& task, const Program
                    {},
                    {}};
   }
-  return Done{};
+  return restOf(task, part, progress.part(0.9, 1.0));
 }
 
 }  // namespace
@@ -87,8 +99,9 @@ Result<CycleProgram> cycleProgram(const CycleTask& task, ProgramDialect dialect,
   ProgramSetup setup = usualSetup(dialect, task.stock, task.grip, settings.nose, task.allowance);
   setup.tools = program.tools;
   setup.lathe = task.lathe;
-  const Status problem = checkCycles(program.text, task, setup, progress);
-  if (!problem) return problem.error();
+  const Result<CycleRest> rest = checkCycles(program.text, task, setup, progress);
+  if (!rest) return rest.error();
+  program.rest = *rest;
   return program;
 }
 

@@ -23,10 +23,22 @@ struct CycleTask {
   double allowance = 0.0;                  // mm of the part beyond z = 0 of the program
 };
 
+// The most material that cycles leave over their target, above its lower end.
+struct CycleRest {
+  static constexpr double kWorthTelling = 0.5;  // mm; a nose leaves less in a corner
+
+  double height = 0.0;  // mm
+  double z = 0.0;       // of the program
+  bool isInBore = false;
+
+  bool isWorthTelling() const { return height > kWorthTelling; }
+};
+
 // A program of cycles, and the tools with which it was simulated. Those that turn the outside are a nose alone.
 struct CycleProgram {
   std::string text;
   ProgramTools tools;
+  CycleRest rest = {};
 };
 
 // The cycles of faceCuts(), where the part stands over the face of the target, of drillAndBore(), where there is a

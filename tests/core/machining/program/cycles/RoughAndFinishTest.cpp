@@ -284,6 +284,35 @@ class RoughAndFinishTest : public QObject {
     }
   }
 
+  // A bowl of 14 mm whose bottom is a half ball, which no drill makes: the cycles leave it, the axis being 14 mm from
+  // its wall, and say so. A shaft leaves the corners of the nose only, (√2 - 1) of 0.4 mm at most.
+  void tellsWhatIsLeft() {
+    const auto bowl =
+        TargetProfile::make({{{0, -50}, {18, -50}},
+                             {{18, -50}, {18, 0}},
+                             {{18, 0}, {14, 0}},
+                             {{14, 0}, {14, -20}},
+                             arcOf({14, -20}, {14 * std::sqrt(0.5), -20 - 14 * std::sqrt(0.5)}, {0, -34})});
+    QVERIFY(bool(bowl));
+    const LatheTools tools = shippedLatheTools();
+    QCOMPARE(drillFor(*bowl, tools), 0.0);
+    const auto why = whyNoDrill(*bowl, tools);
+    QVERIFY(why && why->arguments[2].find("neither flat nor the cone") != std::string::npos);
+    const TurnedProfile bar(kRoughedBar, 0.02);
+    const auto rest = [&](const TargetProfile& target) {
+      const CycleTask task{target, kRoughedBar, bar, -kBarLength, 20.0, tools};
+      const auto program = cycleProgram(task, ProgramDialect::LinuxCnc, {});
+      return program ? program->rest : CycleRest{-1.0};
+    };
+    const CycleRest ofBowl = rest(*bowl);
+    QVERIFY2(std::abs(ofBowl.height - 14.0) < 0.01, qPrintable(QString::number(ofBowl.height)));
+    QVERIFY(ofBowl.isInBore && ofBowl.isWorthTelling() && ofBowl.z <= 0.03 && ofBowl.z > -20.1);
+    const CycleRest ofShaft = rest(targetOf("shaft"));
+    QVERIFY2(ofShaft.height >= 0.0 && ofShaft.height < 0.4 * (std::sqrt(2.0) - 1.0) + 0.02,
+             qPrintable(QString::number(ofShaft.height)));
+    QVERIFY(!ofShaft.isWorthTelling());
+  }
+
   void refusesWhatCannotBeBored() {
     const LatheTools tools = shippedLatheTools();
     const auto tube = [](double radius) {
