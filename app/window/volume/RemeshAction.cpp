@@ -150,7 +150,8 @@ void RemeshAction::make(const std::string& title, LengthUnit unit, const void* o
                              .arg(QLocale().toString(static_cast<qulonglong>(made->before)),
                                   QLocale().toString(static_cast<qulonglong>(made->mesh.liveFaceCount())));
     return [this, said, opened]() mutable {
-      m_parts.openDocument(std::move(opened));
+      // No file has it, wherever the volume is: it is asked for before it is closed.
+      m_parts.openDocument(std::move(opened))->document.markRecovered({});
       m_parts.log.add(said);
     };
   };

@@ -220,6 +220,10 @@ class VolumeWindowTest : public QObject {
     QCOMPARE(mesh.kind().id(), std::string("mesh"));
     QCOMPARE(mesh.name(), QStringLiteral("clay ball"));
     QCOMPARE(driver.count(DefectKind::Hole), 0);
+    // It is in no file, though the volume is in one.
+    QVERIFY(mesh.isModified());
+    QVERIFY(driver.window().isWindowModified());
+    QVERIFY(mesh.path().isEmpty());
   }
 
   // A sheet has no inside: it says so, and nothing is opened.
