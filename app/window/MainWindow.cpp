@@ -28,6 +28,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kPictureDelayMs = 1000;
+constexpr QSize kLeastSize(800, 600);  // logical pixels: of a small screen
 
 }  // namespace
 
@@ -49,6 +50,8 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
       m_quit(tr("&Quit"), this) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
+  // Without a size of its own Qt would enlarge the window, and beyond the screen, as soon as the panels ask for more.
+  setMinimumSize(kLeastSize);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   new PopupKeys(this);
   buildCentre();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How the main window is put together: centre, docks and status bar.
+#include "controls/ScrolledPanel.h"
 #include "controls/StatusPanel.h"
 #include "panels/DockTitle.h"
 #include "panels/DocumentsPanel.h"
@@ -126,7 +127,8 @@ void MainWindow::buildDocks() {
   fidelity->addBelow(new TickTiming(m_haptics, m_fidelity, fidelity));
   fidelity->addBelow(new FrameTiming(*m_viewport, m_fidelity, fidelity));
   fidelity->addBelow(new CalibrationRow(m_fidelity, m_calibrator, fidelity));
-  m_fidelityDock = addDock(*this, Qt::LeftDockWidgetArea, "fidelityDock", tr("Fidelity"), fidelity, "fidelity");
+  auto* scrolledFidelity = new ScrolledPanel(fidelity, ScrolledPanel::Ways::Vertical, this);
+  m_fidelityDock = addDock(*this, Qt::LeftDockWidgetArea, "fidelityDock", tr("Fidelity"), scrolledFidelity, "fidelity");
   tabifyDockWidget(m_historyDock, m_fidelityDock);
   m_historyDock->raise();
   tabifyDockWidget(m_kindDock, m_toolDock);

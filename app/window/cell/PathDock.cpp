@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/cell/PathDock.h"
 
+#include "controls/ScrolledPanel.h"
+#include "controls/SqueezedPage.h"
 #include "document/cell/CellDisplay.h"
 #include "document/cell/CellFrames.h"
 #include "document/cell/RobotCellDocument.h"
@@ -43,16 +45,17 @@ void PathDock::makeDock() {
   m_dock->setObjectName(QStringLiteral("pathDock"));
   m_dock->setAccessibleName(m_dock->windowTitle());
   m_dock->setTitleBarWidget(new DockTitle(m_dock));
-  auto* const page = new QWidget(m_dock);
+  auto* const page = new SqueezedPage(m_dock);
   m_text = new QLabel(page);
   m_text->setObjectName(QStringLiteral("pathText"));
   m_text->setTextFormat(Qt::PlainText);
+  m_text->setWordWrap(true);  // it names what collides
   m_line = new TimeLinePanel(page);
   m_line->setObjectName(QStringLiteral("pathTimeLine"));
   auto* const column = new QVBoxLayout(page);
   column->addWidget(m_text);
   column->addWidget(m_line, 1);
-  m_dock->setWidget(page);
+  m_dock->setWidget(new ScrolledPanel(page, ScrolledPanel::Ways::Both, m_dock));
   window->addDockWidget(Qt::BottomDockWidgetArea, m_dock);
   connect(m_line, &TimeLinePanel::timeChanged, this, &PathDock::show);
   connect(m_dock, &QDockWidget::visibilityChanged, this, [this] {

@@ -22,6 +22,7 @@ namespace {
 
 constexpr const char* kPreset = "preset";
 constexpr int kCurveHeight = 200;  // logical pixels
+constexpr int kLeastList = 160;    // logical pixels: a few settings
 constexpr int kSliderSteps = 100;
 constexpr int kLeastWidth = 296;  // for the titles of the axes
 
@@ -92,7 +93,7 @@ Property propertyFor(const FidelitySetting& setting, double value) {
 }  // namespace
 
 FidelityPanel::FidelityPanel(FidelityChoice& choice, QWidget* parent)
-    : QWidget(parent),
+    : SqueezedPage(parent),
       m_choice(choice),
       m_list(new PropertyList(this)),
       m_fit(new QLabel(this)),
@@ -104,6 +105,7 @@ FidelityPanel::FidelityPanel(FidelityChoice& choice, QWidget* parent)
       m_shown(choice.registry().entries().front().setting.id) {
   setObjectName(QStringLiteral("fidelityPanel"));
   setMinimumWidth(kLeastWidth);
+  m_list->setMinimumHeight(kLeastList);
   m_fit->setObjectName(QStringLiteral("fidelityFit"));
   m_fit->setWordWrap(true);
   m_fit->setProperty("muted", true);

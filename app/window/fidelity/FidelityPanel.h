@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "controls/SqueezedPage.h"
 #include "plot/Plot.h"
-
-#include <QWidget>
 
 class QLabel;
 class QSlider;
@@ -20,7 +19,7 @@ class PropertyList;
 // the focus, or had it last, it shows a slider on its own scale, the predicted error and cost, the presets, and the
 // measured curve with the present value. These follow the slider while it is dragged; the value is applied when it is
 // released.
-class FidelityPanel : public QWidget {
+class FidelityPanel : public SqueezedPage {
   Q_OBJECT
 
  public:

@@ -3,6 +3,8 @@
 #include "window/volume/DrillView.h"
 
 #include "audio/MachineSound.h"
+#include "controls/ScrolledPanel.h"
+#include "controls/SqueezedPage.h"
 #include "document/volume/exercise/DrillingDetails.h"
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
@@ -70,10 +72,13 @@ void DrillView::makeDock() {
   m_dock->setObjectName(QStringLiteral("drillDock"));
   m_dock->setAccessibleName(tr("Drilling"));
   m_dock->setTitleBarWidget(new DockTitle(m_dock));
-  auto* content = new QWidget(m_dock);
+  auto* content = new SqueezedPage(m_dock);
   m_verdict = new QLabel(content);
   m_verdict->setObjectName(QStringLiteral("drillVerdict"));
   m_verdict->setProperty("strong", true);
+  m_verdict->setWordWrap(true);
+  // Two lines always have room: what comes and goes would move the plots to and fro.
+  m_verdict->setMinimumHeight(2 * m_verdict->fontMetrics().lineSpacing());
   m_figures = new QLabel(content);
   m_figures->setObjectName(QStringLiteral("drillFigures"));
   m_figures->setProperty("muted", true);
@@ -88,14 +93,13 @@ void DrillView::makeDock() {
   plots->addWidget(m_thrust, 1);
   plots->addWidget(m_torque, 1);
   auto* lines = new QHBoxLayout;
-  lines->addWidget(m_verdict);
-  lines->addStretch(1);
+  lines->addWidget(m_verdict, 1);
   lines->addWidget(m_figures);
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->addLayout(lines);
   layout->addLayout(plots, 1);
-  m_dock->setWidget(content);
+  m_dock->setWidget(new ScrolledPanel(content, ScrolledPanel::Ways::Both, m_dock));
   window->addDockWidget(Qt::BottomDockWidgetArea, m_dock);
 }
 

@@ -143,6 +143,7 @@ class DrillWindowTest : public QObject {
   void intoTheBrain() {
     WindowDriver driver;
     QVERIFY(begin(driver));
+    const QSize size = driver.window().size();
     runner(driver).setSetting("feed", PropertyValue(8.0));
     auto* const verdict = driver.find<QLabel>("drillVerdict");
     point(driver, PointerEvent::Kind::Press, 3.0);
@@ -152,6 +153,10 @@ class DrillWindowTest : public QObject {
         QTest::qWaitFor([&] { return verdict->text().contains(QStringLiteral("this attempt has failed")); }, 60'000));
     point(driver, PointerEvent::Kind::Release, 3.0);
     QVERIFY(driver.settle());
+    // The long line is wrapped, and neither widens the panel nor the window.
+    QCOMPARE(driver.window().size(), size);
+    QVERIFY(verdict->minimumSizeHint().width() < verdict->fontMetrics().horizontalAdvance(verdict->text()));
+    QVERIFY(verdict->visibleRegion().boundingRect().height() >= verdict->fontMetrics().height());
     const auto labels = driver.window().findChildren<QLabel*>();
     QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
       return label->isVisible() && label->text().contains(QStringLiteral("The attempt has failed"));

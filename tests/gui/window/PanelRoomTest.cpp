@@ -48,6 +48,44 @@ class PanelRoomTest : public QObject {
     fits(driver, "the replay");
   }
 
+  // However many panels are opened, and whatever they come to show, the window stays as large as it was made.
+  void staysAsItIs() {
+    WindowDriver driver;
+    const QSize made(1280, 800);
+    driver.window().resize(made);
+    driver.choose("exercise/first-lesson");
+    QVERIFY(driver.settle());
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle());
+    driver.find<QAction>("latheTool")->trigger();
+    QVERIFY(driver.settle());
+    for (const char* dock : {"lessonDock", "fidelityDock", "deviceDock", "replayDock", "statusDock"}) {
+      if (QByteArray(dock) == "replayDock") driver.find<QAction>("replayDockToggle")->trigger();
+      auto* const panel = driver.find<QDockWidget>(dock);
+      panel->show();
+      panel->raise();
+      QVERIFY(driver.settle());
+      QTRY_VERIFY2(panel->isVisible(), dock);
+      QTest::qWait(100);  // sizes are asked for when the window is idle
+      QVERIFY2(driver.window().size() == made, dock);
+    }
+    // What has no room is scrolled: no panel asks for more than a small part of the height.
+    for (const char* dock : {"fidelityDock", "deviceDock", "replayDock"}) {
+      const int least = driver.find<QDockWidget>(dock)->minimumSizeHint().height();
+      QVERIFY2(least <= made.height() / 2, qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(dock)).arg(least)));
+    }
+    // Even where one asks for more than the screen has.
+    auto* const greedy = new QWidget;
+    greedy->setMinimumSize(2 * made);
+    auto* const dock = new QDockWidget(&driver.window());
+    dock->setObjectName(QStringLiteral("greedyDock"));
+    dock->setWidget(greedy);
+    driver.window().addDockWidget(Qt::LeftDockWidgetArea, dock);
+    QTRY_VERIFY(dock->isVisible());
+    QTest::qWait(100);
+    QCOMPARE(driver.window().size(), made);
+  }
+
  private:
   static void fits(WindowDriver& driver, const char* what) {
     driver.window().resize(1024, 700);

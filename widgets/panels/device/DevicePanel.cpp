@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/device/DevicePanel.h"
 
+#include "controls/ScrolledPanel.h"
 #include "controls/property/PropertyList.h"
 #include "haptics/servo/ServoSample.h"
 #include "panels/device/DeviceCard.h"
@@ -86,17 +87,19 @@ void DevicePanel::addPages() {
   m_pages->tabBar()->setDrawBase(false);
   m_pages->tabBar()->setAccessibleName(tr("About the device"));
   m_pages->addTab(scrolling(m_live), tr("Live"));
-  m_pages->addTab(m_mapping, tr("Mapping"));
+  m_pages->addTab(new ScrolledPanel(m_mapping, ScrolledPanel::Ways::Vertical), tr("Mapping"));
   m_pages->addTab(scrolling(m_timing), tr("Timing"));
   m_pages->addTab(m_dataSheet, tr("Data"));
 }
 
 void DevicePanel::addPage(QWidget* page, const QString& title) {
-  m_pages->addTab(page, title);
+  m_pages->addTab(new ScrolledPanel(page, ScrolledPanel::Ways::Vertical), title);
 }
 
 void DevicePanel::showPage(QWidget* page) {
-  m_pages->setCurrentWidget(page);
+  for (int i = 0; i < m_pages->count(); ++i) {
+    if (m_pages->widget(i)->isAncestorOf(page)) m_pages->setCurrentIndex(i);
+  }
 }
 
 void DevicePanel::connectParts() {
