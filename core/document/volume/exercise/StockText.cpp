@@ -6,27 +6,23 @@
 #include "base/JsonText.h"
 #include "document/Container.h"
 #include "volume/VolumeRegions.h"
-#include "volume/VolumeResampling.h"
+#include "volume/surface/HalvedVolume.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <QByteArray>
 #include <QtEndian>
-#include <algorithm>
 
 namespace handwheel {
 
 namespace {
 
-// In voxels by which a teacher sees where to plan the path, and which cost no more than a frame or two of the window.
+// The surface of the volume itself, so that the exercise shows the part that its work does; of a large one in voxels so
+// many times twice as large that a window still turns it in time.
 std::shared_ptr<const TriangleSoup> shownSurface(const SparseVolume& volume) {
-  constexpr double kMostAcross = 96.0;
-  constexpr int kRegion = 64;
-  Eigen::AlignedBox3i regions;
-  for (const VoxelIndex& region : regionsOf(volume)) regions.extend(region);
-  const double across = regions.isEmpty() ? 0.0 : kRegion * (regions.sizes().maxCoeff() + 1);
-  const double voxel = volume.voxel() * std::max(1.0, across / kMostAcross);
-  const Result<SparseVolume> coarse = resampled(volume, volume.origin(), voxel);
-  return std::make_shared<const TriangleSoup>(coarse ? surfaceOf(*coarse) : TriangleSoup());
+  constexpr std::size_t kMostBlocks = 8'000;  // with a hundred triangles each, as surfaces go through them
+  SparseVolume shown = volume;
+  while (shown.blockCount() > kMostBlocks) shown = halvedVolume(shown);
+  return std::make_shared<const TriangleSoup>(surfaceOf(shown));
 }
 
 }  // namespace

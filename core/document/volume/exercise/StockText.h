@@ -18,7 +18,7 @@ namespace handwheel {
 struct DrillingStock {
   SparseVolume volume;
   std::shared_ptr<const nlohmann::json> json;
-  std::shared_ptr<const TriangleSoup> shown;  // its surface, coarse, for the view of the exercise
+  std::shared_ptr<const TriangleSoup> shown;  // its surface for the view of the exercise, no wall torn
 };
 
 // Bytes of the data before they are compressed, and the most of which a stock is read.

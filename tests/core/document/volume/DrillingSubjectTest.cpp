@@ -12,6 +12,7 @@
 #include "document/volume/exercise/HolePicture.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeShapes.h"
+#include "volume/surface/VolumeToSurface.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -341,6 +342,19 @@ class DrillingSubjectTest : public QObject {
     QVERIFY(imported.hasValue());
     QCOMPARE(static_cast<const DrillingTask&>(*imported->task).volume().material(), ball.volume.material());
     QVERIFY(!plate()->subject->checkWork(*imported->task, *workOf(holeTo(6.5))));
+  }
+
+  // A wall of two voxels over 200 is shown as it is, whole: in larger voxels it could be torn.
+  void thinStockIsShownWhole() {
+    TriangleSoup plate = cube(1.0);
+    for (Vec3& p : plate.points) p = Vec3(50.0 * p.x(), 50.0 * p.y(), 0.5 * p.z());
+    const SparseVolume volume = volumeOfSurface(plate, 0.25)->volume;
+    const TriangleSoup shown = *stockOf(volume).shown, whole = surfaceOf(volume);
+    QCOMPARE(shown.points, whole.points);
+    QVERIFY(shown.triangles == whole.triangles);
+    const Result<DrillingStock> read = stockFrom(*stockOf(volume).json);
+    QVERIFY(read.hasValue());
+    QCOMPARE(read->shown->points, whole.points);
   }
 
   // What the drill needs is in the document that a student works in.
