@@ -48,9 +48,11 @@ class Words {
   QString shortly(const PathResult& result) const {
     if (!result.found) return tr("cannot be verified");
     const PathFindings& found = *result.found;
+    const bool isOutdated = found.outdating.isAny();
+    if (isOutdated && (found.stopsAt || !found.isCertified)) return withProblem(found, planAgain(found.outdating));
     if (found.stopsAt) return tr("line cannot be followed, %1").arg(time(result));
     if (!found.isCertified) return tr("%1, %2").arg(collisions(found), time(result));
-    if (found.outdating.isAny()) return planAgain(found.outdating);
+    if (isOutdated) return planAgain(found.outdating);
     const QString known = tr("%1, %2").arg(clearanceText(found.leastClearance, m_unit, m_locale), time(result));
     return withRemarks(found, found.hasShapeless ? tr("free, except for links without meshes, %1").arg(known)
                                                  : tr("free, %1").arg(known));
@@ -59,6 +61,8 @@ class Words {
   QString found(const PathResult& result) const {
     if (!result.found) return tr("cannot be verified");
     const PathFindings& found = *result.found;
+    if (found.outdating.isAny() && (found.stopsAt || !found.isCertified))
+      return tr("%1 (%2)").arg(withProblem(found, planAgain(found.outdating)), time(result));
     if (found.stopsAt) return tr("line cannot be followed (%1)").arg(time(result));
     if (!found.isCertified) return tr("%1 (%2)").arg(collisions(found), time(result));
     const QString known =
@@ -72,13 +76,13 @@ class Words {
     QStringList lines{tr("Verified at %1.").arg(m_locale.toString(result.at, QLocale::ShortFormat))};
     if (!result.found) return lines + QStringList{result.problem};
     const PathFindings& found = *result.found;
+    lines += outdatingReasons(found.outdating);
+    if (found.outdating.isAny()) lines += tr("Plan it again.");
     if (found.stopsAt)
       return lines + QStringList{tr("The straight line to place %1 leaves the reach of the arm or the limits of its "
                                     "joints.")
                                      .arg(*found.stopsAt + 1)};
     if (!found.isCertified) return lines + listedCollisions(found, m_unit, m_locale);
-    lines += outdatingReasons(found.outdating);
-    if (found.outdating.isAny()) lines += tr("Plan it again.");
     const double kept = found.clearance;
     lines += kept > 0.0 ? tr("Every motion is proven to keep a clearance of %1.")
                               .arg(quantityText(kept, Quantity::Length, m_unit, m_locale))
@@ -106,6 +110,10 @@ class Words {
     if (meeting == 0 && tooNear > 0) return nearly;
     const QString met = tr("%Ln collision(s)", nullptr, meeting);
     return tooNear > 0 ? tr("%1, %2").arg(met, nearly) : met;
+  }
+  // Of a path that is not free.
+  static QString withProblem(const PathFindings& found, const QString& text) {
+    return tr("%1; %2").arg(text, found.stopsAt ? tr("line cannot be followed") : collisions(found));
   }
   static QString planAgain(const Outdating& outdating) {
     if (!outdating.part.empty()) return tr("plan again: %1 has moved").arg(QString::fromStdString(outdating.part));

@@ -13,6 +13,7 @@
 #include <QRegularExpression>
 #include <QTabBar>
 #include <QTemporaryDir>
+#include "window/cell/PathStatus.h"
 #include "window/cell/PlanTree.h"
 
 using namespace handwheel;
@@ -343,6 +344,36 @@ class CellPathStatusWindowTest : public QObject {
     QCOMPARE(names, QStringList());
     QTest::keyClick(editor(), Qt::Key_Return);
     QTRY_COMPARE(names, QStringList("weld"));
+  }
+
+  // Of a path that leads beside its part and collides, too, both are said: what helps comes first. Only what was found
+  // of the cell as it is now.
+  void outdatedAndColliding() {
+    RobotPath path{"weld", {{.joints = JointValues::Zero(6)}, {.joints = JointValues::Zero(6)}}};
+    PathFindings found{.collisions = 1, .listed = {{1, "flange", "wall", -2.0}}};
+    found.outdating.part = "featuretype";
+    const PathResult result{.basis = {.path = path}, .found = found, .at = QDateTime::currentDateTime()};
+    const auto status = [&](const PathResult& of, BasisChange change = BasisChange::Nothing) {
+      return pathStatusOf({&of, change, false}, path, LengthUnit::Millimetre, QLocale::c());
+    };
+    const PathStatus both = status(result);
+    QCOMPARE(both.text, QString("plan again: featuretype has moved; 1 collision"));
+    QVERIFY(both.summary.startsWith(both.text));
+    QVERIFY(both.details.contains("Plan it again.") && both.details.contains("featuretype was when it was planned"));
+    QCOMPARE(both.collisions.size(), qsizetype{1});
+    QVERIFY(both.details.contains(both.collisions.front()) && linkedDetails(both).count("<a href=\"0\">") == 1);
+    QVERIFY(!both.isFree);
+    QVERIFY(status(result, BasisChange::Bodies).text.startsWith("not verified since"));
+
+    PathResult stopped = result;
+    stopped.found->stopsAt = 1;
+    QCOMPARE(status(stopped).text, QString("plan again: featuretype has moved; line cannot be followed"));
+    PathResult colliding = result;
+    colliding.found->outdating = {};
+    QVERIFY(!status(colliding).details.contains("lan it again") && status(colliding).text.contains("collision"));
+    PathResult outdated = result;
+    outdated.found = PathFindings{.isCertified = true, .outdating = found.outdating};
+    QCOMPARE(status(outdated).text, QString("plan again: featuretype has moved"));
   }
 
   // A banner goes with the state that it tells of, and is not found again below a newer one.
