@@ -165,7 +165,7 @@ void CellPaths::startPlanning(Planning planning, PlanRequest request) {
     return [this, &tab, scene, content, before, request, title, planned = std::move(planned)]() mutable {
       if (request.ended) request.ended();
       if (!isUnchanged(tab, *scene, *content)) return reportChanged(tab, request.name, request.again);
-      if (!planned) return reportHindered(tab, planned.error(), title);
+      if (!planned) return reportHindered(tab, planned.error(), title, request);
       planned->path.name = request.name;
       takePlanned(tab, std::move(planned).value(), before, request.text);
     };

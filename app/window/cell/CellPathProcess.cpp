@@ -43,9 +43,10 @@ std::vector<Property> measuresOf(const PathFindings& found, LengthUnit unit) {
 }  // namespace
 
 void CellPaths::planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface) {
-  startPlanning(processPlanning(values, std::move(surface), std::nullopt),
-                {plans().freePathName(tr("Process").toStdString()), tr("Plan %1"),
-                 [this, values] { planProcess(values, nullptr); }});  // the part may be another one then
+  PlanRequest request{plans().freePathName(tr("Process").toStdString()), tr("Plan %1"),
+                      [this, values] { planProcess(values, nullptr); }};  // the part may be another one then
+  request.part = values.text("part");
+  startPlanning(processPlanning(values, std::move(surface), std::nullopt), std::move(request));
 }
 
 CellPaths::Planning CellPaths::processPlanning(const OperationValues& values,

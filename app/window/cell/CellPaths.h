@@ -130,6 +130,7 @@ class CellPaths : public QObject {
     std::function<void()> again;
     std::function<void()> ended = {};  // called before the result is taken, or when there is none
     const void* owner = nullptr;       // of the job; null: the document
+    std::string part = {};             // that a new path leads along; empty: none, or that of the path of this name
   };
   void startPlanning(Planning planning, PlanRequest request);
   // How a path is to be worked off that is being planned for it; the owner of that job.
@@ -182,8 +183,9 @@ class CellPaths : public QObject {
   // tab: null where none is in view.
   void report(const DocumentTab* tab, const Error& error, const QString& title = failure());
   void report(const Error& error, const QString& title = failure()) { report(m_document, error, title); }
-  // The error of a plan that two bodies hinder, which the message offers to let touch.
-  void reportHindered(DocumentTab& tab, const Error& error, const QString& title);
+  // The error of a plan that something hinders. The message offers to let a body touch the part that is worked on, and
+  // to go to the place where it is met.
+  void reportHindered(DocumentTab& tab, const Error& error, const QString& title, const PlanRequest& request);
   void reportUnprepared();
   void followDocument();
   void showPath();

@@ -5,11 +5,46 @@
 #include "document/cell/CellErrors.h"
 #include "document/cell/RobotCellDocument.h"
 #include "text/ErrorText.h"
+#include "tools/scene/BodyOperation.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/pairs/PairsDialog.h"
 #include "window/documents/DocumentTab.h"
 
+#include <algorithm>
+
 namespace handwheel {
+
+namespace {
+
+// Whether a tool is meant to come to a body: a path leads along it, or a target is on it. part: that a path leads along
+// which is not in the plans yet; empty: there is none.
+bool isWorkedOn(const Body& body, const std::string& part, const CellPlans& plans, const BodySet& bodies) {
+  const auto isPart = [&](const std::string& text) {
+    const Result<BodyPointer> called = bodyCalled(bodies, text);
+    return called && (*called)->id == body.id;
+  };
+  const auto leadsAlong = [&](const RobotPath& path) {
+    if (!path.process) return false;
+    const OperationValues values = valuesOf(*path.process);
+    return values.isSet("part") && isPart(values.text("part"));
+  };
+  const auto isOn = [&](const NamedTarget& target) { return target.body == body.id; };
+  return isPart(part) || std::any_of(plans.paths.begin(), plans.paths.end(), leadsAlong) ||
+         std::any_of(plans.targets.begin(), plans.targets.end(), isOn);
+}
+
+// The row of a place that an error about a path names, where the robot can be sent to see what it meets; none: there is
+// no such row, as of where the robot stands, or of a curve.
+std::optional<PlanTree::Entry> rowOfPlace(const std::string& place, const std::string& path, const CellPlans& plans) {
+  if (plans.configuration(place)) return PlanTree::Entry{PlanTree::Entry::Kind::Configuration, place};
+  const RobotPath* const of = plans.path(path);
+  for (std::size_t i = 0; of && !of->process && i < of->places.size(); ++i) {
+    if (nameOfPlace(of->places[i], i) == place) return PlanTree::Entry{PlanTree::Entry::Kind::Place, path, i};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 // Those that meet where the robot is, and that the verification of the present path has found.
 void CellPaths::askForPairs() {
@@ -37,29 +72,50 @@ void CellPaths::askForPairs() {
   dialog->open();
 }
 
-// Only bodies, as a tool and its part, are meant to touch; a link that meets something is none to allow in passing.
-void CellPaths::reportHindered(DocumentTab& tab, const Error& error, const QString& title) {
+// Only bodies, as a tool and its part, are meant to touch; a link that meets something, or a tool that meets what
+// stands around, is none to allow in passing.
+void CellPaths::reportHindered(DocumentTab& tab, const Error& error, const QString& title, const PlanRequest& request) {
   const std::vector<std::string>& named = error.arguments;
   const bool isMet = error.code == CellError::PlaceCollides || error.code == CellError::LineCollides;
+  const bool isNear = error.code == CellError::PlaceTooNear || error.code == CellError::LineTooNear;
   const bool isOnCurve = error.code == CellError::TrackBlocked;
   const std::size_t at = isOnCurve ? 5 : 1;  // where the error has the two
-  const auto pair = (isMet || isOnCurve) && named.size() >= at + 2
-                        ? bodiesCalled(named[at], named[at + 1], cellIn(tab).bodies(), cellIn(tab).robot().model)
-                        : std::nullopt;
-  if (!pair) return report(&tab, error, title);
+  const RobotCellDocument& edited = cellIn(tab);
+  const BodySet& bodies = edited.bodies();
+  auto pair = (isMet || isOnCurve) && named.size() >= at + 2
+                  ? bodiesCalled(named[at], named[at + 1], bodies, edited.robot().model)
+                  : std::nullopt;
+  if (pair && !isWorkedOn(*bodies.withName(named[at]), request.part, *edited.plans(), bodies) &&
+      !isWorkedOn(*bodies.withName(named[at + 1]), request.part, *edited.plans(), bodies))
+    pair.reset();
+  const auto row =
+      (isMet || isNear) && !named.empty() ? rowOfPlace(named.front(), request.name, *edited.plans()) : std::nullopt;
+  if (!pair && !row) return report(&tab, error, title);
   Message said{
-      .weight = Message::Weight::Error,
-      .title = title,
-      .detail = errorSentence(error),
-      .advice = errorAdvice(error),
-      .actionText =
-          tr("&Let %1 touch %2").arg(QString::fromStdString(named[at]), QString::fromStdString(named[at + 1]))};
-  said.action = [this, pair, document = &tab] {
+      .weight = Message::Weight::Error, .title = title, .detail = errorSentence(error), .advice = errorAdvice(error)};
+  const auto let = [this, pair, document = &tab] {
     if (document != m_document) return;
     CellPlans changed = plans();
     setAllowed(changed, *pair, true);
     commit(tr("Change the pairs that may touch"), std::move(changed));
   };
+  const auto go = [this, row, document = &tab] {
+    if (document == m_document) goTo(*row);
+  };
+  const QString goText = !row ? QString()
+                         : row->kind == PlanTree::Entry::Kind::Place
+                             ? tr("&Go to place %1").arg(row->place + 1)
+                             : tr("&Go to %1").arg(QString::fromStdString(row->name));
+  if (pair) {
+    said.actionText =
+        tr("&Let %1 touch %2").arg(QString::fromStdString(named[at]), QString::fromStdString(named[at + 1]));
+    said.action = let;
+    said.otherText = goText;
+    if (row) said.other = go;
+  } else {
+    said.actionText = goText;
+    said.action = go;
+  }
   said.about = &tab.document;
   emit message(said);
 }

@@ -63,10 +63,6 @@ std::optional<ArmValues> numbersOf(const std::string& text, Eigen::Index count) 
   return values;
 }
 
-std::string nameOf(const Waypoint& place, std::size_t number) {
-  return place.name.empty() ? "place " + std::to_string(number + 1) : place.name;
-}
-
 std::shared_ptr<const std::array<JointValues, 2>> planEnds(const JointValues& from, const JointValues& to) {
   return std::make_shared<const std::array<JointValues, 2>>(std::array<JointValues, 2>{from, to});
 }
@@ -276,6 +272,10 @@ const Operation& planOperation() {
   return kOperation;
 }
 
+std::string nameOfPlace(const Waypoint& place, std::size_t number) {
+  return place.name.empty() ? "place " + std::to_string(number + 1) : place.name;
+}
+
 Result<Waypoint> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
                              const JointValues& near) {
   if (const NamedConfiguration* configuration = cell.plans->configuration(text)) {
@@ -353,13 +353,16 @@ Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plan
     return place;
   };
   if (kept.size() < 2) return Error{CellError::PathTooShort, {planned.path.name}, {}, {}};
+  const auto named = [&](const Waypoint& place) {
+    return nameOfPlace(place, static_cast<std::size_t>(&place - places.data()));
+  };
   LegPlanning legs(scene, plans, settings);
   planned.path.arm = plans.arm;
   planned.path.clearance = plans.ownClearance(settings.plan.check.clearance);
   planned.path.places.push_back(standing(*kept.front()));
   const double share = 1.0 / static_cast<double>(kept.size() - 1);
   for (std::size_t i = 1; i < kept.size(); ++i) {
-    const std::array<std::string, 2> names{nameOf(*kept[i - 1], i - 1), nameOf(*kept[i], i)};
+    const std::array<std::string, 2> names{named(*kept[i - 1]), named(*kept[i])};
     if (!scene.ownStandAs(kept[i]->joints)) return Error{CellError::OthersMoved, {names[1]}, {}, {}};
     const double done = share * static_cast<double>(i - 1);
     const Progress part = progress.part(done, done + share);

@@ -23,6 +23,9 @@ const Operation& planOperation();
 Result<Waypoint> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
                              const JointValues& near);
 
+// What errors call a place of a path: its name, or "place 2" of the one with the number 1 in it.
+std::string nameOfPlace(const Waypoint& place, std::size_t number);
+
 // The places that "from", "via" and "to" name; of targets, as near as may be to the place before, the first to where
 // the robot stands. Errors: those of placeCalled().
 Result<std::vector<Waypoint>> placesOf(const OperationValues& values, const CellScene& scene,

@@ -37,6 +37,44 @@ class TwoPlaces : public PlanningWindow {
   }
 };
 
+// A long tool whose tip is in a box, and a configuration of that; joint 1 is at 0.
+class LongTool : public PlanningWindow {
+ public:
+  LongTool() {
+    edit("joint.joint_2", "20");
+    edit("joint.joint_3", "30");
+    edit("joint.joint_5", "40");
+    choose("add-box");
+    prepare();
+    setSize("body.1.", "40", "200");
+    choose("mountBody");
+    prepare();
+    edit("body.1.z", "120");  // from 20 to 220 mm in front of the flange
+    edit("tcp.z", "200");
+    const QStringList tip{numberOf("property/tool.x"), numberOf("property/tool.y"), numberOf("property/tool.z")};
+    choose("add-box");
+    prepare();
+    setSize("body.2.", "20", "20");
+    edit("body.2.x", tip[0]);
+    edit("body.2.y", tip[1]);
+    edit("body.2.z", tip[2]);
+    choose("storeConfiguration");
+  }
+  QString numberOf(const char* property) {
+    auto* const row = find<QDockWidget>("propertiesDock")->findChild<QWidget*>(property);
+    return row->findChild<QLineEdit*>()->text().section(' ', 0, 0);
+  }
+
+ private:
+  void prepare() {
+    if (!settle()) qFatal("the cell is not prepared");
+  }
+  void setSize(const std::string& body, const char* across, const char* along) {
+    for (const auto& [side, value] : {std::pair("size_x", across), {"size_y", across}, {"size_z", along}})
+      edit((body + side).c_str(), value);
+  }
+};
+
 }  // namespace
 
 // What happens when a plan is late, is asked for often, or begins without a cell.
@@ -160,42 +198,19 @@ class CellReplanningWindowTest : public QObject {
     QVERIFY(driver.find<QTreeWidget>("planTree")->isVisible());
   }
 
-  // A long tool that meets a part where the path begins: the message of the plan that failed lets the two touch, in one
-  // undo step. Then the path is found, and the pair is named as not checked.
+  // A long tool that meets a part where the path begins: a target is on that, so it is worked on, and the message of
+  // the plan that failed lets the two touch, in one undo step. Then the path is found, and the pair is named as not
+  // checked.
   void aToolMayTouchItsPart() {
-    PlanningWindow driver;
-    const auto number = [&](const char* property) {
-      auto* const row = driver.find<QDockWidget>("propertiesDock")->findChild<QWidget*>(property);
-      return row->findChild<QLineEdit*>()->text().section(' ', 0, 0);
-    };
-    const auto size = [&](const std::string& body, const char* across, const char* along) {
-      for (const auto& [side, value] : {std::pair("size_x", across), {"size_y", across}, {"size_z", along}})
-        driver.edit((body + side).c_str(), value);
-    };
-    driver.edit("joint.joint_2", "20");
-    driver.edit("joint.joint_3", "30");
-    driver.edit("joint.joint_5", "40");
-    driver.choose("add-box");
-    QVERIFY(driver.settle());
-    size("body.1.", "40", "200");
-    driver.choose("mountBody");
-    QVERIFY(driver.settle());
-    driver.edit("body.1.z", "120");  // from 20 to 220 mm in front of the flange
-    driver.edit("tcp.z", "200");
-    const QStringList tip{number("property/tool.x"), number("property/tool.y"), number("property/tool.z")};
-    driver.choose("add-box");
-    QVERIFY(driver.settle());
-    size("body.2.", "20", "20");
-    driver.edit("body.2.x", tip[0]);
-    driver.edit("body.2.y", tip[1]);
-    driver.edit("body.2.z", tip[2]);
-    driver.choose("storeConfiguration");
-    driver.storeAt("joint.joint_1", "60");
+    LongTool driver;
+    driver.edit("joint.joint_1", "60");
+    driver.choose("storeTarget");  // on the box, which is selected
     QVERIFY(driver.settle());
     driver.planPath();
     auto* const let = driver.find<QAbstractButton>("messageAction");
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("collides"), kPatienceMs);
     QVERIFY2(let->isVisible() && let->text().contains("touch"), qPrintable(driver.text("messageText")));
+    QVERIFY(driver.find<QAbstractButton>("messageOther")->text().contains("Go to"));
     QCOMPARE(driver.paths()->childCount(), 0);
     driver.click("messageAction");
     QVERIFY(driver.settle());
@@ -208,6 +223,24 @@ class CellReplanningWindowTest : public QObject {
     driver.planPath();
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("collides"), kPatienceMs);
     QCOMPARE(driver.paths()->childCount(), 0);
+  }
+
+  // The same with a body that nothing is worked on: no click lets the tool touch it, but one shows where they meet.
+  void aToolMustNotTouchAWall() {
+    LongTool driver;
+    driver.storeAt("joint.joint_1", "60");
+    QVERIFY(driver.settle());
+    driver.planPath();
+    auto* const go = driver.find<QAbstractButton>("messageAction");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("collides"), kPatienceMs);
+    const QString begin = driver.configurations()->child(0)->text(0);
+    QVERIFY(driver.text("messageText").contains(begin));
+    QVERIFY2(go->isVisible() && go->text().contains("Go to " + begin), qPrintable(go->text()));
+    QVERIFY(!driver.find<QAbstractButton>("messageOther")->isVisible());
+    driver.click("messageAction");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.numberOf("property/joint.joint_1").toDouble(), 0.0);
+    QVERIFY(driver.find<QAction>("undo")->text().contains("Go to " + begin));
   }
 };
 
