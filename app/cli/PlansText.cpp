@@ -41,7 +41,7 @@ std::string changeText(const std::string& changed) {
                                                          {"path", "the path was changed"},
                                                          {"joints", "other joints were moved"},
                                                          {"bodies", "the bodies were changed"},
-                                                         {"pairs", "the allowed pairs were changed"},
+                                                         {"allowed", "the allowed pairs were changed"},
                                                          {"tool", "the tool centre point was changed"},
                                                          {"clearance", "the clearance was changed"},
                                                          {"targets", "its targets were moved"},

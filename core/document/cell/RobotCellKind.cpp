@@ -149,7 +149,7 @@ nlohmann::json describeChange(BasisChange change) {
     case BasisChange::Bodies:
       return "bodies";
     case BasisChange::Pairs:
-      return "pairs";
+      return "allowed";
     case BasisChange::Tool:
       return "tool";
     case BasisChange::Clearance:

@@ -25,7 +25,7 @@ class PlansTextTest : public QObject {
     QCOMPARE(text(), std::string("path weld, 6 places, verified 2026-11-24T10:00:00Z: free of collisions, clearance "
                                  "1.5 mm\n"));
     for (const char* const changed :
-         {"robots", "path", "joints", "bodies", "pairs", "tool", "clearance", "targets", "configurations"}) {
+         {"robots", "path", "joints", "bodies", "allowed", "tool", "clearance", "targets", "configurations"}) {
       path["verified"]["changed_since"] = changed;
       QVERIFY2(text().find("places, not verified since ") != std::string::npos, text().c_str());
     }
