@@ -80,6 +80,13 @@ void MainWindow::buildMenus() {
   connect(&m_undo, &QUndoGroup::canUndoChanged, undo, enableUndo);
   connect(&m_undo, &QUndoGroup::undoTextChanged, undo, enableUndo);
   connect(m_tools, &ToolHost::updated, undo, enableUndo);
+  // What is under way makes a step of its own, and nothing can be redone after that.
+  const auto enableRedo = [this, redo] {
+    const auto* const work = dynamic_cast<const UnfinishedGesture*>(m_tools->runner().tool());
+    redo->setEnabled(m_undo.canRedo() && (!work || work->underWay().isEmpty()));
+  };
+  connect(&m_undo, &QUndoGroup::canRedoChanged, redo, enableRedo);
+  connect(m_tools, &ToolHost::updated, redo, enableRedo);
   undo->setIcon(icon(QStringLiteral("undo")));
   redo->setIcon(icon(QStringLiteral("redo")));
   undo->setShortcut(QKeySequence::Undo);

@@ -301,7 +301,7 @@ void LathePanel::show(const ManualLatheTool& tool) {
   m_latest->setPalette(colours);
 }
 
-void LathePanel::begin(const ManualLatheTool& tool, const std::optional<LatheWheels::Rings>& rings) {
+void LathePanel::begin(const ManualLatheTool& tool, const std::optional<LatheWheels::Rings>& rings, double touch) {
   const auto now = tool.moment();
   const LatheState& machine = now->machine;
   const QSignalBlocker noCommand(m_isConstant);
@@ -312,8 +312,13 @@ void LathePanel::begin(const ManualLatheTool& tool, const std::optional<LatheWhe
   if (machine.feed != 0.0) m_feed->setValue(std::abs(machine.feed));
   if (machine.lead != 0.0) m_lead->setValue(std::abs(machine.lead));
   m_isLeft->setChecked(machine.lead > 0.0);
+  m_touch->setValue(touch);
   m_wheels->setRings(tool, rings);
   show(tool);
+}
+
+double LathePanel::touchValue() const {
+  return m_touch->value();
 }
 
 }  // namespace handwheel

@@ -28,9 +28,10 @@ class LathePanel : public QWidget {
  public:
   explicit LathePanel(QWidget* parent = nullptr);
 
-  // A tool has begun: the rings of the dials are set to these, none: to zero.
-  void begin(const ManualLatheTool& tool, const std::optional<LatheWheels::Rings>& rings);
+  // A tool has begun: the rings of the dials are set to these, none: to zero. touch: the number for touching off.
+  void begin(const ManualLatheTool& tool, const std::optional<LatheWheels::Rings>& rings, double touch);
   LatheWheels::Rings rings() const { return m_wheels->rings(); }
+  double touchValue() const;  // the number that was typed for touching off, mm
   // To be called some times a second while the lathe runs.
   void show(const ManualLatheTool& tool);
 

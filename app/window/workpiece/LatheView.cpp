@@ -192,7 +192,8 @@ void LatheView::follow() {
     QTimer::singleShot(0, this, [this] {
       const ManualLatheTool* const lathe = tool();
       if (!lathe) return;
-      if (m_panel) m_panel->begin(*lathe, lathe->isWhereLeft() ? m_left[m_document].rings : std::nullopt);
+      const Left& left = m_left[m_document];
+      if (m_panel) m_panel->begin(*lathe, lathe->isWhereLeft() ? left.rings : std::nullopt, left.touch);
       m_ringsOf = m_document;
       face(*lathe);
     });
@@ -214,7 +215,10 @@ void LatheView::follow() {
 void LatheView::leave() {
   const auto left = m_left.find(m_document);
   if (left == m_left.end()) return;
-  if (m_panel && m_ringsOf == m_document) left->second.rings = m_panel->rings();
+  if (m_panel && m_ringsOf == m_document) {
+    left->second.rings = m_panel->rings();
+    left->second.touch = m_panel->touchValue();
+  }
   const auto say = [this, document = m_document] {
     const auto its = m_left.find(document);
     if (its == m_left.end() || !its->second.machine->has_value() || !(*its->second.machine)->wasTurning) return;

@@ -69,6 +69,7 @@ class LatheView : public QObject {
   struct Left {
     std::shared_ptr<std::optional<ManualLatheTool::Left>> machine;
     std::optional<LatheWheels::Rings> rings;
+    double touch = 0.0;  // mm, the number for touching off
   };
   std::map<const QObject*, Left> m_left;          // of each document
   const WorkpieceDocument* m_document = nullptr;  // of the lathe that was made last

@@ -245,8 +245,12 @@ void TimeLinePanel::showLanes() {
 QString TimeLinePanel::positionText() const {
   if (m_recordings.empty()) return {};
   const auto number = [this](double value) { return locale().toString(value, 'f', 2); };
-  QString text = tr("%1 of %2 s").arg(number(m_time), number(m_axis.duration(0)));
-  if (m_axis.kind() == TimeAxis::Kind::Distance) text += tr(", %1 mm").arg(number(m_position));
+  // Over time the line goes on to the end of the longer one; over distance the time is that of the first.
+  const bool isDistance = m_axis.kind() == TimeAxis::Kind::Distance;
+  QString text =
+      tr("%1 of %2 s")
+          .arg(number(isDistance ? m_time : m_position), number(isDistance ? m_axis.duration(0) : m_axis.length()));
+  if (isDistance) text += tr(", %1 mm").arg(number(m_position));
   if (const TimeTrack::Marker* marker = m_track->markerHere()) text += QStringLiteral(" · ") + marker->label;
   return text;
 }

@@ -259,9 +259,11 @@ void TimeLinePanelTest::twoOverTime() {
   bench.panel.setTime(4.0);
   QCOMPARE(bench.panel.timeOf(1), 4.0);
   QCOMPARE(bench.panel.timeOf(2), 0.0);
+  QVERIFY(bench.part<QLabel>("timeText")->text().startsWith("4.00 of 16.00 s"));
   QTest::keyClick(bench.track, Qt::Key_End);
   QCOMPARE(bench.panel.timeOf(0), 10.0);
   QCOMPARE(bench.panel.timeOf(1), 16.0);
+  QVERIFY(bench.part<QLabel>("timeText")->text().startsWith("16.00 of 16.00 s"));
   bench.panel.setTime(9.9);
   bench.panel.setPlaying(true);
   bench.panel.advance(0.2);

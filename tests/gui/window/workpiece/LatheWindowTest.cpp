@@ -1,17 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
-#include "../haptics/TurningWindow.h"
+#include "LatheWindow.h"
 #include "controls/NumberField.h"
-#include "controls/machine/HandwheelDial.h"
 #include "document/recovery/Recovery.h"
 #include "panels/time/TimeLinePanel.h"
-#include "tools/workpiece/ManualLatheTool.h"
 #include "tools/workpiece/TurnTool.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
-#include "window/tools/ToolHost.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -21,59 +18,9 @@
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <cmath>
-#include <numbers>
 
 using namespace handwheel;
 using namespace handwheel::test;
-
-namespace {
-
-// A window with a new bar of 50 × 100 mm in the manual lathe.
-struct LatheWindow : TurningWindow {
-  bool beginLathe() {
-    driver.choose("newWorkpiece");
-    if (!driver.settle()) return false;
-    driver.find<QAction>("latheTool")->trigger();
-    if (!driver.settle() || !lathe()) return false;
-    view->setFocus();
-    return rests() && driver.find<QDockWidget>("latheDock")->isVisible();
-  }
-  ToolHost& tools() { return *driver.window().findChild<ToolHost*>(); }
-  const ManualLatheTool* lathe() { return dynamic_cast<const ManualLatheTool*>(tools().runner().tool()); }
-  LatheState machine() { return lathe()->moment()->machine; }
-  double slide(LatheAxis axis) { return machine().slides[static_cast<std::size_t>(axis)]; }
-  bool comesTo(LatheAxis axis, double mm, double within = 1e-6) {
-    return QTest::qWaitFor([&] { return std::abs(slide(axis) - mm) < within; }, kPatienceMs);
-  }
-  HandwheelDial& dial(const char* name) { return *driver.find<HandwheelDial>(name); }
-  // Around the centre by whole turns, clockwise for positive ones.
-  void crank(HandwheelDial& wheel, double turns) {
-    const auto at = [&wheel](double degrees) {
-      const double angle = degrees * std::numbers::pi / 180.0;
-      return (wheel.centre() + QPointF(50.0 * std::sin(angle), -50.0 * std::cos(angle))).toPoint();
-    };
-    const int steps = static_cast<int>(std::lround(std::abs(turns) * 36.0));
-    QTest::mousePress(&wheel, Qt::LeftButton, {}, at(0.0));
-    for (int i = 1; i <= steps; ++i) {
-      const QPoint to = at(std::copysign(10.0 * i, turns));
-      QMouseEvent move(QEvent::MouseMove, to, wheel.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
-      QApplication::sendEvent(&wheel, &move);
-    }
-    QTest::mouseRelease(&wheel, Qt::LeftButton, {}, at(360.0 * turns));
-  }
-  // 2 mm off the radius over some millimetres of the end, by keys and the automatic feed.
-  bool turnEnd() {
-    QTest::keyClick(view, Qt::Key_Space);
-    for (int i = 0; i < 9; ++i) QTest::keyClick(view, Qt::Key_Left, Qt::ShiftModifier);  // 2 mm each
-    for (int i = 0; i < 110; ++i) QTest::keyClick(view, Qt::Key_Up, Qt::ShiftModifier);  // 0.2 mm each
-    if (!comesTo(LatheAxis::Carriage, 102.0) || !comesTo(LatheAxis::Cross, 23.0)) return false;
-    driver.click("latheFeedLeft");
-    const auto isCut = [this] { return lathe()->moment()->isCut && slide(LatheAxis::Carriage) < 98.0; };
-    return QTest::qWaitFor(isCut, kPatienceMs);
-  }
-};
-
-}  // namespace
 
 // The manual lathe as a student uses it: keys, wheels, tools, undo, replay, a device.
 class LatheWindowTest : public QObject {
@@ -280,16 +227,22 @@ class LatheWindowTest : public QObject {
     QTest::keyClick(window.view, Qt::Key_Space);
     QVERIFY(QTest::qWaitFor([&] { return window.machine().speed > 100.0; }, kPatienceMs));
     const LatheState before = window.machine();
+    auto* const touch = window.driver.find<NumberField>("latheTouchValue");
+    touch->setValue(46.2);
     auto* tabs = window.driver.find<QTabBar>("documentTabBar");
     window.driver.choose("newWorkpiece");
     QVERIFY(window.driver.settle() && tabs->count() == 2);
     QTRY_VERIFY(window.driver.text("messageText").contains(QStringLiteral("The spindle was stopped")));
+    if (!window.lathe()) window.driver.find<QAction>("latheTool")->trigger();
+    QVERIFY(window.driver.settle() && window.lathe());
+    QTRY_COMPARE(touch->value(), 0.0);  // the number is that of the first bar
     tabs->setCurrentIndex(0);
     QVERIFY(window.driver.settle());
     if (!window.lathe()) window.driver.find<QAction>("latheTool")->trigger();
     QVERIFY(window.driver.settle() && window.lathe());
     QVERIFY(window.machine().slides == before.slides && window.machine().direction == 0);
     QTRY_VERIFY(std::abs(counted() + 10.0) < 1e-3);
+    QTRY_COMPARE(touch->value(), 46.2);
   }
 
   // One Ctrl+Z takes back the pass that is being cut: the slides rest, the spindle turns on.
@@ -304,9 +257,19 @@ class LatheWindowTest : public QObject {
     QCOMPARE(window.document().history()->count(), 1);
     QVERIFY(window.machine().direction != 0 && window.machine().feed == 0.0);
     QVERIFY(window.lathe()->collisions().empty());
+    QTRY_VERIFY(window.driver.find<QAction>("redo")->isEnabled());
     window.driver.find<QAction>("redo")->trigger();
     QVERIFY(window.workpiece().part);
     QVERIFY(std::abs(window.radiusAt(99.5) - 23.0) < 0.05);
+    // Taken back again, and another one begun, which is in no step yet: there is no redo beside it.
+    auto* const redo = window.driver.find<QAction>("redo");
+    window.driver.find<QAction>("undo")->trigger();
+    QVERIFY(window.driver.settle());
+    QTRY_VERIFY(!window.workpiece().part && redo->isEnabled());
+    window.driver.click("latheFeedLeft");
+    for (int i = 0; i < 15; ++i) QTest::keyClick(window.view, Qt::Key_Up, Qt::ShiftModifier);  // 0.2 mm each
+    QTRY_VERIFY(window.lathe()->moment()->isCut && !redo->isEnabled());
+    QCOMPARE(window.document().history()->count(), 1);  // still the first one
   }
 
   void toolsAreMountedByTheMenu() {
