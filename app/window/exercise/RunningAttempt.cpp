@@ -9,6 +9,7 @@
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
+#include "tools/UnfinishedGesture.h"
 #include "window/JobRunner.h"
 #include "window/PanelToggle.h"
 #include "window/documents/DocumentTab.h"
@@ -17,11 +18,13 @@
 #include "window/exercise/ExerciseLesson.h"
 #include "window/exercise/ReasonText.h"
 #include "window/kinds/SuggestedName.h"
+#include "window/tools/ToolHost.h"
 
 #include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
 #include <QMainWindow>
+#include <QScopedValueRollback>
 #include <algorithm>
 
 namespace handwheel {
@@ -29,6 +32,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kTickMs = 500;
+constexpr int kTicksOfCheck = 4;  // between two checks of what is under way
 // Who only looks is asked to save the time after so many seconds of it.
 constexpr double kSecondsWorthAsking = 60.0;
 
@@ -199,8 +203,11 @@ void RunningAttempt::follow(DocumentTab* tab) {
   if (m_isCurrent && m_dock) m_isDockWanted = !m_dock->isHidden();
   m_isCurrent = tab && (find(tab) || take(tab));
   disconnect(m_changes);
+  disconnect(m_records);
   if (m_isCurrent) {
     m_changes = connect(&tab->document, &Document::changed, this, &RunningAttempt::check);
+    m_records = connect(&tab->document, &Document::fileChanged, this, &RunningAttempt::recorded);
+    see(*find(tab));
     const auto place = m_works.begin() + (find(tab) - m_works.data());
     std::rotate(place, place + 1, m_works.end());
     show(m_works.back());
@@ -243,7 +250,14 @@ void RunningAttempt::showDock(bool isShown) {
 // isChange: that it is not in the file yet is worth a question before it is closed.
 void RunningAttempt::store(Work& work, bool isChange) {
   if (isChange) work.secondsInFile = work.attempt.seconds;
+  const QScopedValueRollback storing(m_isStoring, true);
   work.tab->document.assign(withAttempt(work.tab->document.file().assigned, work.attempt), isChange);
+  work.revision = work.tab->document.revision();
+}
+
+void RunningAttempt::see(Work& work) {
+  work.revision = work.tab->document.revision();
+  work.seen = work.tab->document.snapshot();
 }
 
 void RunningAttempt::setDone(Work& work, std::size_t step, bool isDone) {
@@ -258,6 +272,27 @@ void RunningAttempt::tick() {
   work->attempt.seconds = std::min(seconds, Exercise::kLongestTime);
   store(*work, work->attempt.seconds - work->secondsInFile >= kSecondsWorthAsking);
   m_lesson->setSeconds(work->attempt.seconds, work->exercise->exercise.allowedSeconds);
+  followGesture(*work);
+}
+
+// A pass that goes on for minutes makes and spoils sizes before it is in the document.
+void RunningAttempt::followGesture(Work& work) {
+  ToolRunner& runner = m_parts.tools.runner();
+  auto* const gesture = const_cast<UnfinishedGesture*>(dynamic_cast<const UnfinishedGesture*>(runner.tool()));
+  const bool isOn = gesture && runner.document() == &work.tab->document && !gesture->underWay().isEmpty();
+  if (!isOn) {
+    if (work.ticksInGesture > 0) check();  // it was given up
+    return;
+  }
+  const int tick = work.ticksInGesture++;
+  if (tick == 0) {
+    ++work.changes;
+    m_lesson->setOutdated();
+  }
+  if (tick % kTicksOfCheck != 0 || !m_checks.isIdle()) return;
+  SnapshotPointer value;
+  runner.deliver([&] { value = gesture->withGesture(); });
+  if (value && &work == current()) checkSteps(work, std::move(value));
 }
 
 // With the sizes of the drawing, as the student asks for them.
@@ -269,7 +304,7 @@ void RunningAttempt::measure() {
 }
 
 void RunningAttempt::startMeasuring(const Work& measured) {
-  start(m_parts.jobs, tr("Measuring"), measured, true);
+  start(m_parts.jobs, tr("Measuring"), measured, measured.tab->document.snapshot(), true);
 }
 
 // A step is ticked as soon as the part is so; the sizes stay for those who ask.
@@ -277,18 +312,34 @@ void RunningAttempt::check() {
   Work* const work = current();
   if (!work) return;
   ++work->changes;
+  see(*work);
+  work->ticksInGesture = 0;
   m_lesson->setOutdated();
-  const std::vector<ExerciseStep>& steps = work->exercise->exercise.steps;
-  const auto waits = [](const ExerciseStep& step) { return !step.criteria.empty(); };
-  if (std::any_of(steps.begin(), steps.end(), waits)) start(m_checks, tr("Checking the steps"), *work, false);
+  checkSteps(*work, work->tab->document.snapshot());
 }
 
-void RunningAttempt::start(JobRunner& jobs, const QString& name, const Work& measured, bool showsSizes) {
+// What is recorded without an undo step, such as a crash, has marks, too. The name of the file has none, nor has what
+// is not in the value.
+void RunningAttempt::recorded() {
+  const Work* const work = current();
+  if (!work || m_isStoring || work->tab->document.revision() == work->revision) return;
+  if (work->seen.lock() != work->tab->document.snapshot()) check();
+}
+
+void RunningAttempt::checkSteps(const Work& checked, SnapshotPointer value) {
+  const std::vector<ExerciseStep>& steps = checked.exercise->exercise.steps;
+  const auto waits = [](const ExerciseStep& step) { return !step.criteria.empty(); };
+  if (std::any_of(steps.begin(), steps.end(), waits))
+    start(m_checks, tr("Checking the steps"), checked, std::move(value), false);
+}
+
+void RunningAttempt::start(JobRunner& jobs, const QString& name, const Work& measured, SnapshotPointer value,
+                           bool showsSizes) {
   Job job;
   job.name = name;
   job.owner = measured.tab;
   job.work = [this, showsSizes, tab = measured.tab, exercise = measured.exercise, changes = measured.changes,
-              work = measured.tab->document.snapshot(), attempt = measured.attempt](Progress progress) -> Job::Finish {
+              work = std::move(value), attempt = measured.attempt](Progress progress) -> Job::Finish {
     auto marking = std::make_shared<const Marking>(markWork(*exercise, *work, attempt, progress));
     if (progress.cancelled()) return {};
     return [this, showsSizes, tab, exercise, changes, marking] {

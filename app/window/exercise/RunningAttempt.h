@@ -45,8 +45,11 @@ class RunningAttempt : public QObject {
     std::shared_ptr<const ExerciseSnapshot> origin;  // that it was begun from in this window; null: from a file
     double secondsInFile = 0.0;
     int changes = 0;  // of the document, that were seen: tells what was measured before one
-    std::shared_ptr<const Marking> sizes = nullptr;  // as measured last, on demand; null: not yet
-    int measuredAfter = 0;                           // so many of the changes
+    std::shared_ptr<const Marking> sizes = nullptr;       // as measured last, on demand; null: not yet
+    int measuredAfter = 0;                                // so many of the changes
+    std::uint64_t revision = 0;                           // of the document, that was seen
+    std::weak_ptr<SnapshotPointer::element_type> seen{};  // likewise its value, of kinds that keep it
+    int ticksInGesture = 0;  // since work is under way that is not in the document yet; 0: none is
   };
   Work* find(const DocumentTab* tab);
   Work* current() { return m_works.empty() || !m_isCurrent ? nullptr : &m_works.back(); }
@@ -61,12 +64,17 @@ class RunningAttempt : public QObject {
   void showDock(bool isShown);
   void show(const Work& work);
   void store(Work& work, bool isChange);
+  static void see(Work& work);
   void setDone(Work& work, std::size_t step, bool isDone);
   void tick();
+  void followGesture(Work& work);
   void measure();
   void startMeasuring(const Work& measured);
   void check();
-  void start(JobRunner& jobs, const QString& name, const Work& measured, bool showsSizes);
+  void recorded();
+  void checkSteps(const Work& checked, SnapshotPointer value);
+  // value: of the document, or what it is about to become.
+  void start(JobRunner& jobs, const QString& name, const Work& measured, SnapshotPointer value, bool showsSizes);
   void take(const DocumentTab* tab, const ExerciseSnapshot& exercise, const std::shared_ptr<const Marking>& marking,
             bool showsSizes);
   static QStringList unmeasured(const Marking& marking);
@@ -83,8 +91,9 @@ class RunningAttempt : public QObject {
   bool m_isDockWanted = true;
   QElapsedTimer m_since;
   QTimer m_clock;
-  JobRunner m_checks;                 // of the steps, after each change of the work
-  QMetaObject::Connection m_changes;  // of the current document
+  JobRunner m_checks;                            // of the steps, after each change of the work
+  QMetaObject::Connection m_changes, m_records;  // of the current document
+  bool m_isStoring = false;                      // what it records is the attempt
 };
 
 }  // namespace handwheel

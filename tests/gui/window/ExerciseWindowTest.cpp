@@ -15,6 +15,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
@@ -118,6 +119,14 @@ class ExerciseWindowTest : public QObject {
     work.commit("Turn", std::make_unique<TurnedPartEdit>(part));
     QVERIFY(driver.settle());
     QTRY_VERIFY2(sizes->isEnabled() && sizes->text().contains(QStringLiteral("✓ ⌀30 ±0.5")), qPrintable(sizes->text()));
+    // So does a crash, which is no undo step, but not what the lesson keeps itself: its name and its time.
+    QTest::keyClicks(partOfLesson<QLineEdit>(driver, "exerciseLesson", "lesson/name"), "A");
+    QTest::qWait(1200);  // two ticks of its clock
+    QVERIFY(sizes->isEnabled());
+    const LatheCollision crash;
+    work.addCrashes({&crash, 1});
+    QTRY_VERIFY(!sizes->isEnabled() && sizes->text().startsWith("The work was changed since"));
+    partOfLesson<QLineEdit>(driver, "exerciseLesson", "lesson/name")->clear();
 
     QVERIFY(!partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->isEnabled());
   }
