@@ -3,7 +3,6 @@
 #include "../WindowTestMain.h"
 #include "../workpiece/LatheWindow.h"
 #include "LessonWidgets.h"
-#include "controls/NumberField.h"
 #include "document/workpiece/TurnedPartEdit.h"
 
 #include <QPushButton>
@@ -54,7 +53,6 @@ class LessonPassTest : public QObject {
     QVERIFY(go(LatheAxis::Carriage, Qt::Key_Left, 2.0, 82.0));
     QVERIFY(go(LatheAxis::Cross, Qt::Key_Up, 0.2, 14.0));
     const int steps = work.history()->count();
-    window.driver.find<NumberField>("latheFeed")->setValue(0.3);
     window.driver.click("latheFeedLeft");
     const auto isSpoiled = [lesson] { return labelsOf(lesson).contains("1 of 5 steps"); };
     QVERIFY2(QTest::qWaitFor(isSpoiled, kPatienceMs), qPrintable(labelsOf(lesson)));
