@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The page of a ScrolledPanel with lists or plots, which take the room that there is: it is scrolled only where they
+// The page of a ScrolledPanel with lists or plots. They take the room that there is, and it is scrolled only where they
 // would become smaller than their least size. Of another page with wrapped lines the usual height is scrolled.
 class SqueezedPage : public QWidget {
  public:

@@ -53,7 +53,7 @@ class PanelRoomTest : public QObject {
     WindowDriver driver;
     const QSize made(1280, 800);
     driver.window().resize(made);
-    driver.choose("exercise/first-lesson");
+    driver.choose("exercise/first-lesson-teacher");
     QVERIFY(driver.settle());
     driver.choose("beginExercise");
     QVERIFY(driver.settle());
