@@ -107,8 +107,9 @@ std::shared_ptr<const ExerciseSnapshot> ExerciseUi::snapshot() const {
 }
 
 void ExerciseUi::setDocument(DocumentTab* document) {
-  // Without its pages an exercise is a picture; what was in front belongs to the document that was shown before.
-  if (document && document != this->document()) raiseKindPanel(parts());
+  // Without its pages an exercise is a picture; what was in front, or closed, belongs to the document that was shown
+  // before.
+  if (document && document != this->document()) showKindPanel(parts());
   RigidPartsUi::setDocument(document);
   if (current() != nullptr) connect(current(), &Document::changed, this, &ExerciseUi::refresh);
   m_editor->setDocument(current() && !current()->exercise().isForStudents ? current() : nullptr);

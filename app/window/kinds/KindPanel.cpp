@@ -6,9 +6,24 @@
 
 namespace handwheel {
 
+namespace {
+
+QDockWidget* kindDockOf(const WindowContext& window) {
+  return window.window->findChild<QDockWidget*>(QStringLiteral("kindDock"));
+}
+
+}  // namespace
+
 void raiseKindPanel(const WindowContext& window) {
-  auto* const dock = window.window->findChild<QDockWidget*>(QStringLiteral("kindDock"));
+  QDockWidget* const dock = kindDockOf(window);
   if (dock && !dock->isHidden()) dock->raise();
+}
+
+void showKindPanel(const WindowContext& window) {
+  QDockWidget* const dock = kindDockOf(window);
+  if (!dock) return;
+  dock->show();
+  dock->raise();
 }
 
 }  // namespace handwheel

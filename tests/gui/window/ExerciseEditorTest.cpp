@@ -336,6 +336,12 @@ class ExerciseEditorTest : public QObject {
     bar->setCurrentIndex(0);
     QTRY_VERIFY(isInFront("kindDock"));
     QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Exercise"));
+    // Also after the panel of the part was closed.
+    bar->setCurrentIndex(1);
+    driver.find<QDockWidget>("kindDock")->close();
+    QTRY_VERIFY(!isInFront("kindDock"));
+    bar->setCurrentIndex(0);
+    QTRY_VERIFY(isInFront("kindDock") && driver.find<QWidget>("exerciseEditor")->isVisible());
   }
 
   // Where the exercise wants all done by hand, no program is run or made, and the panel says why.
