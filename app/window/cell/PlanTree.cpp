@@ -11,6 +11,7 @@
 #include <QScrollBar>
 #include <QTreeWidgetItemIterator>
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -39,8 +40,18 @@ PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
   });
   connect(this, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) { emit activated(entryOf(item)); });
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
-    if (!m_isFilling && column == 0) emit renameRequested(entryOf(item), item->text(0).trimmed());
+    if (m_isFilling || column != 0) return;
+    if (!indexWidget(indexFromItem(item))) return emit renameRequested(entryOf(item), item->text(0).trimmed());
+    m_renamed = entryOf(item);
+    m_wishedName = item->text(0).trimmed();
   });
+}
+
+// What is renamed fills the tree anew, which takes the editor away: that has to be closed by then.
+void PlanTree::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+  QTreeWidget::closeEditor(editor, hint);
+  const Entry renamed = std::exchange(m_renamed, Entry());
+  if (renamed.kind != Entry::Kind::None) emit renameRequested(renamed, m_wishedName);
 }
 
 PlanTree::Entry PlanTree::entryOf(const QTreeWidgetItem* item) const {

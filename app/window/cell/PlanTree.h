@@ -41,6 +41,7 @@ class PlanTree : public QTreeWidget {
   void removalRequested();
 
  protected:
+  void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
   void keyPressEvent(QKeyEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -51,6 +52,8 @@ class PlanTree : public QTreeWidget {
   QTreeWidgetItem* add(QTreeWidgetItem* parent, const Entry& entry, const QString& text, const QString& status);
 
   bool m_isFilling = false;
+  Entry m_renamed;  // by the editor that is about to close
+  QString m_wishedName;
 };
 
 }  // namespace handwheel
