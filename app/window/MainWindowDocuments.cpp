@@ -194,9 +194,10 @@ void MainWindow::showDocument(DocumentTab* document) {
   m_tools->setVisible(!document || document->visible);
   m_toolChoice->takeUp(document);
   m_viewSettings->setSectionAxis(document ? document->ui.sectionAxis() : std::nullopt);
-  m_deviceDock->findChild<DeviceDock*>()->setTurningAxis(document ? document->ui.sectionAxis() : std::nullopt);
   m_viewSettings->followModel();
   m_deviceView->followModel();
+  // The hand is in the view of this document by now: its axes are named after that.
+  m_deviceDock->findChild<DeviceDock*>()->setTurningAxis(document ? document->ui.sectionAxis() : std::nullopt);
   if (!document) m_viewSettings->setSectionFigures({});
   for (QAction* action : m_viewActions->views() + m_viewActions->shadings()) action->setEnabled(document != nullptr);
   m_viewActions->fit()->setEnabled(document != nullptr);

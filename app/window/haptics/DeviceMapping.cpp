@@ -108,7 +108,8 @@ WorkspaceMapping mappingInView(const WorkspaceMapping& user, const DeviceCapabil
 }
 
 std::array<AboutAxis, 3> axesAbout(const Ray& axis, const WorkspaceMapping& inScene, const Vec3& tip) {
-  constexpr double kMostly = 0.75;  // the cosine of what is taken for a direction
+  // The cosine of what is taken for a direction: some 25°. Far from it a name would be as wrong as that of the other.
+  constexpr double kMostly = 0.9;
   const Vec3 along = axis.direction.normalized(), from = tip - axis.origin;
   const Vec3 away = from - along * along.dot(from);
   const Vec3 radius = away.norm() > 0.0 ? Vec3(away.normalized()) : Vec3::Zero();

@@ -112,6 +112,9 @@ class DeviceMappingTest : public QObject {
     // Above the work, up is the radius.
     QVERIFY(
         (axesAbout(axis, mapping, {0.0, -30.0, 50.0}) == All{AboutAxis::Along, AboutAxis::Radius, AboutAxis::Across}));
+    // Before and above the work by 37° both ways change the radius: neither is called that, nor across.
+    QVERIFY((axesAbout(axis, mapping, {40.0, -30.0, 50.0}) ==
+             All{AboutAxis::Along, AboutAxis::Oblique, AboutAxis::Oblique}));
     // The user has exchanged x and y of the device.
     mapping.axes = {DeviceAxis{1, false}, DeviceAxis{0, true}, DeviceAxis{2, false}};
     QVERIFY((axesAbout(axis, mapping, tip) == All{AboutAxis::Across, AboutAxis::Along, AboutAxis::Radius}));
