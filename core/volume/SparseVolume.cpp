@@ -22,12 +22,6 @@ VoxelIndex regionOfKey(std::uint64_t key) {
   return {part(0), part(kKeyBits), part(2 * kKeyBits)};
 }
 
-std::size_t insideOf(const SparseVolume::Content& content) {
-  if (!content.block) return content.isFull ? VolumeBlock::kCount : 0;
-  const auto& depths = content.block->depths;
-  return static_cast<std::size_t>(std::count_if(depths.begin(), depths.end(), [](std::int16_t d) { return d > 0; }));
-}
-
 }  // namespace
 
 std::int16_t depthSample(double voxels) {
@@ -38,6 +32,17 @@ std::int16_t depthSample(double voxels) {
 
 bool SparseVolume::Region::isEmpty() const {
   return full.none() && std::none_of(blocks.begin(), blocks.end(), [](const Block& b) { return b != nullptr; });
+}
+
+SparseVolume::Count SparseVolume::countOf(const Content& content) {
+  constexpr std::uint64_t kAll = VolumeBlock::kCount, kVoxel = static_cast<std::uint64_t>(VolumeBlock::kUnit);
+  if (!content.block) return content.isFull ? Count{kAll, kAll * kVoxel} : Count{};
+  std::uint32_t inside = 0, enclosed = 0;  // of a block they are below 2^22
+  for (const std::int16_t depth : content.block->depths) {
+    inside += depth > 0;
+    enclosed += static_cast<std::uint32_t>(VolumeBlock::enclosed(depth));
+  }
+  return {inside, enclosed};
 }
 
 std::uint64_t SparseVolume::keyOf(const VoxelIndex& block) {
@@ -81,8 +86,9 @@ void SparseVolume::setContent(const VoxelIndex& block, Content content) {
   const std::size_t place = placeOf(block);
   if (region.blocks[place]) --m_blockCount;
   if (content.block) ++m_blockCount;
-  m_inside -= insideOf({region.blocks[place], region.full[place]});
-  m_inside += insideOf(content);
+  const Count gone = countOf({region.blocks[place], region.full[place]}), added = countOf(content);
+  m_count.inside += added.inside - gone.inside;  // modulo 2^64
+  m_count.enclosed += added.enclosed - gone.enclosed;
   region.full[place] = !content.block && content.isFull;
   region.blocks[place] = std::move(content.block);
   if (region.isEmpty()) m_regions.erase(found);

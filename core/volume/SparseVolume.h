@@ -4,6 +4,7 @@
 
 #include "base/Geometry.h"
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cstdint>
@@ -27,6 +28,12 @@ struct VolumeBlock {
 
   std::array<std::int16_t, kCount> depths;
 
+  // How much of a voxel counts as enclosed by the surface at such a depth of its centre: from nothing half a voxel
+  // outside to all of it half a voxel inside; in 8192ths.
+  static int enclosed(std::int16_t depth) {
+    constexpr int kVoxel = static_cast<int>(kUnit);
+    return std::clamp(depth + kVoxel / 2, 0, kVoxel);
+  }
   static std::size_t at(int x, int y, int z) { return static_cast<std::size_t>((z * kSize + y) * kSize + x); }
 };
 
@@ -81,8 +88,13 @@ class SparseVolume {
   // Those that hold samples, in that order.
   std::vector<VoxelIndex> blocks() const;
   std::size_t blockCount() const { return m_blockCount; }  // of those
-  // What is inside by its voxels; mm³.
-  double material() const { return static_cast<double>(m_inside) * m_voxel * m_voxel * m_voxel; }
+  // What is inside by its voxels, each all or nothing; mm³.
+  double material() const { return static_cast<double>(m_count.inside) * m_voxel * m_voxel * m_voxel; }
+  // What the surface encloses; mm³. Exact for faces along the axes, to second order for others; walls thinner than a
+  // voxel count for too much.
+  double enclosed() const {
+    return static_cast<double>(m_count.enclosed) / VolumeBlock::kUnit * m_voxel * m_voxel * m_voxel;
+  }
   bool isEmpty() const { return m_regions.empty(); }
   // What holds all material, to the next 64 voxels; in voxels.
   Box extent() const;
@@ -102,6 +114,11 @@ class SparseVolume {
 
     bool isEmpty() const;
   };
+  struct Count {
+    std::uint64_t inside = 0;    // voxels
+    std::uint64_t enclosed = 0;  // in 8192ths of a voxel
+  };
+  static Count countOf(const Content& content);
   static std::uint64_t keyOf(const VoxelIndex& region);
   static std::size_t placeOf(const VoxelIndex& block);
 
@@ -109,7 +126,7 @@ class SparseVolume {
   double m_voxel = 1.0;
   std::unordered_map<std::uint64_t, std::shared_ptr<Region>> m_regions;
   std::size_t m_blockCount = 0;
-  std::size_t m_inside = 0;  // voxels
+  Count m_count;
 };
 
 }  // namespace handwheel

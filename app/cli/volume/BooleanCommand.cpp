@@ -71,16 +71,16 @@ Result<BooleanAnswer> combineFiles(const BooleanRequest& request, const Document
 }
 
 nlohmann::ordered_json reportOf(const BooleanAnswer& done, const MemoryNotice& notice) {
-  nlohmann::ordered_json report = {{"voxel_mm", done.made.voxel()},        {"first_mm3", done.first.material()},
-                                   {"second_mm3", done.second.material()}, {"volume_mm3", done.made.material()},
+  nlohmann::ordered_json report = {{"voxel_mm", done.made.voxel()},        {"first_mm3", done.first.enclosed()},
+                                   {"second_mm3", done.second.enclosed()}, {"volume_mm3", done.made.enclosed()},
                                    {"blocks", done.made.blockCount()},     {"bytes", done.made.bytes()}};
   notice.addTo(report);
   return report;
 }
 
 std::string textOf(const BooleanAnswer& done, const fs::path& output) {
-  return output.string() + ": " + roundedText(done.made.material()) + " mm³ of " + roundedText(done.first.material()) +
-         " and " + roundedText(done.second.material()) + " mm³, voxels of " + roundedText(done.made.voxel()) + " mm.\n";
+  return output.string() + ": " + roundedText(done.made.enclosed()) + " mm³ of " + roundedText(done.first.enclosed()) +
+         " and " + roundedText(done.second.enclosed()) + " mm³, voxels of " + roundedText(done.made.voxel()) + " mm.\n";
 }
 
 CommandSpec booleanSpec() {

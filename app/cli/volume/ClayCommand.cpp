@@ -134,8 +134,8 @@ nlohmann::ordered_json reportOf(const ClayAnswer& done, const ClayRequest& reque
   const SparseVolume& after = sculpted.part->volume;
   nlohmann::ordered_json report = {{"added_mm3", sculpted.added},
                                    {"removed_mm3", sculpted.removed},
-                                   {"volume_before_mm3", done.before->volume.material()},
-                                   {"volume_mm3", after.material()},
+                                   {"volume_before_mm3", done.before->volume.enclosed()},
+                                   {"volume_mm3", after.enclosed()},
                                    {"changed_blocks", sculpted.changedBlocks},
                                    {"strokes", request.strokes.size()},
                                    {"time_s", sculpted.seconds},

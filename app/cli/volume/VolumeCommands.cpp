@@ -100,7 +100,7 @@ Result<Answer> voxelizeFile(const Request& request, const OperationValues& value
   if (!written) return written.error();
   const SparseVolume& volume = made->volume->volume;
   done.report = {{"voxel_mm", volume.voxel()},
-                 {"volume_mm3", volume.material()},
+                 {"volume_mm3", volume.enclosed()},
                  {"enclosed_mm3", made->surface.expected},
                  {"near_share", made->surface.nearShare},
                  {"closed_boundaries", made->surface.closedBoundaries},
@@ -109,7 +109,7 @@ Result<Answer> voxelizeFile(const Request& request, const OperationValues& value
   notice.addTo(done.report);
   done.warnings = notesOn(made->surface);
   done.text = request.output.string() + ": voxels of " + roundedText(volume.voxel()) + " mm, " +
-              roundedText(volume.material()) + " mm³, " + roundedText(static_cast<double>(volume.bytes()) / 1e6, 3) +
+              roundedText(volume.enclosed()) + " mm³, " + roundedText(static_cast<double>(volume.bytes()) / 1e6, 3) +
               " MB.\n";
   if (made->surface.closedBoundaries > 0)
     done.text += "Boundaries closed: " + std::to_string(made->surface.closedBoundaries) + ".\n";

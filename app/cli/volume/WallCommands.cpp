@@ -58,8 +58,8 @@ Result<WallAnswer> changeFile(const WallRequest& request, const OperationValues&
 
 nlohmann::ordered_json reportOf(const WallAnswer& done, const MemoryNotice& notice) {
   nlohmann::ordered_json report = {{"voxel_mm", done.after.voxel()},
-                                   {"volume_before_mm3", done.before.material()},
-                                   {"volume_mm3", done.after.material()},
+                                   {"volume_before_mm3", done.before.enclosed()},
+                                   {"volume_mm3", done.after.enclosed()},
                                    {"blocks", done.after.blockCount()},
                                    {"bytes", done.after.bytes()}};
   notice.addTo(report);
@@ -67,8 +67,8 @@ nlohmann::ordered_json reportOf(const WallAnswer& done, const MemoryNotice& noti
 }
 
 std::string textOf(const WallAnswer& done, const fs::path& output) {
-  return output.string() + ": " + roundedText(done.after.material()) + " mm³ of " +
-         roundedText(done.before.material()) + " mm³, voxels of " + roundedText(done.after.voxel()) + " mm.\n";
+  return output.string() + ": " + roundedText(done.after.enclosed()) + " mm³ of " +
+         roundedText(done.before.enclosed()) + " mm³, voxels of " + roundedText(done.after.voxel()) + " mm.\n";
 }
 
 int runChange(const Arguments& arguments, const DocumentKinds& kinds, const Operation& operation,

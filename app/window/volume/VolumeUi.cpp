@@ -228,7 +228,7 @@ Suggestion VolumeUi::suggestion() {
   const SparseVolume& shown = volume().volume;
   return {panelIcon(), themeColours(currentTheme()).accent, tr("Volume"),
           tr("%1 mm³ in voxels of %2 mm. Its surface is closed.")
-              .arg(QLocale().toString(shown.material(), 'g', 6), QLocale().toString(shown.voxel(), 'g', 4)),
+              .arg(QLocale().toString(shown.enclosed(), 'g', 6), QLocale().toString(shown.voxel(), 'g', 4)),
           panelActions()};
 }
 

@@ -90,7 +90,7 @@ std::vector<Property> VolumeDocument::properties() const {
     all.push_back(std::move(property));
   };
   add("voxel", QT_TRANSLATE_NOOP("Property", "Voxel"), volume.voxel(), Quantity::Length);
-  add("material", QT_TRANSLATE_NOOP("Property", "Material (mm³)"), volume.material(), Quantity::Number);
+  add("material", QT_TRANSLATE_NOOP("Property", "Material (mm³)"), volume.enclosed(), Quantity::Number);
   add("triangles", QT_TRANSLATE_NOOP("Property", "Triangles"), static_cast<double>(m_volume->surface.triangleCount()),
       Quantity::Number);
   add("memory", QT_TRANSLATE_NOOP("Property", "Memory (MB)"), static_cast<double>(volume.bytes()) / 1e6,

@@ -166,7 +166,7 @@ std::unique_ptr<Document> VolumeKind::make(OpenedFile opened) const {
 nlohmann::json VolumeKind::describe(const Snapshot& content) const {
   const VolumeSnapshot& volume = volumeOf(content);
   nlohmann::json described = {{"voxel", volume.volume.voxel()},
-                              {"volume", volume.volume.material()},
+                              {"volume", volume.volume.enclosed()},
                               {"blocks", volume.volume.blockCount()},
                               {"bytes", volume.volume.bytes()},
                               {"triangles", volume.surface.triangleCount()},

@@ -156,21 +156,26 @@ Status canBeLed(const std::vector<HandStroke>& strokes, double radius, double ra
   return Done{};
 }
 
-// Voxels that are material in one volume only, in blocks of them; mm³.
+// What one surface encloses and the other does not, in blocks of two volumes; mm³.
 struct MaterialDifference {
   double added = 0.0, removed = 0.0;
 
   void addBlock(const SparseVolume& before, const SparseVolume& after, const VoxelIndex& block) {
     const SparseVolume::View old = before.view(block), now = after.view(block);
     if (old.block == now.block && old.isFull == now.isFull) return;
-    const auto isInside = [](const SparseVolume::View& view, std::size_t i) {
-      return view.block ? view.block->depths[i] > 0 : view.isFull;
+    const auto enclosed = [](const SparseVolume::View& view, std::size_t i) {
+      return VolumeBlock::enclosed(view.block    ? view.block->depths[i]
+                                   : view.isFull ? VolumeBlock::kFull
+                                                 : VolumeBlock::kEmpty);
     };
-    const double voxel = std::pow(after.voxel(), 3);
+    int more = 0, less = 0;  // of a block they are below 2^22
     for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
-      const bool wasInside = isInside(old, i);
-      if (wasInside != isInside(now, i)) (wasInside ? removed : added) += voxel;
+      const int change = enclosed(now, i) - enclosed(old, i);
+      (change < 0 ? less : more) += std::abs(change);
     }
+    const double unit = std::pow(after.voxel(), 3) / VolumeBlock::kUnit;
+    added += unit * more;
+    removed += unit * less;
   }
 };
 

@@ -244,7 +244,7 @@ void ClayTool::complete() {
   after->surface = shaped->surface;
   after->mask = shaped->mask;
   if (brush.action != ClayAction::Mask) recordStroke(*before, *after);
-  const QString text = strokeText(brush, after->volume.material() - before->volume.material());
+  const QString text = strokeText(brush, after->volume.enclosed() - before->volume.enclosed());
   m_document.commit(text, std::make_unique<VolumeEdit>(std::move(after), shaped->changedBlocks));
 }
 

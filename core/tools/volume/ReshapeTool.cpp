@@ -291,10 +291,10 @@ std::vector<Property> ReshapeTool::settings() const {
     }
   }
   if (m_made) {
-    const double after = m_made->shown->state->volume.material();
+    const double after = m_made->shown->state->volume.enclosed();
     all.push_back(shownFigure("after", QT_TRANSLATE_NOOP("Property", "Material then (mm³)"), after));
     all.push_back(
-        shownFigure("difference", QT_TRANSLATE_NOOP("Property", "Difference (mm³)"), after - volume.material()));
+        shownFigure("difference", QT_TRANSLATE_NOOP("Property", "Difference (mm³)"), after - volume.enclosed()));
   }
   return all;
 }

@@ -232,7 +232,7 @@ class ReshapeToolTest : public QObject {
     bench.set("change", static_cast<double>(Change::Smooth));
     bench.work();
     const double once = *bench.figure("after");
-    QVERIFY(once < blocks.material() && once > 0.97 * blocks.material());
+    QVERIFY(once < blocks.enclosed() && once > 0.97 * blocks.enclosed());
     bench.set("passes", 4.0);
     bench.work();
     QVERIFY(*bench.figure("after") < once);
