@@ -265,6 +265,8 @@ Suggestion suggestionFor(const MeshTab& document, const SuggestedActions& action
       {actions.repairAll}};
   if (holes) step.actions.push_back(actions.oneByOne);
   if (actions.uniteBodies->isEnabled()) step.actions.push_back(actions.uniteBodies);
+  // Also after an undo: a repair of the triangles has left something once.
+  if (document.repairedRevision && needsVolume(inspection)) step.actions.push_back(actions.repairByVolume);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);
   return step;
 }
