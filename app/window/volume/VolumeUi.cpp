@@ -8,6 +8,7 @@
 #include "document/volume/exercise/DrillingSubject.h"
 #include "panels/MessageBar.h"
 #include "theme/Theme.h"
+#include "tools/carving/HandDrill.h"
 #include "tools/volume/ClayTool.h"
 #include "tools/volume/DrillingTool.h"
 #include "viewport/Viewport.h"
@@ -157,7 +158,9 @@ bool VolumeUi::isSettled() const {
 }
 
 bool VolumeUi::askToCopy(const Document& from, std::function<void(MakeOfSurface)> start) {
-  m_voxelize->ask(from, std::move(start));
+  const bool isDrilling = dynamic_cast<const HandDrill*>(parts().tools.runner().tool()) != nullptr;
+  m_voxelize->ask(from, isDrilling ? VoxelizeSettings::Purpose::Drilling : VoxelizeSettings::Purpose::Any,
+                  std::move(start));
   return true;
 }
 

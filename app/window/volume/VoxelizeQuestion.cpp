@@ -28,7 +28,8 @@ Property said(const char* id, const char* label, const QString& text) {
 VoxelizeQuestion::VoxelizeQuestion(QWidget* window, JobRunner& jobs, const VolumeKind& kind, QObject* parent)
     : QObject(parent), m_window(window), m_jobs(jobs), m_kind(kind) {}
 
-void VoxelizeQuestion::ask(const Document& from, std::function<void(MakeOfSurface)> start) {
+void VoxelizeQuestion::ask(const Document& from, VoxelizeSettings::Purpose purpose,
+                           std::function<void(MakeOfSurface)> start) {
   if (m_dialog) return m_dialog->raise();
   Job job;
   job.name = tr("Measuring %1").arg(from.name());
@@ -37,9 +38,9 @@ void VoxelizeQuestion::ask(const Document& from, std::function<void(MakeOfSurfac
     if (error.code == ErrorCode::Cancelled) return;
     emit message({Message::Weight::Error, tr("%1 was not copied").arg(name), errorSentence(error), errorAdvice(error)});
   };
-  job.work = [this, &kind = from.kind(), content = from.snapshot(), unit = from.displayUnit(),
+  job.work = [this, &kind = from.kind(), content = from.snapshot(), unit = from.displayUnit(), purpose,
               start = std::move(start)](const Progress&) -> Job::Finish {
-    return [this, settings = VoxelizeSettings(placedSoup(kind.display(*content))), unit, start] {
+    return [this, settings = VoxelizeSettings(placedSoup(kind.display(*content)), purpose), unit, start] {
       if (m_dialog) return;
       m_settings = settings;
       open(unit, start);
@@ -85,7 +86,7 @@ QString VoxelizeQuestion::reasonText() const {
     case VoxelizeSettings::Reason::Drilling:
       return tr("by the resolution rule of drilling, at 1 mm/s and 1 kHz");
     case VoxelizeSettings::Reason::Extent:
-      return tr("256 to the extent, as the rule of drilling does not suit this size");
+      return tr("256 to the largest extent");
     case VoxelizeSettings::Reason::Wall:
       return tr("four to the thickness of a wall");
     case VoxelizeSettings::Reason::Chosen:

@@ -23,7 +23,7 @@ class VoxelizeQuestion : public QObject {
   VoxelizeQuestion(QWidget* window, JobRunner& jobs, const VolumeKind& kind, QObject* parent);
 
   // start: called with what makes the volume, unless the user declines.
-  void ask(const Document& from, std::function<void(MakeOfSurface)> start);
+  void ask(const Document& from, VoxelizeSettings::Purpose purpose, std::function<void(MakeOfSurface)> start);
 
  signals:
   void message(const Message& message);

@@ -23,8 +23,9 @@ Vec3 extentOf(const TriangleSoup& surface) {
 
 }  // namespace
 
-VoxelizeSettings::VoxelizeSettings(const TriangleSoup& surface)
-    : m_measure(measureForWalls(surface)),
+VoxelizeSettings::VoxelizeSettings(const TriangleSoup& surface, Purpose purpose)
+    : m_purpose(purpose),
+      m_measure(measureForWalls(surface)),
       m_extent(extentOf(surface)),
       m_usual(usualVoxel(surface)),
       m_values(voxelizeOperation()) {}
@@ -46,7 +47,8 @@ void VoxelizeSettings::change(std::string_view id, const PropertyValue& value) {
 
 double VoxelizeSettings::proposed(Reason& reason) const {
   const double drilling = drillVoxel(kFeed, kRate), largest = m_extent.maxCoeff();
-  const bool suits = largest >= kLeastAcross * drilling && largest <= kMostAcross * drilling;
+  const bool suits =
+      m_purpose == Purpose::Drilling && largest >= kLeastAcross * drilling && largest <= kMostAcross * drilling;
   const double voxel = suits ? drilling : m_usual;
   reason = suits ? Reason::Drilling : Reason::Extent;
   if (!wall() || *wall() >= kAcrossWalls * voxel) return voxel;

@@ -14,7 +14,7 @@
 namespace handwheel {
 
 // The settings of making a volume of a surface, with what it needs. The voxel is proposed until one is
-// chosen: by the rule of drilling where that suits the size of the part, else as a share of its extent.
+// chosen: as a share of the extent; of a part to be drilled by the rule of drilling, where that suits its size.
 class VoxelizeSettings {
  public:
   // Why the voxel is as large as it is.
@@ -25,8 +25,11 @@ class VoxelizeSettings {
     Chosen,
   };
 
+  // What the volume is for.
+  enum class Purpose { Any, Drilling };
+
   // O(n).
-  explicit VoxelizeSettings(const TriangleSoup& surface);
+  explicit VoxelizeSettings(const TriangleSoup& surface, Purpose purpose = Purpose::Any);
 
   // Voxel, method and wall thickness; 0: none.
   std::vector<Property> properties() const;
@@ -44,6 +47,7 @@ class VoxelizeSettings {
   double proposed(Reason& reason) const;
   double area() const;  // mm², with both sides of walls
 
+  Purpose m_purpose;
   WallMeasure m_measure;
   Vec3 m_extent;
   double m_usual;

@@ -90,7 +90,7 @@ class VolumeWindowTest : public QObject {
     driver.choose("copyAs/volume");
     QVERIFY(driver.settle());
     const QString memory = text("memory"), seconds = text("seconds"), reason = text("reason");
-    QVERIFY2(memory.contains("MB") && seconds.contains(" s") && reason.contains("resolution rule"),
+    QVERIFY2(memory.contains("MB") && seconds.contains(" s") && reason.contains("256 to the largest extent"),
              qPrintable(memory + reason));
     auto* const line =
         driver.find<QDialog>("voxelizeDialog")->findChild<QWidget*>("property/voxel")->findChild<QLineEdit*>();

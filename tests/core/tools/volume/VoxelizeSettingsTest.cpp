@@ -18,14 +18,18 @@ class VoxelizeSettingsTest : public QObject {
   // wall that is thin.
   void proposals() {
     using Reason = VoxelizeSettings::Reason;
+    using Purpose = VoxelizeSettings::Purpose;
     const auto check = [](const VoxelizeSettings& settings, double voxel, Reason reason) {
       QVERIFY2(std::abs(settings.voxel() / voxel - 1.0) < 1e-12, qPrintable(QString::number(settings.voxel())));
       QCOMPARE(static_cast<int>(settings.reason()), static_cast<int>(reason));
     };
-    check(VoxelizeSettings(test::cube(90.0)), 0.255, Reason::Drilling);
-    check(VoxelizeSettings(test::cube(10.0)), 10.0 / 256.0, Reason::Extent);
-    check(VoxelizeSettings(test::cube(2560.0)), 10.0, Reason::Extent);
-    VoxelizeSettings settings(test::cube(90.0));
+    check(VoxelizeSettings(test::cube(90.0), Purpose::Drilling), 0.255, Reason::Drilling);
+    check(VoxelizeSettings(test::cube(10.0), Purpose::Drilling), 10.0 / 256.0, Reason::Extent);
+    check(VoxelizeSettings(test::cube(2560.0), Purpose::Drilling), 10.0, Reason::Extent);
+    // What is not to be drilled has the voxels of the repair by volume, whatever its size.
+    for (const double size : {10.0, 19.0, 90.0, 2560.0})
+      check(VoxelizeSettings(test::cube(size)), size / 256.0, Reason::Extent);
+    VoxelizeSettings settings(test::cube(90.0), Purpose::Drilling);
     settings.change("wall", 0.4);
     check(settings, 0.1, Reason::Wall);
     settings.change("wall", 4.0);
@@ -50,7 +54,7 @@ class VoxelizeSettingsTest : public QObject {
   }
 
   void whatIsNoValue() {
-    VoxelizeSettings settings(test::cube(90.0));
+    VoxelizeSettings settings(test::cube(90.0), VoxelizeSettings::Purpose::Drilling);
     settings.change("voxel", std::nan(""));
     settings.change("voxel", std::string("fine"));
     settings.change("wall", HUGE_VAL);

@@ -10,7 +10,9 @@
 #include "window/documents/DocumentTabs.h"
 #include "window/tools/ToolHost.h"
 
+#include <QDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <cmath>
 
@@ -38,6 +40,11 @@ struct HandOnVolume : HandBench {
   bool copyAsVolume() {
     driver.choose("copyAs/volume");
     if (!driver.settle()) return false;
+    auto* const voxel =
+        driver.find<QDialog>("voxelizeDialog")->findChild<QWidget*>("property/voxel")->findChild<QLineEdit*>();
+    voxel->setFocus();
+    voxel->selectAll();
+    QTest::keyClicks(voxel, QStringLiteral("0.255"));  // that of drilling at 1 mm/s
     driver.find<QPushButton>("propertiesAccept")->click();
     return settlesLong() && document();
   }
