@@ -114,9 +114,10 @@ const MarkingCriterion* failedBy(const Exercise& exercise, const Marking& markin
 }  // namespace
 
 std::string measuredText(double value, const std::string& unit) {
-  // A micrometre of a length, a hundredth of a roughness, an angle or a power, whole newtons.
-  constexpr std::pair<std::string_view, double> kSteps[] = {{"mm", 1e-3}, {"µm", 1e-2}, {"°", 1e-2},
-                                                            {"kW", 1e-2}, {"N", 1.0},   {"s", 0.1}};
+  // A micrometre of a length, a hundredth of a roughness, an angle or a power, whole newtons. Torque and heat are known
+  // no better than forces.
+  constexpr std::pair<std::string_view, double> kSteps[] = {{"mm", 1e-3}, {"µm", 1e-2},  {"°", 1e-2}, {"kW", 1e-2},
+                                                            {"N", 1.0},   {"N·mm", 1.0}, {"K", 0.1},  {"s", 0.1}};
   constexpr int kDigits = 12;  // significant ones
   for (const auto& [name, step] : kSteps) {
     if (unit != name) continue;

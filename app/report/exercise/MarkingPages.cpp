@@ -160,7 +160,7 @@ std::string workSection(const ClassReport& report, const ReportedWork& work, con
   if (!work.details.events.empty()) {
     html += "<h3>" + said(QT_TRANSLATE_NOOP("Note", "Events")) + "</h3>\n<ul>\n";
     for (const ReportEvent& event : work.details.events)
-      html += "<li>" + minutesText(event.seconds) + ": " + escaped(translatedText(event.text)) + "</li>\n";
+      html += "<li>" + momentOf(event) + escaped(translatedText(event.text)) + "</li>\n";
     html += "</ul>\n";
   }
   for (std::size_t i = 0; i < work.details.pictures.size(); ++i) {

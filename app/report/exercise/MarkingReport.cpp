@@ -188,7 +188,8 @@ Json toJson(const ClassReport& report) {
     for (const ReportMeasurement& each : work.details.figures) json["figures"].push_back(jsonOf(report, each));
     json["events"] = Json::array();
     for (const ReportEvent& event : work.details.events)
-      json["events"].push_back({{"time_s", event.seconds}, {"text", event.text.inEnglish()}});
+      json["events"].push_back(
+          {{"time_s", event.seconds ? Json(*event.seconds) : Json()}, {"text", event.text.inEnglish()}});
     works.push_back(std::move(json));
   }
   return {{"exercise", report.exercise.title}, {"of", report.exercise.points()}, {"submissions", std::move(works)}};
@@ -205,8 +206,7 @@ std::string readableText(const ClassReport& report) {
     if (!row.problem.empty()) continue;
     for (const auto& cells : rowsOf(report, row.marking))
       text += "  " + cells[3] + "  " + cells[0] + ": " + cells[4] + "\n";
-    for (const ReportEvent& event : work.details.events)
-      text += "  " + minutesText(event.seconds) + ": " + event.text.inEnglish() + "\n";
+    for (const ReportEvent& event : work.details.events) text += "  " + momentOf(event) + event.text.inEnglish() + "\n";
   }
   return text;
 }

@@ -43,6 +43,10 @@ std::string translatedHeading(const std::string& heading) {
   return QCoreApplication::translate("ClassTable", heading.c_str()).toStdString();
 }
 
+std::string momentOf(const ReportEvent& event) {
+  return event.seconds ? minutesText(*event.seconds) + ": " : std::string();
+}
+
 std::string localTime(const std::string& utc) {
   const QDateTime at = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
   return at.isValid() ? QLocale().toString(at.toLocalTime(), QLocale::ShortFormat).toStdString() : utc;

@@ -14,6 +14,7 @@ std::string unitOf(const ClassReport& report, const MarkingCriterion& criterion)
 std::string pointsText(const Marking& marking);  // "12 of 20 points"
 std::string translatedText(const ExerciseText& text);
 std::string translatedHeading(const std::string& heading);  // of the table of a class, or how work was made
+std::string momentOf(const ReportEvent& event);             // "0:05 min: "; empty: it has no time
 std::string localTime(const std::string& utc);              // of the clock on the wall; what is no time as it is
 // The marks of one student as cells: criterion, limits, measured, points, reason.
 std::vector<std::array<std::string, 5>> rowsOf(const ClassReport& report, const Marking& marking);

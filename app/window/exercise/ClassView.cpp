@@ -68,7 +68,8 @@ TimeLineRecording recordingOf(const ReportedWork& work) {
     recording.curves.push_back(std::move(line));
   }
   for (const ReportEvent& event : work.details.events)
-    recording.markers.push_back({event.seconds, exerciseText(event.text), TimeLineMarker::Severity::Error});
+    if (event.seconds)
+      recording.markers.push_back({*event.seconds, exerciseText(event.text), TimeLineMarker::Severity::Error});
   return recording;
 }
 

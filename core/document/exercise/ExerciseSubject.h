@@ -42,7 +42,7 @@ struct ReportCurve {
 
 // A remarkable moment of the work: a collision, for example.
 struct ReportEvent {
-  double seconds = 0.0;
+  std::optional<double> seconds;  // none: before the work that is there
   ExerciseText text;
 };
 

@@ -14,6 +14,7 @@
 #include <array>
 #include <filesystem>
 #include <limits>
+#include <optional>
 
 namespace handwheel {
 
@@ -49,6 +50,12 @@ double classNumberIn(const Json& object, const char* key) {
   double number = 0.0;
   JsonFieldReader{object}(key, number);
   return number;
+}
+
+// None where there is no number.
+std::optional<double> classSecondsIn(const Json& object) {
+  if (!JsonFieldReader(object).member(kClassSeconds).is_number()) return std::nullopt;
+  return classNumberIn(object, kClassSeconds);
 }
 
 // At most so many elements of an array under a key.
@@ -126,8 +133,10 @@ Json workJson(const ReportedWork& work) {
   for (const Mark& mark : row.marking.marks) marks.push_back(markJson(mark));
   for (const ReportMeasurement& each : work.details.figures)
     figures.push_back({{kClassFigure, each.figure}, {kClassValue, each.value}});
-  for (const ReportEvent& event : work.details.events)
-    events.push_back({{kClassSeconds, event.seconds}, {kClassText, exerciseTextJson(event.text)}});
+  for (const ReportEvent& event : work.details.events) {
+    events.push_back({{kClassText, exerciseTextJson(event.text)}});
+    if (event.seconds) events.back()[kClassSeconds] = *event.seconds;
+  }
   for (const RecordedPiece& piece : work.details.pieces)
     pieces.push_back(Json::array({piece.fingerprint, piece.seconds, piece.isByHand}));
   json[kClassMarks] = std::move(marks);
@@ -157,7 +166,7 @@ ReportedWork workFrom(const Json& json, std::vector<Error>& damage) {
   for (const Json& each : classElementsOf(json, kClassFigures, kMostClassTexts))
     work.details.figures.push_back({classTextIn(each, kClassFigure), classNumberIn(each, kClassValue)});
   for (const Json& each : classElementsOf(json, kClassEvents, kMostClassTexts))
-    work.details.events.push_back({classNumberIn(each, kClassSeconds), exerciseTextIn(each, kClassText)});
+    work.details.events.push_back({classSecondsIn(each), exerciseTextIn(each, kClassText)});
   work.details.seconds = classNumberIn(json, kClassSeconds);
   for (const Json& each : classElementsOf(json, kClassPieces, kMostClassPieces)) {
     if (!each.is_array() || each.size() != 3 || !each[0].is_number_unsigned() || !each[1].is_number() ||

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/carving/HandDrill.h"
 
+#include "base/NumberText.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
@@ -15,8 +17,15 @@ constexpr double kDrillStiffness = 1.0;  // N/mm, at the device
 constexpr ToolKey kDrillKeys[] = {{"hold", "Shift+Q", QT_TRANSLATE_NOOP("Tool", "hold the feed")},
                                   {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the hole")}};
 
+// What is measured is known to no more than four digits.
+double inFourDigits(double value) {
+  double rounded = value;
+  ErrorCode why;
+  return parseDecimal(roundedText(value, 4), rounded, why) ? rounded : value;
+}
+
 Property drillFigure(const char* id, const char* label, double value, Quantity quantity = Quantity::Number) {
-  Property property = numberSetting(id, label, value, quantity, {-1e300, 1e300});
+  Property property = numberSetting(id, label, inFourDigits(value), quantity, {-1e300, 1e300});
   property.editable = false;
   return property;
 }

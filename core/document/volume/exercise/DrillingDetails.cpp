@@ -152,7 +152,7 @@ void addTries(ReportDetails& details, const DrillTries& tries) {
   details.figures.push_back({"tries", static_cast<double>(tries.count)});
   std::vector<ReportEvent> events;  // before the work that is there, which is the last try
   for (const FailedTry& failed : tries.failed)
-    events.push_back({0.0,
+    events.push_back({std::nullopt,
                       {QT_TRANSLATE_NOOP("Note", "Try %1 entered the forbidden region by %2 mm, and was taken back."),
                        {std::to_string(failed.number), roundedText(failed.forbidden, 3)}}});
   details.events.insert(details.events.begin(), events.begin(), events.end());

@@ -97,7 +97,7 @@ class ExercisePassesTest : public QObject {
     QCOMPARE(collisions({struck}), 1.0);
     std::vector<double> told;
     for (const ReportEvent& event : shoulderTask()->subject->details(*shoulderTask()->task, work, {}).events)
-      if (!event.text.text.starts_with("The cut was too heavy")) told.push_back(event.seconds);
+      if (!event.text.text.starts_with("The cut was too heavy")) told.push_back(event.seconds.value());
     QCOMPARE(told, std::vector<double>{38.515});
   }
 

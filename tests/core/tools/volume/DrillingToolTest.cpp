@@ -90,8 +90,16 @@ class DrillingToolTest : public QObject {
     const auto review = reviewDrilling(before->volume, bench.tool->hole()->plan.value(), after->holes);
     QVERIFY(review.has_value());
     QCOMPARE(countedMaterial(review->left), countedMaterial(after->volume));
-    QCOMPARE(review->figures.thrust, bench.setting("max_thrust"));
-    QCOMPARE(review->figures.torque, bench.setting("max_torque"));
+    QCOMPARE(review->figures.thrust, bench.tool->hole()->maxThrust);
+    QCOMPARE(review->figures.torque, bench.tool->hole()->maxTorque);
+    // Shown to four digits, so to half of the last one.
+    for (const auto& [id, exact] :
+         {std::pair("max_thrust", review->figures.thrust), std::pair("max_torque", review->figures.torque),
+          std::pair("removed", bench.tool->hole()->removed)}) {
+      const double shown = bench.setting(id);
+      QVERIFY(std::abs(shown / exact - 1.0) <= 5.001e-4);
+      QCOMPARE(shown, QString::number(exact, 'g', 4).toDouble());
+    }
     bench.document.history()->undo();
     QVERIFY(bench.document.volume()->holes.empty());
   }
