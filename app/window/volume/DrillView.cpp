@@ -43,13 +43,15 @@ QString lengthText(double mm) {
 
 }  // namespace
 
-QString drillVerdict(const DrillState& hole) {
+QString drillVerdict(const DrillState& hole, bool isDrilling) {
   if (hole.figures.forbidden > 0.0)
     return DrillView::tr("The forbidden region was entered by %1 mm: this attempt has failed")
         .arg(lengthText(hole.figures.forbidden));
   QStringList verdicts;
   if (hole.breakthrough)
-    verdicts += DrillView::tr("Breakthrough: stop. %1 mm beyond").arg(lengthText(hole.figures.plunge));
+    verdicts +=
+        (isDrilling ? DrillView::tr("Breakthrough: stop. %1 mm beyond") : DrillView::tr("Breakthrough, %1 mm beyond"))
+            .arg(lengthText(hole.figures.plunge));
   if (isBesidePath(hole))
     verdicts +=
         DrillView::tr("%1 mm beside the planned path").arg(lengthText(hole.moments[hole.moments.size() - 1].deviation));
@@ -126,7 +128,7 @@ void DrillView::follow() {
 // The words at once, the plots some ten times in a second and at the end.
 void DrillView::show(const HandDrill& tool, const DrillState& hole) {
   warn(tool, hole);
-  const QString verdict = drillVerdict(hole);
+  const QString verdict = drillVerdict(hole, tool.isLive());
   const ThemeColours colours = themeColours(currentTheme());
   const QColor colour = hole.figures.forbidden > 0.0 ? colours.error : colours.warning;
   m_verdict->setStyleSheet(verdict.isEmpty() ? QString() : QStringLiteral("color: %1").arg(colour.name()));

@@ -58,7 +58,7 @@ class DrillView : public QObject {
 };
 
 // What the hole has come to, in a few words; empty: nothing to say. An exercise says it when the forbidden region was
-// entered, the drill is through, or it is beside the path.
-QString drillVerdict(const DrillState& hole);
+// entered, the drill is through, or it is beside the path. isDrilling: there is still something to stop.
+QString drillVerdict(const DrillState& hole, bool isDrilling);
 
 }  // namespace handwheel

@@ -122,8 +122,12 @@ class DrillWindowTest : public QObject {
     point(driver, PointerEvent::Kind::Press);
     auto* const verdict = driver.find<QLabel>("drillVerdict");
     QVERIFY(QTest::qWaitFor([&] { return verdict->text().startsWith(QStringLiteral("Breakthrough")); }, 60'000));
+    QVERIFY(verdict->text().contains(QStringLiteral("stop")));
     point(driver, PointerEvent::Kind::Release);
     QVERIFY(driver.settle());
+    // There is nothing left to be stopped.
+    QTRY_VERIFY(verdict->text().startsWith(QStringLiteral("Breakthrough")) &&
+                !verdict->text().contains(QStringLiteral("stop")));
     const auto hole = dynamic_cast<const DrillingTool*>(runner(driver).tool())->hole();
     QVERIFY(hole->breakthrough && hole->figures.forbidden == 0.0);
     const auto thrust = driver.find<PlotWidget>("drillThrust")->plot();
