@@ -25,10 +25,12 @@ namespace handwheel {
 
 void ExerciseUi::askForTarget() {
   QStringList patterns;
-  for (const std::string& ending : current()->exercise().subject->targetEndings())
+  const ExerciseSubject& subject = *current()->exercise().subject;
+  for (const std::string& ending : subject.targetEndings())
     patterns << QLatin1Char('*') + QString::fromStdString(ending);
   auto* dialog = new QFileDialog(parts().window, tr("Import a target"), QString(),
-                                 tr("Turned parts (%1)").arg(patterns.join(QLatin1Char(' '))));
+                                 (subject.isTurned() ? tr("Turned parts (%1)") : tr("Parts to be drilled (%1)"))
+                                     .arg(patterns.join(QLatin1Char(' '))));
   dialog->setObjectName(QStringLiteral("exerciseTargetDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
@@ -105,7 +107,7 @@ void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const Task
   showPlace();
   dialog->setObjectName(QStringLiteral("targetPlaceDialog"));
   dialog->setModal(true);
-  connect(dialog, &QDialog::accepted, this, [this, owner, name, before, task] {
+  connect(dialog, &QDialog::accepted, this, [this, owner, name, before, task, isTurned = subject.isTurned()] {
     if (!changeTarget(owner, tr("Import target"), before, *task)) {
       emit message({Message::Weight::Warning, tr("%1 was not taken as the target").arg(name),
                     tr("The exercise was changed meanwhile."), tr("Import the target again.")});
@@ -115,7 +117,8 @@ void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const Task
     Message taken{Message::Weight::Info,
                   tr("%1 is the target now").arg(name),
                   {},
-                  tr("“Task” shows where it lies in the bar, “Criteria” what is measured.")};
+                  isTurned ? tr("“Task” shows where it lies in the bar, “Criteria” what is measured.")
+                           : tr("“Task” has the planned path and the forbidden region, “Criteria” what is measured.")};
     sayWhileTarget(std::move(taken), owner, *task);
   });
   dialog->open();

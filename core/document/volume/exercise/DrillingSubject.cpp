@@ -255,10 +255,11 @@ Result<DrillingSubject::ImportedTask> DrillingSubject::withImportedTarget(const 
                  {}};
   DrillingTask changed = drillingOf(task);
   changed.stock = std::make_shared<const DrillingStock>(stockOf(*volume));
-  imported.notes.push_back({QT_TRANSLATE_NOOP("Note",
-                                              "The planned path and the forbidden region were not moved. Adapt them to "
-                                              "this volume; a drilled hole can be taken as the path."),
-                            {}});
+  imported.notes.push_back(
+      {QT_TRANSLATE_NOOP("Note",
+                         "The planned path and the forbidden region stay where they are. Adapt them to "
+                         "this volume; a drilled hole can be taken as the path."),
+       {}});
   imported.task = pointerTo(std::move(changed));
   return imported;
 }
