@@ -214,6 +214,7 @@ class RepairFlowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.text("nextStepTitle"), "Watertight.", kPatienceMs);
     driver.click("quickActions/undo");
     QCOMPARE(driver.text("nextStepTitle"), "3 holes found.");
+    QVERIFY(driver.find<QAbstractButton>("nextStep/repairByVolume"));
     QCOMPARE(driver.text("figures"), QString::fromUtf8("2,298 triangles · 3 holes"));
     driver.click("quickActions/redo");
     QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);

@@ -88,6 +88,7 @@ class MarkedClassTest : public QObject {
     ExerciseSnapshot exercise = classExercise();
     ReportedWork ada = markedWork("Ada", shoulderWork());
     ada.row.tries = 2;
+    ada.details.events = {{std::nullopt, {"Try %1 was taken back.", {"1"}}}, {3.5, {"Contact.", {}}}};
     exercise.marked = std::make_shared<const MarkedClass>(
         withMarked({}, {std::move(ada), unmarkedWork("/class/caf\xe9/broken.handwheel")}));
     std::vector<Error> damage;
@@ -108,6 +109,9 @@ class MarkedClassTest : public QObject {
       QVERIFY(is.criterion == was.criterion && is.verdict == was.verdict && is.value == was.value);
       QVERIFY(is.points == was.points && is.of == was.of && is.reason == was.reason && is.remark == was.remark);
     }
+    QCOMPARE(after.details.events.size(), std::size_t{2});
+    QVERIFY(!after.details.events[0].seconds && after.details.events[1].seconds == std::optional(3.5));
+    for (std::size_t i = 0; i < 2; ++i) QVERIFY(after.details.events[i].text == before.details.events[i].text);
     QCOMPARE(after.details.pieces.size(), std::size_t{4});  // three passes to rough, one to finish
     for (std::size_t i = 0; i < 4; ++i) {
       QCOMPARE(after.details.pieces[i].fingerprint, before.details.pieces[i].fingerprint);
