@@ -46,7 +46,9 @@ SparseVolume boxOfVoxels(const Vec3& corner, const Vec3& sizes, double voxel) {
     const double outside = beyond.cwiseMax(0.0).norm();
     return outside > 0.0 ? -outside : -beyond.maxCoeff();
   };
-  const auto blockAt = [&](const Vec3& p) { return SparseVolume::blockOf((p / voxel).array().floor().cast<int>()); };
+  const auto blockAt = [&](const Vec3& p) {
+    return SparseVolume::blockOf((p / voxel).array().floor().cast<int>().matrix());
+  };
   const VoxelIndex low = blockAt(corner) - VoxelIndex::Ones(), high = blockAt(corner + sizes) + VoxelIndex::Ones();
   for (int z = low.z(); z <= high.z(); ++z)
     for (int y = low.y(); y <= high.y(); ++y)
