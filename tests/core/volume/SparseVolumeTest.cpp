@@ -39,7 +39,7 @@ SparseVolume::Content anyContent() {
 }
 
 // A box from its corner, with true distances also outside of its edges.
-SparseVolume boxOfVoxels(const Vec3& corner, const Vec3& sizes, double voxel) {
+SparseVolume boxByFormula(const Vec3& corner, const Vec3& sizes, double voxel) {
   SparseVolume made(Vec3::Zero(), voxel);
   const auto depthAt = [&](const Vec3& p) {
     const Vec3 beyond = (p - corner - 0.5 * sizes).cwiseAbs() - 0.5 * sizes;
@@ -84,7 +84,7 @@ class SparseVolumeTest : public QObject {
     const double edges = 4.0 * sizes.sum();
     for (const double voxel : {0.25, 0.4, 0.5})
       for (const Vec3& corner : {Vec3(0.0, 0.0, 0.0), Vec3(0.11, -3.17, 5.03), Vec3(-6.2, 0.2, 0.37)}) {
-        const double off = boxOfVoxels(corner, sizes, voxel).enclosed() - sizes.prod();
+        const double off = boxByFormula(corner, sizes, voxel).enclosed() - sizes.prod();
         const double corners = 8.0 * voxel * voxel * voxel;
         // Depths are rounded to 8192ths.
         const double rounding = 1e-4 * voxel * 2.0 * (sizes.x() * (sizes.y() + sizes.z()) + sizes.y() * sizes.z());
