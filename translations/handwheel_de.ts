@@ -5356,10 +5356,6 @@
         <translation>Ein Aufmaß zum Plandrehen gibt es nicht: Ein Teil wird gebohrt, wie es ist.</translation>
     </message>
     <message>
-        <source>The planned path and the forbidden region were not moved. Adapt them to this volume; a drilled hole can be taken as the path.</source>
-        <translation>Die geplante Bahn und der verbotene Bereich wurden nicht verschoben. Passen Sie sie an dieses Volumen an; ein gebohrtes Loch kann als Bahn übernommen werden.</translation>
-    </message>
-    <message>
         <source>The file does not give the spacing of its samples: 1 mm is assumed.</source>
         <translation>Die Datei gibt den Abstand ihrer Abtastwerte nicht an: 1 mm wird angenommen.</translation>
     </message>
@@ -5542,6 +5538,10 @@
     <message>
         <source>Tool: %1</source>
         <translation>Werkzeug: %1</translation>
+    </message>
+    <message>
+        <source>The planned path and the forbidden region stay where they are. Adapt them to this volume; a drilled hole can be taken as the path.</source>
+        <translation>Die geplante Bahn und der verbotene Bereich bleiben, wo sie sind. Passen Sie sie an dieses Volumen an; ein gebohrtes Loch kann als Bahn übernommen werden.</translation>
     </message>
 </context>
 <context>
@@ -5769,6 +5769,14 @@
     <message>
         <source>%1 with %2</source>
         <translation>%1 mit %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>line cannot be followed</source>
+        <translation>der Geraden kann nicht gefolgt werden</translation>
     </message>
 </context>
 <context>
@@ -11499,6 +11507,14 @@
         <source>Its curve turns to and fro again and again, as edges of scanned parts do: follow a section or a drawn curve, or set a larger tolerance.</source>
         <translation>Die Kurve wendet sich immer wieder hin und her, wie Kanten gescannter Teile: Folgen Sie einem Schnitt oder einer gezeichneten Kurve, oder setzen Sie eine größere Toleranz.</translation>
     </message>
+    <message>
+        <source>&amp;Go to place %1</source>
+        <translation>&amp;Zum Punkt %1 gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Go to %1</source>
+        <translation>&amp;Zu %1 gehen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -12407,6 +12423,10 @@
         <source>Undo the hole to try again, and stop at the breakthrough. The report tells of this try.</source>
         <translation>Machen Sie das Bohrloch rückgängig, um es noch einmal zu versuchen, und halten Sie beim Durchbruch an. Der Bericht nennt diesen Versuch.</translation>
     </message>
+    <message>
+        <source>Breakthrough, %1 mm beyond</source>
+        <translation>Durchbruch, %1 mm darüber hinaus</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ExerciseEditor</name>
@@ -12989,6 +13009,14 @@
     <message>
         <source>Remove from the class</source>
         <translation>Aus der Klasse entfernen</translation>
+    </message>
+    <message>
+        <source>Parts to be drilled (%1)</source>
+        <translation>Zu bohrende Teile (%1)</translation>
+    </message>
+    <message>
+        <source>“Task” has the planned path and the forbidden region, “Criteria” what is measured.</source>
+        <translation>„Aufgabe“ hat die geplante Bahn und den verbotenen Bereich, „Kriterien“ das, was gemessen wird.</translation>
     </message>
 </context>
 <context>
@@ -15516,6 +15544,30 @@
     <message>
         <source>The passes that cut this part become a program in the chosen dialect, with their feed per revolution. It is shown in the editor; undo restores the present text.</source>
         <translation>Die Durchgänge, die dieses Teil geschnitten haben, werden zu einem Programm im gewählten Dialekt, mit ihrem Vorschub je Umdrehung. Es steht im Editor; Rückgängig stellt den jetzigen Text wieder her.</translation>
+    </message>
+    <message>
+        <source>The program leaves material over the target</source>
+        <translation>Das Programm lässt Material über dem Ziel stehen</translation>
+    </message>
+    <message>
+        <source>In the bore it is up to %1 mm, at Z %2 mm.</source>
+        <translation>In der Bohrung sind es bis zu %1 mm, bei Z %2 mm.</translation>
+    </message>
+    <message>
+        <source>It is up to %1 mm, at Z %2 mm.</source>
+        <translation>Es sind bis zu %1 mm, bei Z %2 mm.</translation>
+    </message>
+    <message>
+        <source>Cut the rest by hand, or by a program of your own.</source>
+        <translation>Schneiden Sie den Rest von Hand oder mit einem eigenen Programm.</translation>
+    </message>
+    <message>
+        <source>Choose a drill of %1 mm for the bore.</source>
+        <translation>Wählen Sie für die Bohrung einen Bohrer von %1 mm.</translation>
+    </message>
+    <message>
+        <source>No drill makes it: %1.</source>
+        <translation>Kein Bohrer macht sie: %1.</translation>
     </message>
 </context>
 <context>
@@ -18066,10 +18118,6 @@
         <translation>nach der Auflösungsregel des Bohrens, bei 1 mm/s und 1 kHz</translation>
     </message>
     <message>
-        <source>256 to the extent, as the rule of drilling does not suit this size</source>
-        <translation>256 je Ausdehnung, da die Regel des Bohrens zu dieser Größe nicht passt</translation>
-    </message>
-    <message>
         <source>four to the thickness of a wall</source>
         <translation>vier je Wandstärke</translation>
     </message>
@@ -18084,6 +18132,10 @@
     <message>
         <source>%1 was not copied</source>
         <translation>%1 wurde nicht kopiert</translation>
+    </message>
+    <message>
+        <source>256 to the largest extent</source>
+        <translation>256 auf die größte Ausdehnung</translation>
     </message>
 </context>
 <context>

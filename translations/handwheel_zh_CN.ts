@@ -5356,10 +5356,6 @@
         <translation>没有端面余量：零件按原样钻孔。</translation>
     </message>
     <message>
-        <source>The planned path and the forbidden region were not moved. Adapt them to this volume; a drilled hole can be taken as the path.</source>
-        <translation>规划路径和禁区未移动。请使其适应此体素模型；可将已钻的孔设为路径。</translation>
-    </message>
-    <message>
         <source>The file does not give the spacing of its samples: 1 mm is assumed.</source>
         <translation>文件未给出采样点间距：假定为 1 mm。</translation>
     </message>
@@ -5542,6 +5538,10 @@
     <message>
         <source>Tool: %1</source>
         <translation>刀具：%1</translation>
+    </message>
+    <message>
+        <source>The planned path and the forbidden region stay where they are. Adapt them to this volume; a drilled hole can be taken as the path.</source>
+        <translation>规划路径和禁区保持原位。请使其适应此体素模型；可将已钻的孔设为路径。</translation>
     </message>
 </context>
 <context>
@@ -5765,6 +5765,14 @@
     <message>
         <source>%1 with %2</source>
         <translation>%1 与 %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1；%2</translation>
+    </message>
+    <message>
+        <source>line cannot be followed</source>
+        <translation>无法沿直线运动</translation>
     </message>
 </context>
 <context>
@@ -11426,6 +11434,14 @@
         <source>Its curve turns to and fro again and again, as edges of scanned parts do: follow a section or a drawn curve, or set a larger tolerance.</source>
         <translation>该曲线像扫描零件的边缘那样反复来回转折：请沿截面或绘制的曲线走，或设置更大的公差。</translation>
     </message>
+    <message>
+        <source>&amp;Go to place %1</source>
+        <translation>转到第 %1 点(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Go to %1</source>
+        <translation>转到 %1(&amp;G)</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellReachOutline</name>
@@ -12331,6 +12347,10 @@
         <source>Undo the hole to try again, and stop at the breakthrough. The report tells of this try.</source>
         <translation>撤销此孔即可再试，并在钻穿时停止。报告会列出这次尝试。</translation>
     </message>
+    <message>
+        <source>Breakthrough, %1 mm beyond</source>
+        <translation>已钻穿，超出 %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ExerciseEditor</name>
@@ -12907,6 +12927,14 @@
     <message>
         <source>Remove from the class</source>
         <translation>从班级中移除</translation>
+    </message>
+    <message>
+        <source>Parts to be drilled (%1)</source>
+        <translation>待钻零件 (%1)</translation>
+    </message>
+    <message>
+        <source>“Task” has the planned path and the forbidden region, “Criteria” what is measured.</source>
+        <translation>“任务”中是规划路径和禁区，“评分项”中是测量内容。</translation>
     </message>
 </context>
 <context>
@@ -15415,6 +15443,30 @@
     <message>
         <source>The passes that cut this part become a program in the chosen dialect, with their feed per revolution. It is shown in the editor; undo restores the present text.</source>
         <translation>加工此零件的各次走刀将按所选方言成为程序，并保留其每转进给。程序显示在编辑器中；撤销可恢复当前文本。</translation>
+    </message>
+    <message>
+        <source>The program leaves material over the target</source>
+        <translation>程序在目标之上留有材料</translation>
+    </message>
+    <message>
+        <source>In the bore it is up to %1 mm, at Z %2 mm.</source>
+        <translation>在孔中最多 %1 mm，位于 Z %2 mm 处。</translation>
+    </message>
+    <message>
+        <source>It is up to %1 mm, at Z %2 mm.</source>
+        <translation>最多 %1 mm，位于 Z %2 mm 处。</translation>
+    </message>
+    <message>
+        <source>Cut the rest by hand, or by a program of your own.</source>
+        <translation>请手工或用您自己的程序切除其余部分。</translation>
+    </message>
+    <message>
+        <source>Choose a drill of %1 mm for the bore.</source>
+        <translation>请为孔选择 %1 mm 的钻头。</translation>
+    </message>
+    <message>
+        <source>No drill makes it: %1.</source>
+        <translation>没有钻头能加工它：%1。</translation>
     </message>
 </context>
 <context>
@@ -17945,10 +17997,6 @@
         <translation>按钻削分辨率规则，1 mm/s、1 kHz</translation>
     </message>
     <message>
-        <source>256 to the extent, as the rule of drilling does not suit this size</source>
-        <translation>沿尺寸 256 个，因为钻削规则不适合此大小</translation>
-    </message>
-    <message>
         <source>four to the thickness of a wall</source>
         <translation>每个壁厚四个</translation>
     </message>
@@ -17963,6 +18011,10 @@
     <message>
         <source>%1 was not copied</source>
         <translation>未复制 %1</translation>
+    </message>
+    <message>
+        <source>256 to the largest extent</source>
+        <translation>最大尺寸上 256 个</translation>
     </message>
 </context>
 <context>

@@ -352,7 +352,10 @@ class CellPathStatusWindowTest : public QObject {
     RobotPath path{"weld", {{.joints = JointValues::Zero(6)}, {.joints = JointValues::Zero(6)}}};
     PathFindings found{.collisions = 1, .listed = {{1, "flange", "wall", -2.0}}};
     found.outdating.part = "featuretype";
-    const PathResult result{.basis = {.path = path}, .found = found, .at = QDateTime::currentDateTime()};
+    PathResult result;
+    result.basis.path = path;
+    result.found = found;
+    result.at = QDateTime::currentDateTime();
     const auto status = [&](const PathResult& of, BasisChange change = BasisChange::Nothing) {
       return pathStatusOf({&of, change, false}, path, LengthUnit::Millimetre, QLocale::c());
     };
