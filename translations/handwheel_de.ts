@@ -3232,6 +3232,14 @@
         <source>a try is impossible</source>
         <translation>ein Versuch ist unmöglich</translation>
     </message>
+    <message>
+        <source>the bottom of its bore is neither flat nor the cone of a drill of 118°</source>
+        <translation>der Boden ihrer Bohrung ist weder eben noch der Kegel eines Bohrers von 118°</translation>
+    </message>
+    <message>
+        <source>Draw one of these, or write a program of your own.</source>
+        <translation>Zeichnen Sie eines davon, oder schreiben Sie ein eigenes Programm.</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>

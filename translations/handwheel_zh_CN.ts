@@ -3232,6 +3232,14 @@
         <source>a try is impossible</source>
         <translation>某次尝试不可能成立</translation>
     </message>
+    <message>
+        <source>the bottom of its bore is neither flat nor the cone of a drill of 118°</source>
+        <translation>其孔底既不是平面，也不是 118° 钻头的锥面</translation>
+    </message>
+    <message>
+        <source>Draw one of these, or write a program of your own.</source>
+        <translation>请绘制其中之一，或编写您自己的程序。</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>

@@ -404,6 +404,8 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "its data are not in the file, or the robot does not hold it"),
     QT_TRANSLATE_NOOP("ErrorWord", "its data are not in the file, or it moves"),
     QT_TRANSLATE_NOOP("ErrorWord", "its tool or base is on the controller, not in the file"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the bottom of its bore is neither flat nor the cone of a drill of 118°"),
+    QT_TRANSLATE_NOOP("ErrorWord", "Draw one of these, or write a program of your own."),
     QT_TRANSLATE_NOOP("ErrorWord", "the robot reaches its place in no way with these S and T"),
     QT_TRANSLATE_NOOP("ErrorWord", "the robot reaches its place in no way with this configuration"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is of another tool than those before"),
@@ -434,10 +436,10 @@ QString shortened(const QString& text) {
 }
 
 // What %1 of the phrase stands for in the text; empty when it stands for nothing; none when the text is not the phrase.
-std::optional<QString> nameWithin(const QString& text, QLatin1String phrase) {
+std::optional<QString> nameWithin(const QString& text, const QString& phrase) {
   const qsizetype at = phrase.indexOf(QLatin1String("%1"));
   if (at < 0) return text == phrase ? std::optional(QString()) : std::nullopt;
-  const QLatin1String before = phrase.first(at), after = phrase.sliced(at + 2);
+  const QString before = phrase.first(at), after = phrase.sliced(at + 2);
   if (text.size() <= before.size() + after.size() || !text.startsWith(before) || !text.endsWith(after)) return {};
   return text.sliced(before.size(), text.size() - before.size() - after.size());
 }
@@ -446,7 +448,7 @@ std::optional<QString> nameWithin(const QString& text, QLatin1String phrase) {
 
 QString errorArgument(const QString& english) {
   for (const char* phrase : kPhrases) {
-    const std::optional<QString> name = nameWithin(english, QLatin1String(phrase));
+    const std::optional<QString> name = nameWithin(english, QString::fromUtf8(phrase));
     if (!name) continue;
     const QString translated = QCoreApplication::translate("ErrorWord", phrase);
     return name->isEmpty() ? translated : translated.arg(shortened(*name));

@@ -66,6 +66,13 @@ class ErrorTextTest : public QObject {
     QCOMPARE(errorAdvice(package), "Put the folder 'ur' into '/home/a' or a folder above it, and open the file again.");
   }
 
+  // What the program itself says is not cut off, whatever signs are in it.
+  void ownPhrasesAreWhole() {
+    const std::string phrase = "balls were expected: x; y; z; radius, with “|” between them";
+    const Error error{ErrorCode::ElementMalformed, {"plan.forbidden", phrase}, {}, {}};
+    QVERIFY2(errorSentence(error).contains(QString::fromStdString(phrase)), qPrintable(errorSentence(error)));
+  }
+
   void quotesAreShortAndHarmless() {
     const Error error{ErrorCode::NumberMalformed, {"\x1b[31m" + std::string(500, 'x')}, {}, {}};
     const QString sentence = errorSentence(error);
