@@ -219,7 +219,9 @@ class Reshaping {
       DepthWindow window(raw, block);
       window.redistance();
       const double reach = m_dab.reach() + kDepths;
+      const bool isWithin = !m_dab.mask && (middleOf(block) - m_dab.centre).norm() + kHalfDiagonal < reach;
       return window.content(volume.content(block), [&](int x, int y, int z) {
+        if (isWithin) return false;
         const Vec3 p = (firstOf(block) + VoxelIndex(x, y, z)).cast<double>();
         return (p - m_dab.centre).squaredNorm() > reach * reach || m_dab.isProtected(block, VolumeBlock::at(x, y, z));
       });
@@ -269,8 +271,7 @@ class Reshaping {
       } else if (m_dab.action == ClayAction::Flatten) {
         if (m_plane.isKnown) depth += std::abs(strength) * (std::clamp(m_plane.depth(p), -kDepths, kDepths) - before);
       } else {
-        const Vec3 from = m_volume.origin() + m_volume.voxel() * (p + strength * m_dab.source(p));
-        depth = reader.depthAt(from).depth / m_volume.voxel() + kSmudging * strength * smoothing;
+        depth = reader.depthInVoxels(p + strength * m_dab.source(p)) + kSmudging * strength * smoothing;
       }
       sample = depthSample(depth);
     }

@@ -66,9 +66,13 @@ std::array<std::int16_t, 8> VolumeReader::samplesFrom(const VoxelIndex& voxel) c
 VolumeReader::Depth VolumeReader::depthAt(const Vec3& p) const {
   const double voxel = m_volume.voxel();
   const Vec3 at = (p - m_volume.origin()) / voxel;
-  if (!isReadable(at)) return {-voxel * VolumeBlock::kFull / VolumeBlock::kUnit, Vec3::Zero()};
+  if (!isReadable(at)) return {voxel * VolumeBlock::kEmpty / VolumeBlock::kUnit, Vec3::Zero()};
   const SampledCell cell(*this, at);
   return {voxel * cell.depth(), cell.gradient()};
+}
+
+double VolumeReader::depthInVoxels(const Vec3& at) const {
+  return isReadable(at) ? SampledCell(*this, at).depth() : VolumeBlock::kEmpty / VolumeBlock::kUnit;
 }
 
 Vec3 VolumeReader::normalAt(const Vec3& p) const {

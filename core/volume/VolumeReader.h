@@ -32,6 +32,8 @@ class VolumeReader {
   // At any point, by linear interpolation between the eight samples around it. Of what is not finite, or further away
   // than a volume can be, empty.
   Depth depthAt(const Vec3& p) const;
+  // The same without the gradient, of a place in voxels and in voxels.
+  double depthInVoxels(const Vec3& at) const;
   // The direction in which depth decreases there, by differences between samples two voxels apart: smooth where the
   // surface is. Zero far from the surface.
   Vec3 normalAt(const Vec3& p) const;
