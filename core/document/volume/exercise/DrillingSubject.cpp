@@ -255,6 +255,7 @@ Result<DrillingSubject::ImportedTask> DrillingSubject::withImportedTarget(const 
                  {}};
   DrillingTask changed = drillingOf(task);
   changed.stock = std::make_shared<const DrillingStock>(stockOf(*volume));
+  changed.stock->shown();  // on this thread: whoever imports it is about to see it
   imported.notes.push_back(
       {QT_TRANSLATE_NOOP("Note",
                          "The planned path and the forbidden region stay where they are. Adapt them to "
@@ -298,7 +299,7 @@ DisplayModel DrillingSubject::display(const ExerciseTask& task) const {
   static const auto skull = std::make_shared<const TriangleSoup>(surfaceOf(skullOfVoxels(kCoarse)));
   DisplayPart bone;
   bone.name = bone.group = "stock";
-  bone.soup = drilling.stock ? drilling.stock->shown : skull;
+  bone.soup = drilling.stock ? drilling.stock->shown() : skull;
   bone.colour = {0.90f, 0.86f, 0.76f};
   model.parts.push_back(std::move(bone));
   return model;

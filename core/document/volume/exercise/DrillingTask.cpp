@@ -211,7 +211,7 @@ DrillingTask DrillingTask::ofSkull() {
 }
 
 const SparseVolume& DrillingTask::volume() const {
-  return stock ? stock->volume : shippedSkull();
+  return stock ? stock->volume() : shippedSkull();
 }
 
 DrillSetup DrillingTask::setup() const {
@@ -221,7 +221,7 @@ DrillSetup DrillingTask::setup() const {
 Json toJson(const DrillingTask& task) {
   Json json = Json::object();
   for (const TaskNumber& number : kNumbers) json[number.id] = valueOf(number, task);
-  json[kStock] = task.stock ? *task.stock->json : Json(kSkull);
+  json[kStock] = task.stock ? *task.stock->json() : Json(kSkull);
   json[kEntry] = numbersOf(task.plan.entry);
   json[kDirection] = numbersOf(task.plan.direction);
   json[kForbidden] = Json::array();

@@ -11,6 +11,8 @@
 
 #include <QByteArray>
 #include <QtEndian>
+#include <mutex>
+#include <utility>
 
 namespace handwheel {
 
@@ -27,6 +29,19 @@ std::shared_ptr<const TriangleSoup> shownSurface(const SparseVolume& volume) {
 
 }  // namespace
 
+struct DrillingStock::Shown {
+  std::once_flag isMade;
+  std::shared_ptr<const TriangleSoup> surface;
+};
+
+DrillingStock::DrillingStock(SparseVolume volume, std::shared_ptr<const nlohmann::json> json)
+    : m_volume(std::move(volume)), m_json(std::move(json)), m_shown(std::make_shared<Shown>()) {}
+
+std::shared_ptr<const TriangleSoup> DrillingStock::shown() const {
+  std::call_once(m_shown->isMade, [this] { m_shown->surface = shownSurface(m_volume); });
+  return m_shown->surface;
+}
+
 std::size_t stockBytes(const SparseVolume& volume) {
   constexpr std::size_t kRegionHead = 70;  // numbers before the samples of a region
   return sizeof(std::int16_t) * (kRegionHead * regionsOf(volume).size() + VolumeBlock::kCount * volume.blockCount());
@@ -39,7 +54,7 @@ DrillingStock stockOf(const SparseVolume& volume) {
   nlohmann::json json = {{"voxel", volume.voxel()},
                          {"origin", {volume.origin().x(), volume.origin().y(), volume.origin().z()}},
                          {"data", data.toStdString()}};
-  return {volume, std::make_shared<const nlohmann::json>(std::move(json)), shownSurface(volume)};
+  return {volume, std::make_shared<const nlohmann::json>(std::move(json))};
 }
 
 Result<DrillingStock> stockFrom(const nlohmann::json& json) {
@@ -58,8 +73,7 @@ Result<DrillingStock> stockFrom(const nlohmann::json& json) {
   if (!volume.origin().allFinite() || volume.origin().norm() > 1e12 || numbers.empty() ||
       !readRegions(numbers, volume) || !closeOff(volume, numbers.size()))
     return malformed;
-  auto shown = shownSurface(volume);
-  return DrillingStock{std::move(volume), std::make_shared<const nlohmann::json>(json), std::move(shown)};
+  return DrillingStock(std::move(volume), std::make_shared<const nlohmann::json>(json));
 }
 
 }  // namespace handwheel

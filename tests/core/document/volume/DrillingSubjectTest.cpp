@@ -19,6 +19,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -49,7 +50,7 @@ Json plateDescription() {
       {"id": "path", "name": "Path", "figure": "deviation", "upper": 0.5, "points": 2},
       {"id": "through", "name": "Through", "figure": "breakthrough", "upper": 4, "points": 1}],
     "steps": []})");
-  json["task"]["stock"] = *stockOf(volumeOfSurface(plate, 0.25)->volume).json;
+  json["task"]["stock"] = *stockOf(volumeOfSurface(plate, 0.25)->volume).json();
   return json;
 }
 
@@ -352,12 +353,25 @@ class DrillingSubjectTest : public QObject {
     TriangleSoup plate = cube(1.0);
     for (Vec3& p : plate.points) p = Vec3(50.0 * p.x(), 50.0 * p.y(), 0.5 * p.z());
     const SparseVolume volume = volumeOfSurface(plate, 0.25)->volume;
-    const TriangleSoup shown = *stockOf(volume).shown, whole = surfaceOf(volume);
+    const TriangleSoup shown = *stockOf(volume).shown(), whole = surfaceOf(volume);
     QCOMPARE(shown.points, whole.points);
     QVERIFY(shown.triangles == whole.triangles);
-    const Result<DrillingStock> read = stockFrom(*stockOf(volume).json);
+    const Result<DrillingStock> read = stockFrom(*stockOf(volume).json());
     QVERIFY(read.hasValue());
-    QCOMPARE(read->shown->points, whole.points);
+    QCOMPARE(read->shown()->points, whole.points);
+  }
+
+  // What is shown of a stock is made once, whichever of its copies and threads asks for it.
+  void shownStockIsMadeOnce() {
+    const DrillingStock stock = stockOf(ballOfVoxels(8.0, 0.5)), copy = stock;
+    std::shared_ptr<const TriangleSoup> first, second;
+    std::thread other([&] { first = stock.shown(); });
+    second = copy.shown();
+    other.join();
+    QVERIFY(first && !first->triangles.empty());
+    QCOMPARE(second, first);
+    QCOMPARE(stock.shown(), first);
+    QVERIFY(stockFrom(*stock.json())->shown() != first);
   }
 
   // What the drill needs is in the document that a student works in.
