@@ -88,7 +88,8 @@ class SparseVolume {
   // Those that hold samples, in that order.
   std::vector<VoxelIndex> blocks() const;
   std::size_t blockCount() const { return m_blockCount; }  // of those
-  // What is inside by its voxels, each all or nothing; mm³.
+  // What is inside by its voxels, each all or nothing; mm³. To count voxels, and to see whether any material is there
+  // or was added; where people read a volume it is enclosed().
   double material() const { return static_cast<double>(m_count.inside) * m_voxel * m_voxel * m_voxel; }
   // What the surface encloses; mm³. Exact for faces along the axes, to second order for others; walls thinner than a
   // voxel count for too much.

@@ -59,7 +59,7 @@ nlohmann::ordered_json reportOf(const SegmentAnswer& done, const MemoryNotice& n
   const SparseVolume& volume = done.segmented.volume;
   const auto end = [](double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); };
   nlohmann::ordered_json report = {{"voxels", std::llround(volume.material() / std::pow(volume.voxel(), 3))},
-                                   {"volume_mm3", volume.material()},
+                                   {"volume_mm3", volume.enclosed()},
                                    {"components", done.segmented.parts},
                                    {"components_kept", done.segmented.kept},
                                    {"range", {end(done.segmented.range.least), end(done.segmented.range.largest)}},
@@ -76,7 +76,7 @@ std::string textOf(const SegmentAnswer& done, const fs::path& output) {
   if (std::isfinite(done.segmented.range.least)) text += "from " + roundedText(done.segmented.range.least) + " ";
   if (std::isfinite(done.segmented.range.largest)) text += "to " + roundedText(done.segmented.range.largest) + " ";
   text.back() = ',';
-  text += " " + roundedText(volume.material()) + " mm³ in " + std::to_string(done.segmented.kept);
+  text += " " + roundedText(volume.enclosed()) + " mm³ in " + std::to_string(done.segmented.kept);
   if (done.segmented.kept < done.segmented.parts) text += " of " + std::to_string(done.segmented.parts);
   return text + " part(s), voxels of " + roundedText(volume.voxel()) + " mm.\n";
 }
