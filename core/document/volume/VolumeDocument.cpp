@@ -61,7 +61,7 @@ VolumeDocument::VolumeDocument(OpenedFile opened, QObject* parent)
       m_segment(m_volume->segment),
       m_tried(m_volume->tried) {}
 
-std::shared_ptr<const VolumeSnapshot> VolumeDocument::withScan(
+std::shared_ptr<const VolumeSnapshot> VolumeDocument::completed(
     const std::shared_ptr<const VolumeSnapshot>& volume) const {
   const bool isOfScan = !m_scan || (volume->scan == m_scan && volume->segment == m_segment);
   if (isOfScan && volume->tried == m_tried) return volume;

@@ -25,15 +25,15 @@ class VolumeDocument : public Document {
   // What is chosen of it.
   const Segment& segment() const { return m_segment; }
 
-  SnapshotPointer snapshot() const override { return withScan(m_volume); }
+  SnapshotPointer snapshot() const override { return completed(m_volume); }
   // The holes that were drilled in work on an exercise; null: none.
   const std::shared_ptr<const TriedHoles>& tried() const { return m_tried; }
   std::uint32_t tryCount() const { return triesCounted(m_tried.get(), m_volume->holes); }
   // Adds one that was drilled. No undo step: what was tried stays tried.
   void addTried(const DrillRecord& hole, double forbidden);
 
-  // The value that the document has when its volume is this one.
-  std::shared_ptr<const VolumeSnapshot> withScan(const std::shared_ptr<const VolumeSnapshot>& volume) const;
+  // The value that the document has when its volume is this one: with the scan, the segment and the tries of now.
+  std::shared_ptr<const VolumeSnapshot> completed(const std::shared_ptr<const VolumeSnapshot>& volume) const;
   // Layers have "layer.1.name", "layer.1.on" and "layer.1.strength", the lowest being 1.
   std::vector<Property> properties() const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;

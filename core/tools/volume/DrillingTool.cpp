@@ -98,6 +98,7 @@ void DrillingTool::take(const DrillSimulation&, std::shared_ptr<const DrillRecor
   after->holes.push_back(std::move(record));
   m_lastCount = after->holes.size();
   if (m_task) m_document.addTried(*after->holes.back(), drilled->figures.forbidden);
+  after->tried = m_document.tried();  // it is the document's value as it stands: no snapshot has to copy it
   m_document.commit(textOf(*drilled), std::make_unique<VolumeEdit>(std::move(after), drilled->changedBlocks));
 }
 
