@@ -54,6 +54,15 @@ std::string roundedText(double value, int digits) {
   return {text, std::to_chars(text, text + sizeof text, signless, std::chars_format::general, digits).ptr};
 }
 
+double roundedNumber(double value, int digits) {
+  if (value == 0.0 || !std::isfinite(value)) return value;
+  // Powers of ten are exact while they are whole numbers, so it is divided by those of decimals.
+  const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+  const double scale = std::pow(10.0, std::abs(decimals));
+  const double rounded = decimals < 0 ? std::round(value / scale) * scale : std::round(value * scale) / scale;
+  return std::isfinite(rounded) ? rounded : value;  // at the ends of the range of double
+}
+
 std::string shownText(double value) {
   // Outside, an exponent reads better than zeros.
   constexpr double kSmallestFixed = 1e-7, kLargestFixed = 1e12;

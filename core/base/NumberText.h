@@ -20,6 +20,10 @@ std::string shortestText(double value);
 // Formats a number with at most the given number of digits, for display. Zero has no sign. In the C locale.
 std::string roundedText(double value, int digits = 6);
 
+// The number of at most this many digits (from 1 on) that is nearest, of two as near the one further from zero: so that
+// what is proposed or estimated is easily read. Zero and numbers that are not finite stay as they are.
+double roundedNumber(double value, int digits);
+
 // How far a number may be from what is shown of it, as a share of it.
 inline constexpr double kShownPrecision = 1e-6;
 // Formats a finite number with the fewest digits that are within kShownPrecision of it, for display. Very large and

@@ -17,15 +17,9 @@ constexpr double kDrillStiffness = 1.0;  // N/mm, at the device
 constexpr ToolKey kDrillKeys[] = {{"hold", "Shift+Q", QT_TRANSLATE_NOOP("Tool", "hold the feed")},
                                   {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the hole")}};
 
-// What is measured is known to no more than four digits.
-double inFourDigits(double value) {
-  double rounded = value;
-  ErrorCode why;
-  return parseDecimal(roundedText(value, 4), rounded, why) ? rounded : value;
-}
-
 Property drillFigure(const char* id, const char* label, double value, Quantity quantity = Quantity::Number) {
-  Property property = numberSetting(id, label, inFourDigits(value), quantity, {-1e300, 1e300});
+  constexpr int kDigits = 4;  // what is measured is known to no more
+  Property property = numberSetting(id, label, roundedNumber(value, kDigits), quantity, {-1e300, 1e300});
   property.editable = false;
   return property;
 }
@@ -81,8 +75,10 @@ std::shared_ptr<const DrillState> HandDrill::state() const {
 }
 
 void HandDrill::restart() {
-  if (m_gesture->isOn())
-    if (const auto hole = state(); hole->changedBlocks > 0) drop(*hole, recordOf(*hole));
+  if (m_gesture->isOn()) {
+    const auto hole = state();
+    if (hole->changedBlocks > 0) drop(*hole);
+  }
   m_isHeld = false;
   m_feed.reset();
   m_gesture->restart();

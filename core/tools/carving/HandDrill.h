@@ -66,7 +66,7 @@ class HandDrill : public VolumeTool {
   // A hole was drilled to its end; it is hole() and has this record. restart() is to follow, now or later.
   virtual void take(const DrillSimulation& drilled, std::shared_ptr<const DrillRecord> record) = 0;
   // A hole was begun, and is dropped before its end.
-  virtual void drop(const DrillState& hole, const DrillRecord& record) { (void)hole, (void)record; }
+  virtual void drop(const DrillState& hole) { (void)hole; }
 
   // Ends the hole that is drilled, as if the button was let go.
   ToolReply release();
@@ -76,6 +76,8 @@ class HandDrill : public VolumeTool {
   void forgetHole() { m_last.reset(); }
   // Whether the hole that is drilled, or else the last one, was begun in holeBefore() and goes on along it.
   bool isContinued() const { return m_isContinued; }
+  // What is kept of the hole that is drilled.
+  DrillRecord recordOf(const DrillState& hole) const { return {m_begun, hole.poses}; }
   const DrillSettings& drillSettings() const { return m_settings; }
   // What the drill feels and cuts now.
   std::shared_ptr<const DrillState> state() const;
@@ -95,7 +97,6 @@ class HandDrill : public VolumeTool {
   std::optional<Start> startOfFeed(const PointerEvent& event);
   std::optional<Start> continued(const Vec3& place) const;
   ToolReply press(const PointerEvent& event);
-  DrillRecord recordOf(const DrillState& hole) const { return {m_begun, hole.poses}; }
 
   DrillSettings m_settings;
   bool m_isHeld = false;            // the feed, for now

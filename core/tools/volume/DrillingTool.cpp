@@ -78,8 +78,8 @@ std::vector<Property> DrillingTool::settings() const {
   return all;
 }
 
-void DrillingTool::drop(const DrillState& hole, const DrillRecord& record) {
-  if (m_task) m_document.addTried(record, hole.figures.forbidden);
+void DrillingTool::drop(const DrillState& hole) {
+  if (m_task) m_document.addTried(recordOf(hole), hole.figures.forbidden);
 }
 
 // What is undone is not shown any more.

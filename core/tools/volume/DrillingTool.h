@@ -30,7 +30,7 @@ class DrillingTool : public HandDrill {
   std::unique_ptr<DrillSimulation> simulation(const std::optional<DrillFeed>& feed) const override;
   std::shared_ptr<const KindPreview> previewOf(const std::shared_ptr<const DrillState>& state) const override;
   void take(const DrillSimulation& drilled, std::shared_ptr<const DrillRecord> record) override;
-  void drop(const DrillState& hole, const DrillRecord& record) override;
+  void drop(const DrillState& hole) override;
 
   VolumeDocument& m_document;
   std::shared_ptr<const DrillingTask> m_task;  // null: it is work on no exercise

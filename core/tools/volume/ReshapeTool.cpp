@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/volume/ReshapeTool.h"
 
+#include "base/NumberText.h"
 #include "document/volume/VolumeEdit.h"
 #include "document/volume/VolumeMaking.h"
 #include "tools/OperationSettings.h"
@@ -28,12 +29,6 @@ constexpr std::array<const char*, ReshapeTool::kChanges> kChangeNames = {
     QT_TRANSLATE_NOOP("Property", "Combine"),    QT_TRANSLATE_NOOP("Property", "Remove debris"),
     QT_TRANSLATE_NOOP("Property", "Close gaps"), QT_TRANSLATE_NOOP("Property", "Smooth all"),
 };
-
-// To two digits, so that what is proposed is easily read.
-double twoDigits(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return unit * std::round(value / unit);
-}
 
 Property shownFigure(const char* id, const char* label, double value) {
   Property property{.id = id, .group = {}, .label = label, .value = value};
@@ -100,7 +95,7 @@ void ReshapeTool::chooseUsual() {
   const Box box = m_document.volume()->surface.box();
   const double extent = box.isEmpty() ? voxel : box.sizes().maxCoeff();
   const auto set = [&](Change change, const char* id, double value) {
-    takeSetting(m_values[static_cast<std::size_t>(change)], id, twoDigits(value));
+    takeSetting(m_values[static_cast<std::size_t>(change)], id, roundedNumber(value, 2));
   };
   set(Change::Shell, "wall", std::max(4.0 * voxel, 0.03 * extent));
   set(Change::Offset, "distance", std::max(2.0 * voxel, 0.01 * extent));

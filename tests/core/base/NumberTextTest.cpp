@@ -6,6 +6,7 @@
 
 #include <QTest>
 #include <cmath>
+#include <limits>
 #include <string>
 
 using namespace handwheel;
@@ -18,6 +19,7 @@ class NumberTextTest : public QObject {
   void notFiniteOnes();
   void refuses();
   void rounded();
+  void roundedNumbers();
   void shown();
   void limitsAsShown();
   void distances();
@@ -95,6 +97,24 @@ void NumberTextTest::rounded() {
   QCOMPARE(roundedText(-1234.5678, 3), std::string("-1.23e+03"));
   QCOMPARE(roundedText(-0.0), std::string("0"));
   QCOMPARE(roundedText(2.5), std::string("2.5"));
+}
+
+// What a person writes down, and at the ends of the range of double the number itself.
+void NumberTextTest::roundedNumbers() {
+  const struct {
+    double value;
+    int digits;
+    double expected;
+  } kRounded[] = {{123.456, 4, 123.5},   {-123.456, 4, -123.5}, {0.00123456, 4, 0.001235}, {999.96, 4, 1000.0},
+                  {98765.0, 2, 99000.0}, {0.84, 1, 0.8},        {1000.0, 4, 1000.0},       {2.5, 1, 3.0},
+                  {-2.5, 1, -3.0},       {6.25e-7, 2, 6.3e-7},  {4e300, 4, 4e300}};
+  for (const auto& each : kRounded) QCOMPARE(roundedNumber(each.value, each.digits), each.expected);
+  // With as few decimals as their texts: no 0.30000000000000004.
+  for (int i = 1; i < 10'000; ++i) QVERIFY(roundedNumber(i / 1e5 + 1e-12, 4) == i / 1e5);
+  const double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
+  for (const double same : {0.0, least, -least, most, -most, HUGE_VAL, -HUGE_VAL})
+    QVERIFY(roundedNumber(same, 4) == same);
+  QVERIFY(std::isnan(roundedNumber(std::nan(""), 4)));
 }
 
 HANDWHEEL_TEST(NumberTextTest)

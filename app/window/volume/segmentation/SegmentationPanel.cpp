@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/volume/segmentation/SegmentationPanel.h"
 
+#include "base/NumberText.h"
 #include "controls/NumberField.h"
 #include "process/SystemMemory.h"
 #include "tools/ToolProperty.h"
@@ -101,12 +102,6 @@ Limits voxelLimits(const ImageGrid& grid) {
   for (int axis = 0; axis < 3; ++axis)
     longest = std::max(longest, grid.spacing()[axis] * grid.size[static_cast<std::size_t>(axis)]);
   return {0.1 * usual, std::max(usual, 0.125 * longest)};
-}
-
-// To two digits, so that what is proposed is easily read.
-double roundedOff(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return unit * std::round(value / unit);
 }
 
 }  // namespace
@@ -248,7 +243,7 @@ void SegmentationPanel::setScan(const std::shared_ptr<const Scan>& scan) {
   m_voxel->setValue(usualVoxel(scan->image.grid()));
   // About a dozen samples across.
   m_radius->setRange(leastRadius(scan->image.grid()), largestRadius(scan->image.grid()));
-  m_radius->setValue(roundedOff(6.0 * usualVoxel(scan->image.grid())));
+  m_radius->setValue(roundedNumber(6.0 * usualVoxel(scan->image.grid()), 2));
   m_debris->setValue(0);
 }
 
