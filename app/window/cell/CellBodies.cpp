@@ -9,7 +9,7 @@
 #include "scene/MeshGeometry.h"
 #include "scene/PrimitiveGeometry.h"
 #include "window/ActionToolTip.h"
-#include "window/cell/OfferedAction.h"
+#include "window/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
 
 #include <QCoreApplication>

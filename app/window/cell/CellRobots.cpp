@@ -12,7 +12,7 @@
 #include "text/ErrorText.h"
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
-#include "window/cell/OfferedAction.h"
+#include "window/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileDialogs.h"
 #include "window/documents/FileLoader.h"

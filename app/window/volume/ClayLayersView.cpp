@@ -9,6 +9,7 @@
 #include "text/ErrorText.h"
 #include "tools/volume/ClayTool.h"
 #include "window/ActionToolTip.h"
+#include "window/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
 #include "window/tools/ToolHost.h"
 
@@ -123,13 +124,13 @@ void ClayLayersView::makeDock() {
   connect(m_merge, &QPushButton::clicked, this, [this] { start(tr("Merge layer"), withLayerMerged); });
 }
 
-void ClayLayersView::setDocument(DocumentTab* document) {
+void ClayLayersView::setDocument(DocumentTab* document, const QString& reason) {
   if (m_document) {
     applyWanted();
     m_document->document.disconnect(this);
   }
   m_document = document;
-  m_toggle.setEnabled(document != nullptr);
+  offer(m_toggle, document != nullptr, reason);
   m_shown.reset();
   if (document) {
     if (volume().volume()->layers) m_toggle.setChecked(true);

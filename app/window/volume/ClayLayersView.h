@@ -32,8 +32,9 @@ class ClayLayersView : public QObject {
   ClayLayersView(const WindowContext& parts, QObject* parent);
 
   QAction* action() { return &m_toggle; }  // shows and hides the panel
-  // null: no volume is current. A volume with layers shows the panel.
-  void setDocument(DocumentTab* document);
+  // null: no volume is current, or none that is to be changed, for this reason (translated). A volume with layers shows
+  // the panel.
+  void setDocument(DocumentTab* document, const QString& reason);
   // Says why the topmost layer takes no strokes.
   void refuse();
 

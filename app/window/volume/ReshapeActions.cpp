@@ -8,6 +8,7 @@
 #include "volume/SurfaceToVolume.h"
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
+#include "window/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
@@ -60,10 +61,10 @@ QList<QAction*> ReshapeActions::all() {
   return actions;
 }
 
-void ReshapeActions::setDocument(DocumentTab* document) {
+void ReshapeActions::setDocument(DocumentTab* document, const QString& reason) {
   if (document != m_document) m_files.clear();
   m_document = document;
-  for (QAction& action : m_actions) action.setEnabled(document != nullptr);
+  for (QAction& action : m_actions) offer(action, document && reason.isEmpty(), reason);
 }
 
 void ReshapeActions::start(ReshapeTool::Change change) {

@@ -21,8 +21,8 @@ class ReshapeActions : public QObject {
   ReshapeActions(const WindowContext& parts, QObject* parent);
 
   QList<QAction*> all();
-  // null: no volume is current.
-  void setDocument(DocumentTab* document);
+  // null: no volume is current. reason: why that is not to be changed, translated; empty: it may be.
+  void setDocument(DocumentTab* document, const QString& reason);
   // To be called when the tool that runs may be another one.
   void followTool();
   ToolDescriptor tool();

@@ -78,7 +78,10 @@ void VolumeUi::setDocument(DocumentTab* opened) {
     m_volumeLayer->setVolume(content.volume, content.surface, content.mask);
     m_drawn = static_cast<const VolumeDocument&>(opened->document).volume();
   }
-  m_reshape->setDocument(opened);
+  const QString reason = opened && static_cast<const VolumeDocument&>(opened->document).isToBeDrilled()
+                             ? tr("This volume is to be drilled, not shaped")
+                             : QString();
+  m_reshape->setDocument(opened, reason);
   m_remesh->setDocument(opened);
   m_stamp->setDocument(opened);
   RigidPartsUi::setDocument(opened);
@@ -86,7 +89,7 @@ void VolumeUi::setDocument(DocumentTab* opened) {
   if (opened) connect(&opened->document, &Document::changed, this, &VolumeUi::showVolume);
   if (opened) offerStill();
   m_segmentation->setDocument(opened);
-  m_layers->setDocument(opened);
+  m_layers->setDocument(reason.isEmpty() ? opened : nullptr, reason);
   followTool();
 }
 
@@ -218,12 +221,12 @@ std::vector<ToolDescriptor> VolumeUi::tools() {
 }
 
 void VolumeUi::refuseStroke() {
-  if (!document()->document.file().assigned) return m_layers->refuse();
-  Message told{Message::Weight::Warning, tr("This volume is to be drilled, not shaped"),
-               tr("It is work on an exercise, which measures what the drill takes and nothing else."),
-               tr("Choose Drill (Shift+D).")};
-  told.about = &document()->document;
-  emit message(told);
+  if (!static_cast<const VolumeDocument&>(document()->document).isToBeDrilled()) return m_layers->refuse();
+  Message refusal{Message::Weight::Warning, tr("This volume is to be drilled, not shaped"),
+                  tr("It is work on an exercise, which measures what the drill takes and nothing else."),
+                  tr("Choose Drill (Shift+D).")};
+  refusal.about = &document()->document;
+  emit message(refusal);
 }
 
 Suggestion VolumeUi::suggestion() {

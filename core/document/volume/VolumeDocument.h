@@ -28,6 +28,9 @@ class VolumeDocument : public Document {
   SnapshotPointer snapshot() const override { return completed(m_volume); }
   // The holes that were drilled in work on an exercise; null: none.
   const std::shared_ptr<const TriedHoles>& tried() const { return m_tried; }
+  // Whether it is work on an exercise, which measures what the drill takes: all marks are lost when anything else
+  // changes the volume. A mask changes nothing.
+  bool isToBeDrilled() const { return static_cast<bool>(file().assigned); }
   std::uint32_t tryCount() const { return triesCounted(m_tried.get(), m_volume->holes); }
   // Adds one that was drilled. No undo step: what was tried stays tried.
   void addTried(const DrillRecord& hole, double forbidden);

@@ -5,6 +5,7 @@
 #include "document/volume/LayerSteps.h"
 #include "tools/ToolProperty.h"
 #include "tools/volume/ClayOperation.h"
+#include "tools/volume/ShapingObstacle.h"
 #include "volume/VolumeReader.h"
 
 #include <QCoreApplication>
@@ -72,7 +73,6 @@ ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services)
 
 ClayTool::ClayTool(VolumeDocument& document, const SimulationServices& services, StampServices stamps)
     : m_document(document),
-      m_isOfExercise(static_cast<bool>(document.file().assigned)),
       m_stamps(std::move(stamps)),
       m_gesture(services, channel()->inputs, kRate, [this] { return simulation(); }) {
   m_brush = usualClayBrush(*m_document.volume());
@@ -135,6 +135,13 @@ std::optional<Vec3> ClayTool::placeOf(const PointerEvent& event) const {
   return hit->point + lift(event.pressure.value_or(1.0)) * hit->normal;
 }
 
+const char* ClayTool::obstacle(const ClayBrush& brush) const {
+  if (brush.action == ClayAction::Mask) return nullptr;
+  if (const char* const why = shapingObstacle(m_document)) return why;
+  return takesStrokes(*m_document.volume()) ? nullptr
+                                            : QT_TRANSLATE_NOOP("Tool", "the top layer is off, or weaker than 1");
+}
+
 ToolReply ClayTool::press(const PointerEvent& event) {
   if (event.button != PointerButton::First || m_gesture.isOn()) return ToolReply::Ignored;
   if (!event.device) {
@@ -143,7 +150,7 @@ ToolReply ClayTool::press(const PointerEvent& event) {
     m_grip = Grip{m_document.volume(), hit->point, event.ray.direction};
   }
   const ClayBrush brush = brushFor(event.modifiers);
-  if (m_isOfExercise || (brush.action != ClayAction::Mask && !takesStrokes(*m_document.volume()))) {
+  if (obstacle(brush)) {
     m_grip.reset();
     if (m_refused) m_refused();
     return ToolReply::Used;

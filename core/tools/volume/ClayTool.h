@@ -30,7 +30,7 @@ class ClayTool : public VolumeTool {
 
   ClayFeel feelAtDevice() const override;
 
-  // Sets who is told of a stroke that the topmost layer does not take, or that is no work on the drilling exercise.
+  // Sets what is called when a stroke is refused: the topmost layer does not take it, or the volume is to be drilled.
   void whenRefused(std::function<void()> listener) { m_refused = std::move(listener); }
 
   static std::span<const ToolKey> keys();
@@ -61,6 +61,8 @@ class ClayTool : public VolumeTool {
   std::shared_ptr<const ClayState> state() const;
   double lift(double pressure) const;
   std::optional<Vec3> placeOf(const PointerEvent& event) const;
+  // Why strokes with a brush change nothing; English, context "Tool". Null: they do.
+  const char* obstacle(const ClayBrush& brush) const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();
   void complete();
@@ -72,9 +74,8 @@ class ClayTool : public VolumeTool {
   void setMask(const char* text, std::shared_ptr<const ClayMask> mask);
 
   VolumeDocument& m_document;
-  const bool m_isOfExercise;  // in which volumes are drilled, and nothing else
-  ClayBrush m_brush;          // as it is set
-  ClayBrush m_present;        // of the gesture: with the modifiers that were held
+  ClayBrush m_brush;    // as it is set
+  ClayBrush m_present;  // of the gesture: with the modifiers that were held
   double m_resistance = 0.05;
   StampServices m_stamps;
   std::size_t m_stamp = 0;  // its number

@@ -102,11 +102,19 @@ std::vector<ToolAction> ClayTool::actions() const {
   ToolAction clear = actionOf(kKeys, "clearMask", isIdle && m_document.volume()->mask);
   if (!m_document.volume()->mask) clear.reason = QT_TRANSLATE_NOOP("Tool", "nothing is masked");
   ToolAction shape{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "shape the clay")};
-  shape.enabled = m_brush.action == ClayAction::Mask || takesStrokes(*m_document.volume());
-  if (!shape.enabled) shape.reason = QT_TRANSLATE_NOOP("Tool", "the top layer is off, or weaker than 1");
+  ToolAction smooth{"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "smooth")};
+  ToolAction opposite{"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "opposite direction")};
+  const auto offer = [this](ToolAction& action, const Modifiers& modifiers) {
+    const char* const why = obstacle(brushFor(modifiers));
+    action.enabled = !why;
+    if (why) action.reason = why;
+  };
+  offer(shape, {});
+  offer(smooth, {.shift = true});
+  offer(opposite, {.control = true});
   return {shape,
-          {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "smooth")},
-          {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "opposite direction")},
+          smooth,
+          opposite,
           actionOf(kKeys, "smaller", isIdle),
           actionOf(kKeys, "larger", isIdle),
           actionOf(kKeys, "add", isIdle),

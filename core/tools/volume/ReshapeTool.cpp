@@ -7,6 +7,7 @@
 #include "document/volume/VolumeMaking.h"
 #include "tools/OperationSettings.h"
 #include "tools/ToolProperty.h"
+#include "tools/volume/ShapingObstacle.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <QCoreApplication>
@@ -112,6 +113,7 @@ void ReshapeTool::drop() {
 
 // Why nothing can be made of the settings; null: it can.
 const char* ReshapeTool::obstacle() const {
+  if (const char* const why = shapingObstacle(m_document)) return why;
   if (m_document.volume()->volume.isEmpty()) return QT_TRANSLATE_NOOP("Tool", "there is no material");
   if (m_change == Change::Boolean && m_body >= m_bodies.size())
     return QT_TRANSLATE_NOOP("Tool", "no other body is open; choose a file");

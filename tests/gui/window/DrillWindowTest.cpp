@@ -4,6 +4,7 @@
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "controls/CommandModel.h"
 #include "document/exercise/ExerciseSnapshot.h"
 #include "document/volume/VolumeDocument.h"
 #include "document/volume/exercise/DrillingTask.h"
@@ -110,6 +111,10 @@ class DrillWindowTest : public QObject {
     const Box box = volume(driver).volume()->volume.extent();
     QVERIFY(box.contains(Vec3(0.0, 179.0, 0.0)));  // voxels of 0.5 mm: 90 mm to the front
     QVERIFY(volume(driver).volume()->volume.material() > 3e5);
+    for (const char* name : {"volumeSmooth", "clayLayersToggle"}) {
+      const QAction* const action = driver.find<QAction>(name);
+      QVERIFY2(action->isEnabled() && action->property(kDisabledReason).toString().isEmpty(), name);
+    }
   }
 
   // Begun, drilled, stopped after the breakthrough: flagged and plotted, and measured with its marks.
@@ -118,6 +123,11 @@ class DrillWindowTest : public QObject {
     QVERIFY(begin(driver));
     QCOMPARE(driver.tabs(), 2);
     QVERIFY(driver.find<QDockWidget>("drillDock")->isVisible());
+    // Whatever else would change the volume is not offered, for a reason.
+    for (const char* name : {"volumeSmooth", "volumeShell", "volumeBoolean", "clayLayersToggle"}) {
+      const QAction* const action = driver.find<QAction>(name);
+      QVERIFY2(!action->isEnabled() && action->property(kDisabledReason).toString().contains("drilled"), name);
+    }
     runner(driver).setSetting("feed", PropertyValue(2.0));
     point(driver, PointerEvent::Kind::Press);
     auto* const verdict = driver.find<QLabel>("drillVerdict");

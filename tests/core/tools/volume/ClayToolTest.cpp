@@ -296,7 +296,7 @@ class ClayToolTest : public QObject {
     QVERIFY(!bench.tool->feelAtDevice().isCutting);
   }
 
-  // A volume that is work on a drilling exercise takes no stroke, and who tries is told.
+  // A volume that is work on a drilling exercise takes no stroke, and who tries gets a reason. Only a mask goes on it.
   void refusedInAnExercise() {
     ClayBench bench;
     const nlohmann::json exercise = {{"subject", "drilling"}, {"task", nlohmann::json::object()}};
@@ -314,6 +314,20 @@ class ClayToolTest : public QObject {
     bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
     QCOMPARE(refusals, 1);
     QCOMPARE(bench.document.volume(), before);
+    QVERIFY(!bench.tool->actions().front().enabled);
+    QCOMPARE(bench.tool->actions().front().reason, std::string("this volume is to be drilled, not shaped"));
+    bench.choose(ClayAction::Mask);
+    QVERIFY(bench.tool->actions()[0].enabled && !bench.tool->actions()[1].enabled && bench.tool->actions()[2].enabled);
+    bench.stroke(-5.0, 5.0);
+    QVERIFY(bench.document.volume()->mask);
+    QCOMPARE(bench.document.volume()->volume.enclosed(), before->volume.enclosed());
+    QCOMPARE(refusals, 1);
+    const auto masked = bench.document.volume();
+    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0, {.shift = true}), ToolReply::Used);  // it would smooth
+    QVERIFY(!bench.tool->isLive());
+    bench.event(PointerEvent::Kind::Release, 0.0, 0.0);
+    QCOMPARE(refusals, 2);
+    QCOMPARE(bench.document.volume(), masked);
   }
 
   // Strokes go on the layer and off with it; while it is weak they are refused, but those of a mask.

@@ -17,6 +17,7 @@
 #include <QtTest>
 #include <cmath>
 #include <deque>
+#include <nlohmann/json.hpp>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -119,6 +120,28 @@ class ReshapeToolTest : public QObject {
       bench.work();
       QVERIFY(isNear(*bench.figure("after"), ball(kRadius + distance)));
     }
+  }
+
+  // Work on a drilling exercise is not changed as a whole: nothing is computed, and it says why.
+  void refusedInAnExercise() {
+    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Smooth);
+    QVERIFY(!bench.waiting.empty());
+    const nlohmann::json exercise = {{"subject", "drilling"}, {"task", nlohmann::json::object()}};
+    bench.document->assign({std::make_shared<const nlohmann::json>(exercise),
+                            std::make_shared<const nlohmann::json>(nlohmann::json::object())},
+                           false);
+    const auto before = bench.document->volume();
+    for (int i = 0; i < ReshapeTool::kChanges; ++i) {
+      bench.start(static_cast<Change>(i));
+      QVERIFY(bench.waiting.empty() && !bench.isProposed());
+      const ToolAction commit = bench.runner.tool()->actions().front();
+      QVERIFY(!commit.enabled);
+      QCOMPARE(commit.reason, std::string("this volume is to be drilled, not shaped"));
+      QCOMPARE(bench.runner.perform("commit"), ToolReply::Ignored);
+      QVERIFY(bench.waiting.empty());
+    }
+    QCOMPARE(bench.document->volume(), before);
+    QCOMPARE(bench.document->history()->count(), 0);
   }
 
   // Layers of clay are applied by a change of the whole volume, and come back when it is undone.
