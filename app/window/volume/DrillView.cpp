@@ -112,7 +112,7 @@ void DrillView::follow() {
     if (isRunning) makeDock();
     if (m_dock) m_dock->setVisible(isRunning);
     m_shown.reset();
-    m_said = {};
+    m_warned = {};
     isRunning ? m_sounding.start() : m_sounding.stop();
   }
   if (!now || !m_dock) return;
@@ -158,17 +158,17 @@ void DrillView::plot(const DrillSetup& setup, const DrillState& hole) {
 
 // Each once in a hole, and only in an exercise, where it costs marks.
 void DrillView::warn(const HandDrill& tool, const DrillState& hole) {
-  if (hole.moments.size() < m_said.moments) m_said = {};
-  m_said.moments = hole.moments.size();
+  if (hole.moments.size() < m_warned.moments) m_warned = {};
+  m_warned.moments = hole.moments.size();
   if (!tool.isWorkOnExercise()) return;
-  if (hole.figures.forbidden > 0.0 && !std::exchange(m_said.forbidden, true))
+  if (hole.figures.forbidden > 0.0 && !std::exchange(m_warned.forbidden, true))
     emit message({Message::Weight::Error, tr("The attempt has failed"), tr("The drill entered the forbidden region."),
-                  tr("Undo the hole to try again, and stop at the breakthrough. The report tells of this try.")});
-  if (isBesidePath(hole) && !std::exchange(m_said.besidePath, true))
+                  tr("Undo the hole to try again, and stop at the breakthrough. The report lists this try.")});
+  if (isBesidePath(hole) && !std::exchange(m_warned.besidePath, true))
     emit message({Message::Weight::Warning, tr("Beside the planned path"),
                   tr("The drill is more than %1 mm away from it.").arg(lengthText(hole.plan->tolerance)),
                   tr("Release the button, undo the hole, and begin where the green rod meets the surface.")});
-  if (hole.breakthrough && !std::exchange(m_said.breakthrough, true))
+  if (hole.breakthrough && !std::exchange(m_warned.breakthrough, true))
     emit message({Message::Weight::Info, tr("Breakthrough"),
                   tr("The drill is through after %1 s.").arg(lengthText(*hole.breakthrough)),
                   tr("Release the button now: each further millimetre counts.")});

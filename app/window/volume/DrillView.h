@@ -38,8 +38,8 @@ class DrillView : public QObject {
   void warn(const HandDrill& tool, const DrillState& hole);
   void sound();
 
-  // What was said of the present hole.
-  struct Said {
+  // What messages were sent about the present hole.
+  struct Warned {
     std::size_t moments = 0;
     bool besidePath = false, breakthrough = false, forbidden = false;
   };
@@ -53,7 +53,7 @@ class DrillView : public QObject {
   QTimer m_sounding;
   QElapsedTimer m_plotted;
   std::shared_ptr<const DrillState> m_shown;  // plotted last
-  Said m_said;
+  Warned m_warned;
   bool m_isRunning = false;
 };
 

@@ -134,10 +134,10 @@ Json workJson(const ReportedWork& work) {
   for (const ReportMeasurement& each : work.details.figures)
     figures.push_back({{kClassFigure, each.figure}, {kClassValue, each.value}});
   for (const ReportEvent& event : work.details.events) {
-    Json told = Json::object();
-    if (event.seconds) told[kClassSeconds] = *event.seconds;
-    told[kClassText] = exerciseTextJson(event.text);
-    events.push_back(std::move(told));
+    Json stored = Json::object();
+    if (event.seconds) stored[kClassSeconds] = *event.seconds;
+    stored[kClassText] = exerciseTextJson(event.text);
+    events.push_back(std::move(stored));
   }
   for (const RecordedPiece& piece : work.details.pieces)
     pieces.push_back(Json::array({piece.fingerprint, piece.seconds, piece.isByHand}));

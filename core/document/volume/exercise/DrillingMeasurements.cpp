@@ -101,14 +101,14 @@ void MeasuredDrilling::addFailedTries(const MarkingCriterion& criterion, Measure
       std::max_element(m_tries.failed.begin(), m_tries.failed.end(), [](const FailedTry& one, const FailedTry& other) {
         return one.forbidden < other.forbidden;
       })->forbidden;
-  const ExerciseText told = {
+  const ExerciseText remark = {
       QT_TRANSLATE_NOOP("Note", "Tries that entered it and were taken back: %1 of %2, by %3 mm at most."),
       {std::to_string(m_tries.failed.size()), std::to_string(m_tries.count), roundedText(deepest, 3)}};
-  if (figure.remark.text.empty()) figure.remark = told;
+  if (figure.remark.text.empty()) figure.remark = remark;
   if (m_rule == FailedTries::AreListed || deepest <= *figure.value || earnedShare(criterion, *figure.value) < 1.0)
     return;
   figure.value = deepest;
-  figure.remark = told;
+  figure.remark = remark;
   figure.isOfEarlierTry = m_rule == FailedTries::CostTheMark;
 }
 
