@@ -89,10 +89,11 @@ int runMark(const Arguments& arguments, const DocumentKinds& kinds) {
   bool isCancelled = false;
   runInterruptible("Marking", [&](CommandJob& job) {
     const std::size_t count = arguments.operands.size() - 1;
+    const std::uint64_t mark = schemeMark(*scheme);
     for (std::size_t i = 0; i < count && !isCancelled; ++i) {
       const double share = 1.0 / static_cast<double>(count), done = share * static_cast<double>(i);
-      report.works.push_back(
-          markFile(*scheme, arguments.operands[i + 1], kinds, sentenceFor, job.progress().part(done, done + share)));
+      report.works.push_back(markFile(*scheme, mark, arguments.operands[i + 1], kinds, sentenceFor,
+                                      job.progress().part(done, done + share)));
       isCancelled = job.progress().cancelled();
     }
   });

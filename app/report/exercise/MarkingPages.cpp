@@ -80,7 +80,7 @@ std::string classTable(const ClassReport& report) {
                                       ClassTable::Made,    ClassTable::Points,  ClassTable::Percent};
   const auto areCounted = [](const ClassRow& row) { return row.tries.has_value(); };
   if (std::any_of(table.rows().begin(), table.rows().end(), areCounted))
-    columns.insert(columns.begin() + 4, ClassTable::Tries);  // behind how it was made
+    columns.insert(std::find(columns.begin(), columns.end(), ClassTable::Points), ClassTable::Tries);
   std::vector<std::string> headings;
   for (const std::size_t column : columns) headings.push_back(translatedHeading(table.heading(column)));
   const std::size_t criteria = table.columns() - ClassTable::FirstCriterion;

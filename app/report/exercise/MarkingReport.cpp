@@ -102,13 +102,13 @@ std::vector<double> sharedByHand(const std::vector<ReportedWork>& works, std::si
 
 }  // namespace
 
-ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::path& path, const DocumentKinds& kinds,
-                      std::string (*describe)(const Error&), Progress progress) {
+ReportedWork markFile(const ExerciseSnapshot& scheme, std::uint64_t mark, const std::filesystem::path& path,
+                      const DocumentKinds& kinds, std::string (*describe)(const Error&), Progress progress) {
   ReportedWork work;
   work.row.file = path.filename().string();
   std::error_code ignored;
   work.path = std::filesystem::absolute(path, ignored).string();
-  work.scheme = schemeMark(scheme);
+  work.scheme = mark;
   const Result<OpenedFile> opened = kinds.open(path, {}, progress.part(0.0, 0.3));
   const auto submission = opened ? std::dynamic_pointer_cast<const ExerciseSnapshot>(opened->content) : nullptr;
   const auto marked = [&]() -> Result<ClassRow> {
@@ -155,9 +155,10 @@ ClassReport classReportOf(const ExerciseSnapshot& exercise) {
   ClassReport report{inLanguage(exercise), measurementTypes(*exercise.subject), {}};
   if (!exercise.marked) return report;
   const std::uint64_t scheme = schemeMark(exercise);
+  const std::uint64_t older = schemeMark(exercise.exercise);  // as older versions stored it, without the task
   for (const auto& work : *exercise.marked) {
     report.works.push_back(*work);
-    if (work->scheme != scheme && work->row.problem.empty())
+    if (work->scheme != scheme && work->scheme != older && work->row.problem.empty())
       report.works.back().row.remarks.emplace_back(
           "The exercise was changed after it was marked: mark its file again.");
   }

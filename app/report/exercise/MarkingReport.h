@@ -17,8 +17,9 @@ struct ClassReport {
 };
 
 // Marks a file that was handed in; the row has its problem, as `describe` tells the error, where it cannot be marked.
-ReportedWork markFile(const ExerciseSnapshot& scheme, const std::filesystem::path& path, const DocumentKinds& kinds,
-                      std::string (*describe)(const Error&), Progress progress);
+// mark: schemeMark() of the scheme, which takes as long as its task is large, and is the same for all files.
+ReportedWork markFile(const ExerciseSnapshot& scheme, std::uint64_t mark, const std::filesystem::path& path,
+                      const DocumentKinds& kinds, std::string (*describe)(const Error&), Progress progress);
 
 // Adds a remark to works whose recording, or the larger part of it, is the same as that of another one: nobody moves
 // twice alike. The larger part is of what was moved by hand, by time. O(works² + pieces), and for each piece

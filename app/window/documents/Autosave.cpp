@@ -94,30 +94,21 @@ void Autosave::rest() {
 void Autosave::watch(ToolHost& tools) {
   m_tools = &tools;
   connect(&tools, &ToolHost::updated, this, [this] {
-    if (m_timer.interval() == 0 || m_timer.isActive() || !work() || !m_tools->runner().tool()->isLive()) return;
+    if (m_timer.interval() == 0 || m_timer.isActive() || !hasWorkGoingOn()) return;
     need();
     m_timer.start();
   });
 }
 
-// Of the tool that runs; null: it has none.
-UnfinishedGesture* Autosave::work() const {
-  if (!m_tools) return nullptr;
-  return const_cast<UnfinishedGesture*>(dynamic_cast<const UnfinishedGesture*>(m_tools->runner().tool()));
-}
-
-// Null: nothing is under way in this document.
-SnapshotPointer Autosave::workOn(const DocumentTab& document) const {
-  UnfinishedGesture* const under = work();
-  if (!under || m_tools->runner().document() != &document.document) return nullptr;
-  SnapshotPointer value;
-  m_tools->runner().deliver([&] { value = under->withGesture(); });
-  return value;
+// Whether a tool runs whose gestures take minutes, and changes something now.
+bool Autosave::hasWorkGoingOn() const {
+  const Tool* const tool = m_tools->runner().tool();
+  return dynamic_cast<const UnfinishedGesture*>(tool) && tool->isLive();
 }
 
 void Autosave::saveChanged(DocumentTab* document) {
   if (document->document.isModified() && document->autosaved != document->document.revision()) {
-    const SnapshotPointer value = workOn(*document);
+    const SnapshotPointer value = m_tools ? m_tools->valueWithGesture(document->document) : nullptr;
     save(document, value ? value : document->document.snapshot());
   }
   rest();
@@ -125,9 +116,9 @@ void Autosave::saveChanged(DocumentTab* document) {
 
 void Autosave::saveWork() {
   for (const auto& each : m_tabs.all()) {
-    if (const SnapshotPointer value = workOn(*each)) save(each.get(), value);
+    if (const SnapshotPointer value = m_tools->valueWithGesture(each->document)) save(each.get(), value);
   }
-  if (work() && m_tools->runner().tool()->isLive()) m_timer.start();  // what goes on
+  if (hasWorkGoingOn()) m_timer.start();  // what goes on
   rest();
 }
 

@@ -23,7 +23,6 @@ class FileLoader;
 class LogModel;
 class ToolHost;
 class WindowServices;
-class UnfinishedGesture;
 struct DocumentTab;
 
 // Saves modified documents to the recovery folder. This is done soon after each edit, so that a kill takes nothing that
@@ -61,8 +60,7 @@ class Autosave : public QObject {
   void rest();
   void saveChanged(DocumentTab* document);
   void saveWork();
-  UnfinishedGesture* work() const;
-  SnapshotPointer workOn(const DocumentTab& document) const;
+  bool hasWorkGoingOn() const;
   void save(DocumentTab* document, SnapshotPointer content);
   bool isFollowed(const DocumentTab* document, std::uint64_t key) const;
   void noteCost(DocumentTab* document, std::chrono::milliseconds cost);

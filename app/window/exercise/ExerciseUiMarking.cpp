@@ -55,8 +55,9 @@ void ExerciseUi::mark(const QStringList& paths) {
   job.work = [this, paths, scheme = snapshot(), &kinds = parts().kinds, owner = document()](Progress progress) {
     auto marked = std::make_shared<std::vector<ReportedWork>>();
     const double share = 1.0 / static_cast<double>(paths.size());
+    const std::uint64_t mark = schemeMark(*scheme);
     for (int i = 0; i < paths.size() && !progress.cancelled(); ++i)
-      marked->push_back(markFile(*scheme, QFile::encodeName(paths[i]).toStdString(), kinds, markProblem,
+      marked->push_back(markFile(*scheme, mark, QFile::encodeName(paths[i]).toStdString(), kinds, markProblem,
                                  progress.part(i * share, (i + 1) * share)));
     if (progress.cancelled()) return Job::Finish();
     return Job::Finish([this, marked, owner] { takeMarked(owner, std::move(*marked)); });

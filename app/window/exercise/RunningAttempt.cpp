@@ -9,7 +9,6 @@
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
-#include "tools/UnfinishedGesture.h"
 #include "window/JobRunner.h"
 #include "window/PanelToggle.h"
 #include "window/documents/DocumentTab.h"
@@ -26,13 +25,17 @@
 #include <QMainWindow>
 #include <QScopedValueRollback>
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
 namespace {
 
 constexpr int kTickMs = 500;
-constexpr int kTicksOfCheck = 4;  // between two checks of what is under way
+// Between two checks of what is under way: at least so long, and so often the time that the last of them took. A fifth
+// of the time is spent on them at most, in part on the window's thread.
+constexpr std::chrono::seconds kPause{2};
+constexpr int kPauseOfCost = 4;
 // Who only looks is asked to save the time after so many seconds of it.
 constexpr double kSecondsWorthAsking = 60.0;
 
@@ -48,6 +51,20 @@ QString titleOfWork(const ExerciseSnapshot& exercise) {
       exercise.work && exercise.attempt ? QString::fromStdString(exercise.attempt->student) : QString();
   return student.isEmpty() ? RunningAttempt::tr("Work on %1").arg(title)
                            : RunningAttempt::tr("Work of %1 on %2").arg(student, title);
+}
+
+bool hasCheckedSteps(const Exercise& exercise) {
+  const auto isChecked = [](const ExerciseStep& step) { return !step.criteria.empty(); };
+  return std::any_of(exercise.steps.begin(), exercise.steps.end(), isChecked);
+}
+
+// Why something of a work earns nothing, each reason once.
+QStringList unmeasured(const Marking& marking) {
+  QStringList reasons;
+  for (const Mark& mark : marking.marks)
+    if (mark.verdict == Verdict::NotMeasured && !mark.remark.text.empty()) reasons += exerciseText(mark.remark);
+  reasons.removeDuplicates();
+  return reasons;
 }
 
 }  // namespace
@@ -172,6 +189,8 @@ void RunningAttempt::prepare(const DocumentTab& from, const std::shared_ptr<cons
 }
 
 void RunningAttempt::start(const std::shared_ptr<const ExerciseSnapshot>& exercise, OpenedFile work) {
+  const QScopedValueRollback beginning(m_beginning, begunCopy(*exercise, work.file.assigned));
+  const QScopedValueRollback as(m_beginningAs, work.file.assigned.description);
   DocumentTab* const tab = m_parts.openDocument(std::move(work));
   follow(tab);
   if (Work* const begun = find(tab)) begun->origin = exercise;
@@ -180,10 +199,14 @@ void RunningAttempt::start(const std::shared_ptr<const ExerciseSnapshot>& exerci
   QTimer::singleShot(0, this, [this] { showDock(m_isCurrent && m_isDockWanted); });
 }
 
-// Reads the exercise that a document is work on. False: it is none, or one that cannot be read.
+// Takes the exercise that a document is work on, which is read unless it is at hand. False: it is none, or one that
+// cannot be read.
 bool RunningAttempt::take(DocumentTab* tab) {
-  if (!tab->document.file().assigned) return false;
-  auto exercise = exerciseOf(exerciseKind(m_parts.kinds), tab->document.file().assigned);
+  const AssignedExercise& assigned = tab->document.file().assigned;
+  if (!assigned) return false;
+  Result<std::shared_ptr<const ExerciseSnapshot>> exercise = m_beginning && assigned.description == m_beginningAs
+                                                                 ? m_beginning
+                                                                 : exerciseOf(exerciseKind(m_parts.kinds), assigned);
   if (!exercise || (*exercise)->subject->kind().id() != tab->document.kind().id()) {
     const QString title = tr("The exercise that %1 belongs to cannot be read").arg(tab->document.name());
     fail(title, exercise ? Error{ErrorCode::ElementMalformed, {"exercise", "it is of another kind"}, {}, {}}
@@ -207,7 +230,7 @@ void RunningAttempt::follow(DocumentTab* tab) {
   if (m_isCurrent) {
     m_changes = connect(&tab->document, &Document::changed, this, &RunningAttempt::check);
     m_records = connect(&tab->document, &Document::fileChanged, this, &RunningAttempt::recorded);
-    see(*find(tab));
+    find(tab)->see();
     const auto place = m_works.begin() + (find(tab) - m_works.data());
     std::rotate(place, place + 1, m_works.end());
     show(m_works.back());
@@ -223,7 +246,7 @@ void RunningAttempt::show(const Work& work) {
   m_lesson->setExercise(*work.exercise, work.attempt, true);
   if (!work.sizes) return;
   m_lesson->setMeasured(*work.exercise, *work.sizes);
-  if (work.changes != work.measuredAfter) m_lesson->setOutdated();
+  if (work.areSizesOld) m_lesson->setOutdated();
 }
 
 void RunningAttempt::forget(DocumentTab* tab) {
@@ -255,9 +278,9 @@ void RunningAttempt::store(Work& work, bool isChange) {
   work.revision = work.tab->document.revision();
 }
 
-void RunningAttempt::see(Work& work) {
-  work.revision = work.tab->document.revision();
-  work.seen = work.tab->document.snapshot();
+void RunningAttempt::Work::see() {
+  revision = tab->document.revision();
+  seen = tab->document.snapshot();
 }
 
 void RunningAttempt::setDone(Work& work, std::size_t step, bool isDone) {
@@ -277,22 +300,12 @@ void RunningAttempt::tick() {
 
 // A pass that goes on for minutes makes and spoils sizes before it is in the document.
 void RunningAttempt::followGesture(Work& work) {
-  ToolRunner& runner = m_parts.tools.runner();
-  auto* const gesture = const_cast<UnfinishedGesture*>(dynamic_cast<const UnfinishedGesture*>(runner.tool()));
-  const bool isOn = gesture && runner.document() == &work.tab->document && !gesture->underWay().isEmpty();
-  if (!isOn) {
-    if (work.ticksInGesture > 0) check();  // it was given up
+  if (!m_parts.tools.isUnderWay(work.tab->document)) {
+    if (work.isUnderWay) check();  // it was given up
     return;
   }
-  const int tick = work.ticksInGesture++;
-  if (tick == 0) {
-    ++work.changes;
-    m_lesson->setOutdated();
-  }
-  if (tick % kTicksOfCheck != 0 || !m_checks.isIdle()) return;
-  SnapshotPointer value;
-  runner.deliver([&] { value = gesture->withGesture(); });
-  if (value && &work == current()) checkSteps(work, std::move(value));
+  if (!std::exchange(work.isUnderWay, true)) outdate(work);
+  if (m_checks.isIdle() && Clock::now() >= work.nextCheck) checkSteps(work);
 }
 
 // With the sizes of the drawing, as the student asks for them.
@@ -303,19 +316,45 @@ void RunningAttempt::measure() {
   startMeasuring(*measured);
 }
 
-void RunningAttempt::startMeasuring(const Work& measured) {
-  start(m_parts.jobs, tr("Measuring"), measured, measured.tab->document.snapshot(), true);
+void RunningAttempt::startMeasuring(Work& measured) {
+  start(m_parts.jobs, tr("Measuring"), measured, true);
 }
 
-// A step is ticked as soon as the part is so; the sizes stay for those who ask.
+void RunningAttempt::outdate(Work& work) {
+  ++work.changes;
+  work.areSizesOld = true;
+  if (&work == current()) m_lesson->setOutdated();
+}
+
+// The value of the document, with what is under way in it.
+SnapshotPointer RunningAttempt::now(Work& work) {
+  const Document& document = work.tab->document;
+  const std::uint64_t before = document.revision();
+  const QScopedValueRollback recording(m_isStoring, true);
+  SnapshotPointer value = m_parts.tools.valueWithGesture(document);
+  if (!value) value = document.snapshot();
+  if (document.revision() != before) {  // a crash was recorded, which is in the value
+    outdate(work);
+    work.see();
+  }
+  return value;
+}
+
+// A step is ticked as soon as the part is so; the sizes stay for those who ask. The tool may be in the midst of what
+// has changed the document, so it is asked for what it has under way behind that.
 void RunningAttempt::check() {
-  Work* const work = current();
-  if (!work) return;
-  ++work->changes;
-  see(*work);
-  work->ticksInGesture = 0;
-  m_lesson->setOutdated();
-  checkSteps(*work, work->tab->document.snapshot());
+  Work* const changed = current();
+  if (!changed) return;
+  outdate(*changed);
+  changed->see();
+  if (std::exchange(changed->isCheckDue, true)) return;
+  QTimer::singleShot(0, this, [this, tab = changed->tab] {
+    Work* const work = find(tab);
+    if (!work) return;
+    work->isCheckDue = false;
+    work->isUnderWay = m_parts.tools.isUnderWay(tab->document);
+    if (!work->isUnderWay) checkSteps(*work);  // else followGesture() does, at its pace
+  });
 }
 
 // What is recorded without an undo step, such as a crash, has marks, too. The name of the file has none, nor has what
@@ -326,26 +365,31 @@ void RunningAttempt::recorded() {
   if (work->seen.lock() != work->tab->document.snapshot()) check();
 }
 
-void RunningAttempt::checkSteps(const Work& checked, SnapshotPointer value) {
-  const std::vector<ExerciseStep>& steps = checked.exercise->exercise.steps;
-  const auto waits = [](const ExerciseStep& step) { return !step.criteria.empty(); };
-  if (std::any_of(steps.begin(), steps.end(), waits))
-    start(m_checks, tr("Checking the steps"), checked, std::move(value), false);
+void RunningAttempt::checkSteps(Work& checked) {
+  if (!hasCheckedSteps(checked.exercise->exercise)) return;
+  checked.nextCheck = Clock::now() + kPause;
+  start(m_checks, tr("Checking the steps"), checked, false);
 }
 
-void RunningAttempt::start(JobRunner& jobs, const QString& name, const Work& measured, SnapshotPointer value,
-                           bool showsSizes) {
+void RunningAttempt::start(JobRunner& jobs, const QString& name, Work& measured, bool showsSizes) {
+  const Clock::time_point asked = Clock::now();
+  SnapshotPointer value = now(measured);
+  const Clock::duration taking = Clock::now() - asked;
   Job job;
   job.name = name;
   job.owner = measured.tab;
-  job.work = [this, showsSizes, tab = measured.tab, exercise = measured.exercise, changes = measured.changes,
+  job.work = [this, showsSizes, taking, tab = measured.tab, exercise = measured.exercise, changes = measured.changes,
               work = std::move(value), attempt = measured.attempt](Progress progress) -> Job::Finish {
+    const Clock::time_point begun = Clock::now();
     auto marking = std::make_shared<const Marking>(markWork(*exercise, *work, attempt, progress));
     if (progress.cancelled()) return {};
-    return [this, showsSizes, tab, exercise, changes, marking] {
-      const Work* const now = find(tab);
+    const Clock::duration cost = taking + (Clock::now() - begun);
+    return [this, showsSizes, tab, exercise, changes, marking, cost] {
+      Work* const found = find(tab);
+      if (!found) return;
+      if (!showsSizes) found->nextCheck = Clock::now() + std::max<Clock::duration>(kPause, kPauseOfCost * cost);
       // The part is another one by now: checks were started again with that change, and so is what was asked for.
-      if (now && now->changes != changes) return showsSizes ? startMeasuring(*now) : void();
+      if (found->changes != changes) return showsSizes ? startMeasuring(*found) : void();
       take(tab, *exercise, marking, showsSizes);
     };
   };
@@ -363,23 +407,13 @@ void RunningAttempt::take(const DocumentTab* tab, const ExerciseSnapshot& exerci
   }
   if (showsSizes) {
     work->sizes = marking;
-    work->measuredAfter = work->changes;
+    work->areSizesOld = m_parts.tools.isUnderWay(work->tab->document);  // it goes on
   }
   if (showsSizes || work->attempt.done != before) store(*work, true);
   if (work != current()) return;
-  if (showsSizes)
-    m_lesson->setMeasured(exercise, *marking);
-  else
-    m_lesson->setMet(exercise, *marking);
-}
-
-// Why something of a work earns nothing, each reason once.
-QStringList RunningAttempt::unmeasured(const Marking& marking) {
-  QStringList reasons;
-  for (const Mark& mark : marking.marks)
-    if (mark.verdict == Verdict::NotMeasured && !mark.remark.text.empty()) reasons += exerciseText(mark.remark);
-  reasons.removeDuplicates();
-  return reasons;
+  if (!showsSizes) return m_lesson->setMet(exercise, *marking);
+  m_lesson->setMeasured(exercise, *marking);
+  if (work->areSizesOld) m_lesson->setOutdated();
 }
 
 void RunningAttempt::handIn() {
@@ -421,14 +455,16 @@ void RunningAttempt::writeSubmission(const QString& path) {
               attempt = work->attempt, kind = m_parts.kinds.withId("exercise"),
               recordings = work->tab->document.file().recordings](Progress progress) -> Job::Finish {
     const Result<ExerciseSnapshot> made = handedIn(*exercise, content, attempt);
+    // Before the file, so that nothing is waited for when it is there.
+    const Marking marking = made ? markWork(*exercise, *content, attempt, progress.part(0.0, 0.5)) : Marking();
+    const QStringList missing = progress.cancelled() ? QStringList() : unmeasured(marking);
     OpenedFile opened = DocumentKinds::blank(*kind);
     opened.file.recordings = recordings;
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
-    const Result<WrittenFile> written =
-        made ? saveDocument(*kind, opened.file, *made, file, progress) : Result<WrittenFile>(made.error());
+    const Result<WrittenFile> written = made ? saveDocument(*kind, opened.file, *made, file, progress.part(0.5, 1.0))
+                                             : Result<WrittenFile>(made.error());
     if (!written) return [failed, error = written.error()] { failed(error); };
-    return [this, path, tab, student = QString::fromStdString(attempt.student),
-            missing = unmeasured(markWork(*exercise, *content, attempt, progress))] {
+    return [this, path, tab, student = QString::fromStdString(attempt.student), missing] {
       Message handed{Message::Weight::Info, tr("Handed in by %1").arg(student),
                      tr("The work is in %1.").arg(QFileInfo(path).absoluteFilePath()),
                      tr("Give that file to your teacher.")};

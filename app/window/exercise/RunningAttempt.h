@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
+#include <chrono>
 
 class QDockWidget;
 
@@ -38,18 +39,23 @@ class RunningAttempt : public QObject {
   void message(const handwheel::Message& message);
 
  private:
+  using Clock = std::chrono::steady_clock;
   struct Work {
+    void see();  // its document as it is
+
     DocumentTab* tab;
     std::shared_ptr<const ExerciseSnapshot> exercise;  // as the student has it
     Attempt attempt;
     std::shared_ptr<const ExerciseSnapshot> origin;  // that it was begun from in this window; null: from a file
     double secondsInFile = 0.0;
-    int changes = 0;  // of the document, that were seen: tells what was measured before one
+    int changes = 0;                                      // that were seen: tells what was measured before one
     std::shared_ptr<const Marking> sizes = nullptr;       // as measured last, on demand; null: not yet
-    int measuredAfter = 0;                                // so many of the changes
+    bool areSizesOld = false;                             // the work has gone on since
     std::uint64_t revision = 0;                           // of the document, that was seen
     std::weak_ptr<SnapshotPointer::element_type> seen{};  // likewise its value, of kinds that keep it
-    int ticksInGesture = 0;  // since work is under way that is not in the document yet; 0: none is
+    bool isUnderWay = false;                              // something was seen that is not in the document yet
+    bool isCheckDue = false;                              // of the steps, as soon as the tool has ended its call
+    Clock::time_point nextCheck{};                        // what is under way is not checked before
   };
   Work* find(const DocumentTab* tab);
   Work* current() { return m_works.empty() || !m_isCurrent ? nullptr : &m_works.back(); }
@@ -64,20 +70,19 @@ class RunningAttempt : public QObject {
   void showDock(bool isShown);
   void show(const Work& work);
   void store(Work& work, bool isChange);
-  static void see(Work& work);
   void setDone(Work& work, std::size_t step, bool isDone);
   void tick();
   void followGesture(Work& work);
   void measure();
-  void startMeasuring(const Work& measured);
+  void startMeasuring(Work& measured);
   void check();
   void recorded();
-  void checkSteps(const Work& checked, SnapshotPointer value);
-  // value: of the document, or what it is about to become.
-  void start(JobRunner& jobs, const QString& name, const Work& measured, SnapshotPointer value, bool showsSizes);
+  void checkSteps(Work& checked);
+  void outdate(Work& work);
+  SnapshotPointer now(Work& work);
+  void start(JobRunner& jobs, const QString& name, Work& measured, bool showsSizes);
   void take(const DocumentTab* tab, const ExerciseSnapshot& exercise, const std::shared_ptr<const Marking>& marking,
             bool showsSizes);
-  static QStringList unmeasured(const Marking& marking);
   void handIn();
   void writeSubmission(const QString& path);
   void fail(const QString& title, const Error& error);
@@ -91,9 +96,11 @@ class RunningAttempt : public QObject {
   bool m_isDockWanted = true;
   QElapsedTimer m_since;
   QTimer m_clock;
-  JobRunner m_checks;                            // of the steps, after each change of the work
-  QMetaObject::Connection m_changes, m_records;  // of the current document
-  bool m_isStoring = false;                      // what it records is the attempt
+  JobRunner m_checks;                                   // of the steps, after each change of the work
+  QMetaObject::Connection m_changes, m_records;         // of the current document
+  bool m_isStoring = false;                             // what is recorded by then is known here
+  std::shared_ptr<const ExerciseSnapshot> m_beginning;  // that a document is being opened for
+  std::shared_ptr<const nlohmann::json> m_beginningAs;  // as that document has it
 };
 
 }  // namespace handwheel

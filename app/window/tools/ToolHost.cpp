@@ -4,6 +4,7 @@
 
 #include "document/Document.h"
 #include "theme/Theme.h"
+#include "tools/UnfinishedGesture.h"
 #include "viewport/Viewport.h"
 #include "viewport/camera/CameraNavigation.h"
 #include "viewport/surface/PartsLayer.h"
@@ -130,6 +131,20 @@ void ToolHost::start(std::unique_ptr<Tool> tool, Document& document) {
   m_panel.setActions({}, {});  // those of another tool have nothing to do with its own
   m_runner.start(std::move(tool), document);
   show();
+}
+
+bool ToolHost::isUnderWay(const Document& document) const {
+  const auto* const gesture = dynamic_cast<const UnfinishedGesture*>(m_runner.tool());
+  return gesture && m_runner.document() == &document && !gesture->underWay().isEmpty();
+}
+
+// The runner gives its tool away as const, for everything that goes by it; deliver() is its way to call the tool.
+SnapshotPointer ToolHost::valueWithGesture(const Document& document) {
+  auto* const gesture = const_cast<UnfinishedGesture*>(dynamic_cast<const UnfinishedGesture*>(m_runner.tool()));
+  if (!gesture || m_runner.document() != &document) return nullptr;
+  SnapshotPointer value;
+  m_runner.deliver([&] { value = gesture->withGesture(); });
+  return value;
 }
 
 void ToolHost::setVisible(bool visible) {

@@ -40,6 +40,11 @@ class ToolHost : public QObject {
   // anything; otherwise the key is the tool's.
   void setEscape(std::function<bool()> escape) { m_escape = std::move(escape); }
   ToolRunner& runner() { return m_runner; }
+  // Whether the tool has something under way in a document that is not in its value yet.
+  bool isUnderWay(const Document& document) const;
+  // The value of a document with what is under way; null: nothing is. What that has struck is recorded in the document
+  // by it, so it must not be asked for within a call of the tool.
+  SnapshotPointer valueWithGesture(const Document& document);
   ToolKeys& keys() { return m_keys; }
   // Passes a pointer event of a haptic device; those of the mouse arrive by themselves.
   void point(const PointerEvent& event) { m_runner.pointer(event); }

@@ -35,10 +35,14 @@ Result<std::shared_ptr<const ExerciseSnapshot>> exerciseOf(const ExerciseKind& k
   if (description.is_object()) description.erase("solution");  // a student has none
   Result<SnapshotPointer> made = kind.fromDescription(description, {});
   if (!made) return made.error();
-  ExerciseSnapshot exercise = forStudents(static_cast<const ExerciseSnapshot&>(**made));
+  return begunCopy(static_cast<const ExerciseSnapshot&>(**made), assigned);
+}
+
+std::shared_ptr<const ExerciseSnapshot> begunCopy(const ExerciseSnapshot& exercise, const AssignedExercise& assigned) {
+  ExerciseSnapshot copy = forStudents(exercise);
   std::vector<Error> damage;
-  exercise.attempt = attemptFrom(*assigned.attempt, damage);
-  return std::make_shared<const ExerciseSnapshot>(std::move(exercise));
+  copy.attempt = attemptFrom(*assigned.attempt, damage);
+  return std::make_shared<const ExerciseSnapshot>(std::move(copy));
 }
 
 bool isSameExercise(const AssignedExercise& one, const AssignedExercise& other) {

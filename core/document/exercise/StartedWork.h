@@ -19,6 +19,9 @@ AssignedExercise withAttempt(const AssignedExercise& assigned, const Attempt& at
 // ExerciseKind::fromDescription().
 Result<std::shared_ptr<const ExerciseSnapshot>> exerciseOf(const ExerciseKind& kind, const AssignedExercise& assigned);
 
+// The same of an exercise that is at hand, whose assignmentOf() this is: nothing is read but the attempt.
+std::shared_ptr<const ExerciseSnapshot> begunCopy(const ExerciseSnapshot& exercise, const AssignedExercise& assigned);
+
 // Whether both are work on the same exercise, as a student sees it.
 bool isSameExercise(const AssignedExercise& one, const AssignedExercise& other);
 

@@ -102,6 +102,20 @@ class StartedWorkTest : public QObject {
     QCOMPARE((*exercise)->key, exerciseFrom(kindOfStartedWork(), shoulderDescription())->key);
   }
 
+  // What is begun without being read is what the file gives: the student's copy, with the attempt.
+  void begunAsItIsReadBack() {
+    const auto exercise = exerciseFrom(kindOfStartedWork(), shoulderDescription());
+    const AssignedExercise assigned = assignmentOf(*exercise, kHalfDone, "1");
+    const auto begun = begunCopy(*exercise, assigned);
+    const auto read = exerciseOf(kindOfStartedWork(), assigned);
+    QVERIFY(read && begun->task == exercise->task && (*read)->task != exercise->task);
+    QVERIFY(ExerciseKind::description(*begun) == ExerciseKind::description(**read));
+    QVERIFY(begun->key == (*read)->key && begun->subject == (*read)->subject);
+    QVERIFY(begun->attempt == kHalfDone && begun->attempt == (*read)->attempt);
+    QVERIFY(begun->isForStudents && handwheel::hasNoAnswers(begun->exercise));
+    QVERIFY(!begun->solution && !begun->work && !begun->marked);
+  }
+
   // A warning about marks may name those that the student knows.
   void knowsWhatIsMarked() {
     const AssignedExercise assigned = startedWork().file.assigned;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "LessonWidgets.h"
+#include "document/exercise/ExerciseDocument.h"
+#include "report/exercise/MarkingReport.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 
@@ -11,6 +13,7 @@
 #include <QItemSelectionModel>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <algorithm>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -105,6 +108,30 @@ class ExerciseClassTest : public QObject {
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray html = file.readAll();
     QVERIFY(html.contains("Ada") && html.contains("0 / 15") && html.contains("data:image/png;base64,"));
+  }
+
+  // What was marked by other criteria says so; what older versions have marked, whose mark is of the criteria alone,
+  // does not.
+  void whatWasMarkedByAnotherScheme() {
+    WindowDriver driver;
+    driver.choose("exercise/shaft");
+    QVERIFY(driver.settle());
+    const auto& shown = static_cast<ExerciseDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
+    ExerciseSnapshot exercise = shown.exercise();
+    std::vector<ReportedWork> works(3);
+    works[0].scheme = schemeMark(exercise);
+    works[1].scheme = schemeMark(exercise.exercise);
+    works[2].scheme = 1;
+    for (std::size_t i = 0; i < works.size(); ++i) works[i].path = "/class/" + std::to_string(i);
+    exercise.marked = std::make_shared<const MarkedClass>(withMarked({}, std::move(works)));
+    const auto isRemarked = [&exercise](std::size_t work) {
+      const std::vector<std::string> remarks = classReportOf(exercise).works.at(work).row.remarks;
+      return std::any_of(remarks.begin(), remarks.end(),
+                         [](const std::string& each) { return each.starts_with("The exercise was changed"); });
+    };
+    QVERIFY(!isRemarked(0) && !isRemarked(1) && isRemarked(2));
+    exercise.exercise.criteria[0].points += 1.0;
+    QVERIFY(isRemarked(0) && isRemarked(1) && isRemarked(2));
   }
 
   // Saved with the exercise, the class is there again; whom the teacher takes out is not.
