@@ -81,9 +81,9 @@ struct Written {
   std::string warning = {};
 };
 
-// What cycles leave of the target; empty: nothing to speak of.
+// What cycles leave of the target; empty: no warning.
 std::string warningOf(const CycleRest& rest, const TargetProfile& target, double drill, const LatheTools& tools) {
-  if (!rest.isWorthTelling()) return {};
+  if (!rest.isConsiderable()) return {};
   const std::string sentence = "The program leaves up to " + roundedText(rest.height, 3) + " mm over the target, " +
                                (rest.isInBore ? "in its bore at Z " : "at Z ") + roundedText(rest.z, 4) + ". ";
   if (!rest.isInBore || drill > 0.0) return sentence + "Cut the rest by hand, or by a program of your own.";

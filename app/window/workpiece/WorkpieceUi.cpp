@@ -290,7 +290,7 @@ void WorkpieceUi::tellParted() {
   const auto found = std::find_if(pieces.begin() + 1, pieces.end(), isNew);
   if (found == pieces.end() || (before && before->profile.pieces() >= pieces.size())) return;
   const EndPiece piece = pieceAlone(part->profile, *found);
-  const double kept = pieceAlone(part->profile, pieces.front()).profile.volume();
+  const double kept = part->volumeOf(pieceAlone(part->profile, pieces.front()));
   const QLocale locale;
   const QString length = locale.toString(piece.length(), 'f', 2);
   const bool isAtEnd = found + 1 == pieces.end();
@@ -301,7 +301,7 @@ void WorkpieceUi::tellParted() {
                             "files are those of the piece.")
                        : tr("Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP "
                             "files are still those of the piece at the free end, which came off before."))
-                  .arg(locale.toString(piece.profile.volume(), 'f', 0), locale.toString(kept, 'f', 0))};
+                  .arg(locale.toString(part->volumeOf(piece), 'f', 0), locale.toString(kept, 'f', 0))};
   off.about = &document()->document;
   emit message(off);
 }

@@ -215,7 +215,7 @@ nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
     if (part.threads()) described["threads"] = threadsJson(part);
     described["pieces"] = part.profile.pieces();
     if (const auto piece = endPieceOf(part.profile))
-      described["end_piece"] = {{"length", piece->length()}, {"volume", piece->profile.volume()}};
+      described["end_piece"] = {{"length", piece->length()}, {"volume", part.volumeOf(*piece)}};
     described["finish"] = finishJson(part);
     return described;
   }

@@ -163,15 +163,12 @@ std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece) {
   const double area = workpiece.part ? workpiece.part->profile.area() : workpiece.stock.area();
   const auto pieces = workpiece.part ? piecesOf(workpiece.part->profile) : std::vector<TurnedProfile::Range>();
   if (pieces.size() > 1) {
-    const TurnedProfile& part = workpiece.part->profile;
-    const auto volumeOf = [&](const EndPiece& piece) {
-      const auto& threads = workpiece.part->threads();
-      return piece.profile.volume() - (threads ? threads->volume(piece.profile) : 0.0);
-    };
-    const EndPiece piece = pieceAlone(part, pieces.back());
+    const TurnedPart& part = *workpiece.part;
+    const EndPiece piece = pieceAlone(part.profile, pieces.back());
     all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume that stays in the chuck (mm³)"),
-                           volumeOf(pieceAlone(part, pieces.front()))));
-    all.push_back(computed("parted_volume", QT_TRANSLATE_NOOP("Property", "Volume parted off (mm³)"), volumeOf(piece)));
+                           part.volumeOf(pieceAlone(part.profile, pieces.front()))));
+    all.push_back(
+        computed("parted_volume", QT_TRANSLATE_NOOP("Property", "Volume parted off (mm³)"), part.volumeOf(piece)));
     all.push_back(computed("parted_length", QT_TRANSLATE_NOOP("Property", "Length parted off (mm)"), piece.length()));
   } else {
     all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), volume));

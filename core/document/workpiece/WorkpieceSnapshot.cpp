@@ -18,6 +18,10 @@ double TurnedPart::volume() const {
   return profile.volume() - (threads() ? threads()->volume(profile) : 0.0);
 }
 
+double TurnedPart::volumeOf(const EndPiece& piece) const {
+  return piece.profile.volume() - (threads() ? threads()->volume(piece.profile) : 0.0);
+}
+
 bool addCrashes(WorkpieceSnapshot& workpiece, std::span<const LatheCollision> crashes) {
   auto all = workpiece.crashes ? std::make_shared<std::vector<LatheCollision>>(*workpiece.crashes)
                                : std::make_shared<std::vector<LatheCollision>>();

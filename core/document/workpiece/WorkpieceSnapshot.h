@@ -4,6 +4,7 @@
 
 #include "document/Snapshot.h"
 #include "document/workpiece/StockMesh.h"
+#include "machining/EndPiece.h"
 #include "machining/TurnedSurface.h"
 #include "machining/TurningPasses.h"
 #include "machining/finish/SurfaceFinish.h"
@@ -28,7 +29,8 @@ struct TurnedPart {
   static TurnedPart of(TurnedProfile profile, TurningPasses passes, double chord);
 
   const std::shared_ptr<const PartThreads>& threads() const { return surface.threads(); }  // null: none
-  double volume() const;  // mm³, without what the threads take; O(samples)
+  double volume() const;                         // mm³, without what the threads take; O(samples)
+  double volumeOf(const EndPiece& piece) const;  // of one of its pieces; likewise
 };
 
 // What a part is to become: a profile in the coordinates of the document, and the name of what it was read from.

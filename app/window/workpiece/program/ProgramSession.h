@@ -94,7 +94,7 @@ class ProgramSession : public QObject {
   void dialectChanged();
   void writeCycles(const std::vector<double>& numbers);
   // What cycles leave of the target; nothing where that is not worth telling.
-  void tellRest(const CycleRest& rest, const TargetProfile& target, double drill);
+  void warnOfRest(const CycleRest& rest, const TargetProfile& target, double drill);
   void offer(const std::string& text, ProgramTools tools);
   void showName();
   void fail(const QString& title, const Error& error);

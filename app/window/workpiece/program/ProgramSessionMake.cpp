@@ -113,31 +113,31 @@ void ProgramSession::writeCycles(const std::vector<double>& numbers) {
     if (!program) return [failed, error = program.error()] { failed(error); };
     return [this, made = *program, target = start.target, drill = settings.drill] {
       offer(made.text, made.tools);
-      tellRest(made.rest, target->profile, drill);
+      warnOfRest(made.rest, target->profile, drill);
     };
   };
   m_runs.start(std::move(job));
 }
 
-void ProgramSession::tellRest(const CycleRest& rest, const TargetProfile& target, double drill) {
-  if (!rest.isWorthTelling()) return;
+void ProgramSession::warnOfRest(const CycleRest& rest, const TargetProfile& target, double drill) {
+  if (!rest.isConsiderable()) return;
   const QString height = QLocale().toString(rest.height, 'f', 1), z = QLocale().toString(rest.z, 'f', 1);
-  Message told{Message::Weight::Warning, tr("The program leaves material over the target"),
-               rest.isInBore ? tr("In the bore it is up to %1 mm, at Z %2 mm.").arg(height, z)
-                             : tr("It is up to %1 mm, at Z %2 mm.").arg(height, z),
-               tr("Cut the rest by hand, or by a program of your own.")};
+  Message warning{Message::Weight::Warning, tr("The program leaves material over the target"),
+                  rest.isInBore ? tr("In the bore it is up to %1 mm, at Z %2 mm.").arg(height, z)
+                                : tr("It is up to %1 mm, at Z %2 mm.").arg(height, z),
+                  tr("Cut the rest by hand, or by a program of your own.")};
   if (rest.isInBore && drill == 0.0) {
     const LatheTools tools = shippedLatheTools();
     if (const double fitting = drillFor(target, tools); fitting > 0.0) {
-      told.advice = tr("Choose a drill of %1 mm for the bore.").arg(QLocale().toString(fitting));
+      warning.advice = tr("Choose a drill of %1 mm for the bore.").arg(QLocale().toString(fitting));
     } else if (const std::optional<Error> why = whyNoDrill(target, tools)) {
-      const auto said = [&why](std::size_t i) { return errorArgument(QString::fromStdString(why->arguments[i])); };
-      told.detail += QLatin1Char(' ') + tr("No drill makes it: %1.").arg(said(2));
-      told.advice = said(3);
+      const auto argument = [&why](std::size_t i) { return errorArgument(QString::fromStdString(why->arguments[i])); };
+      warning.detail += QLatin1Char(' ') + tr("No drill makes it: %1.").arg(argument(2));
+      warning.advice = argument(3);
     }
   }
-  told.about = &m_document.document;
-  emit message(told);
+  warning.about = &m_document.document;
+  emit message(warning);
 }
 
 // The tools that an exercise does not provide are not offered.

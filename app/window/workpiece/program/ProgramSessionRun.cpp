@@ -123,7 +123,8 @@ bool ProgramSession::isToBeDoneByHand() const {
   return task && !task->areProgramsAllowed;
 }
 
-// A tool without a body is only named, and taken for one that turns the outside.
+// Of its first tool that turns the outside, as the teacher lists them. A tool without a body is only named, and taken
+// for one that does.
 std::optional<double> ProgramSession::noseOfExercise() const {
   const auto task = assignedTask(m_document.document.file().assigned);
   if (!task) return std::nullopt;

@@ -219,11 +219,21 @@ double drillFor(const TargetProfile& target, const LatheTools& tools) {
   return largest;
 }
 
+// The shape of the bore; else what is wrong with the largest drill that goes into it.
 std::optional<Error> whyNoDrill(const TargetProfile& target, const LatheTools& tools) {
-  constexpr double kSmallest = 6.0;  // mm
-  const Result<BoreTools> made = boreTools(target, kSmallest, tools);
-  if (made) return std::nullopt;
-  return made.error();
+  try {
+    const BoreWall wall = boreWallOf(target);
+    double largest = 0.0, smallest = std::numeric_limits<double>::infinity();
+    for (const auto& tool : tools) {
+      if (tool->kind != LatheToolKind::Drill) continue;
+      smallest = std::min(smallest, tool->reach());
+      if (tool->reach() < wall.leastRadius()) largest = std::max(largest, tool->reach());
+    }
+    toolsFor(wall, 2.0 * (largest > 0.0 ? largest : smallest), tools);
+  } catch (const ProgramRefusal& refusal) {
+    return refusal.error;
+  }
+  return std::nullopt;
 }
 
 Result<std::vector<ToolMove>> drillAndBore(const TargetProfile& target, const BoreTools& tools,

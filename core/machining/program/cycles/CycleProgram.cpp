@@ -28,9 +28,7 @@ std::vector<std::string> commentsOf(const ProgramTools& tools) {
   return comments;
 }
 
-CycleRest restOf(const CycleTask& task, const TurnedProfile& part, Progress progress) {
-  const AxisRange range = rangeOfTarget(task.target, part, task.base);
-  const TargetDeviation::Place most = deviationFrom(task.target, part, task.base, progress, range).largestOver;
+CycleRest restOf(const CycleTask& task, const TurnedProfile& part, const TargetDeviation::Place& most) {
   if (most.distance <= 0.0) return {};
   const auto last = static_cast<double>(part.size() - 1);
   const double sample = std::round((most.at.y() - task.base) / part.spacing());
@@ -48,7 +46,8 @@ Result<CycleRest> checkCycles(const std::string& text, const CycleTask& task, co
     return Error{ProgramError::CyclesCollide, {std::to_string(simulation.collisions().front().line)}, {}, {}};
   const TurnedProfile& part = simulation.part();
   const TargetProfile& target = task.target;
-  const TargetDeviation deviation = deviationFrom(target, part, task.base, progress.part(0.8, 0.9));
+  const TargetDeviation deviation =
+      deviationFrom(target, part, task.base, progress.part(0.8, 1.0), rangeOfTarget(target, part, task.base));
   for (std::size_t i = 0; i < part.size(); ++i) {
     const double z = part.z(i) + task.base;
     const bool isInside = z > target.lowerEnd() + part.spacing() && z < target.upperEnd() - part.spacing();
@@ -63,7 +62,7 @@ Result<CycleRest> checkCycles(const std::string& text, const CycleTask& task, co
                    {},
                    {}};
   }
-  return restOf(task, part, progress.part(0.9, 1.0));
+  return restOf(task, part, deviation.largestOver);
 }
 
 }  // namespace

@@ -25,13 +25,13 @@ struct CycleTask {
 
 // The most material that cycles leave over their target, above its lower end.
 struct CycleRest {
-  static constexpr double kWorthTelling = 0.5;  // mm; a nose leaves less in a corner
+  static constexpr double kConsiderable = 0.5;  // mm; a nose leaves less in a corner
 
   double height = 0.0;  // mm
   double z = 0.0;       // of the program
   bool isInBore = false;
 
-  bool isWorthTelling() const { return height > kWorthTelling; }
+  bool isConsiderable() const { return height > kConsiderable; }
 };
 
 // A program of cycles, and the tools with which it was simulated. Those that turn the outside are a nose alone.

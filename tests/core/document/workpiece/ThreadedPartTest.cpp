@@ -6,6 +6,7 @@
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceKind.h"
+#include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/WorkpieceShape.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/structure/MeshBuilder.h"
@@ -13,6 +14,7 @@
 
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -79,6 +81,33 @@ class ThreadedPartTest : public QObject {
     QVERIFY(!owner.workpiece().part);
     owner.history()->redo();
     QVERIFY(owner.workpiece().part->threads());
+  }
+
+  // Of a bar whose thread is behind the cut, the end piece has all of it, wherever its volume is shown.
+  void piecesHaveTheirThreads() {
+    WorkpieceSnapshot workpiece = threadedBar();
+    const auto whole = workpiece.part;
+    TurnedProfile profile = whole->profile;
+    for (std::size_t i = 0; i < profile.size(); ++i)
+      if (std::abs(profile.z(i) - 50.0) < 1.0) profile.limitOuter(i, 0.0);
+    const double ofThread = whole->profile.volume() - whole->volume();
+    QVERIFY(ofThread > 100.0);
+    workpiece.part = std::make_shared<const TurnedPart>(TurnedPart::of(profile, whole->passes, 0.1));
+    const TurnedPart& part = *workpiece.part;
+    const auto pieces = piecesOf(part.profile);
+    QCOMPARE(pieces.size(), std::size_t(2));
+    const EndPiece first = pieceAlone(part.profile, pieces[0]), last = pieceAlone(part.profile, pieces[1]);
+    QVERIFY(std::abs(part.volumeOf(first) - first.profile.volume()) < 1e-9 * ofThread);
+    QVERIFY(std::abs(last.profile.volume() - part.volumeOf(last) - ofThread) < 1e-3 * ofThread);
+    QVERIFY(std::abs(part.volumeOf(first) + part.volumeOf(last) - part.volume()) < 1e-3 * ofThread);
+    const double volume = last.profile.volume() - ofThread;
+    const nlohmann::json described = m_kind.describe(workpiece);
+    QVERIFY(std::abs(described["end_piece"]["volume"].get<double>() - volume) < 1e-3 * ofThread);
+    const auto properties = workpieceProperties(workpiece);
+    const auto parted = std::find_if(properties.begin(), properties.end(),
+                                     [](const Property& each) { return each.id == "parted_volume"; });
+    QVERIFY(parted != properties.end());
+    QVERIFY(std::abs(std::get<double>(parted->value) - volume) < 1e-3 * ofThread);
   }
 
   // A closed mesh, as a file has it, with the volume of the part; STEP has the envelope and says so.

@@ -306,11 +306,11 @@ class RoughAndFinishTest : public QObject {
     };
     const CycleRest ofBowl = rest(*bowl);
     QVERIFY2(std::abs(ofBowl.height - 14.0) < 0.01, qPrintable(QString::number(ofBowl.height)));
-    QVERIFY(ofBowl.isInBore && ofBowl.isWorthTelling() && ofBowl.z <= 0.03 && ofBowl.z > -20.1);
+    QVERIFY(ofBowl.isInBore && ofBowl.isConsiderable() && ofBowl.z <= 0.03 && ofBowl.z > -20.1);
     const CycleRest ofShaft = rest(targetOf("shaft"));
     QVERIFY2(ofShaft.height >= 0.0 && ofShaft.height < 0.4 * (std::sqrt(2.0) - 1.0) + 0.02,
              qPrintable(QString::number(ofShaft.height)));
-    QVERIFY(!ofShaft.isWorthTelling());
+    QVERIFY(!ofShaft.isConsiderable());
   }
 
   void refusesWhatCannotBeBored() {
