@@ -7,6 +7,7 @@
 #include "cli/OperationOptions.h"
 #include "cli/ReportJson.h"
 #include "cli/cell/CellFile.h"
+#include "document/cell/RobotCellKind.h"
 #include "tools/cell/RobotOperation.h"
 
 namespace handwheel {
@@ -44,7 +45,7 @@ int runRobot(const Arguments& arguments, const DocumentKinds& kinds) {
   const Result<RobotCellSnapshot> changed = withRobotsChanged(values, *file->cell, added);
   if (!changed) return fail(changed.error());
   if (const int code = saveCell(*file, *changed, arguments.valueOf("output")); code != kExitDone) return code;
-  return print(robotsReport(file->opened.kind->describe(*changed)["robots"], arguments.has("json")));
+  return print(robotsReport(describeRobots(*changed), arguments.has("json")));
 }
 
 }  // namespace

@@ -85,9 +85,9 @@ nlohmann::ordered_json heading(const OpenedFile& opened) {
   return {{"kind", opened.kind->id()}, {"id", opened.file.id}, {"display_unit", symbolOf(opened.file.displayUnit)}};
 }
 
-nlohmann::ordered_json toJson(const OpenedFile& opened) {
+nlohmann::ordered_json toJson(const OpenedFile& opened, const nlohmann::json& described) {
   nlohmann::ordered_json json = heading(opened);
-  json["document"] = opened.kind->describe(*opened.content);
+  json["document"] = described;
   return json;
 }
 
@@ -130,6 +130,7 @@ nlohmann::ordered_json meshJson(const Input& input, const MeshReport& report) {
 struct Inspected {
   Input input;
   MeshReport report;
+  nlohmann::json described;  // of what is not a mesh; of a cell with proofs it takes seconds
 };
 
 // The workpiece as if it had this target. Error: Unsupported for other kinds; else those of importTarget().
@@ -156,12 +157,16 @@ Result<Input> inputOf(const Arguments& arguments, const Registered& registered, 
 Result<Inspected> inspect(const Arguments& arguments, const Registered& registered, Progress progress) {
   Result<Input> input = inputOf(arguments, registered, progress.part(0.0, 0.3));
   if (!input) return input.error();
-  Inspected result{std::move(input.value()), {}};
+  Inspected result{std::move(input.value()), {}, {}};
   if (arguments.has("target")) {
     const Status given = giveTarget(result.input.opened, arguments.valueOf("target"), progress.part(0.3, 0.9));
     if (!given) return given.error();
   }
-  if (result.input.mesh) result.report = reportOn(result.input, SelfIntersections::Count, progress.part(0.3, 1.0));
+  const OpenedFile& opened = result.input.opened;
+  if (result.input.mesh)
+    result.report = reportOn(result.input, SelfIntersections::Count, progress.part(0.3, 1.0));
+  else
+    result.described = opened.kind->describe(*opened.content);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return result;
 }
@@ -172,14 +177,13 @@ int runInspect(const Arguments& arguments, const Registered& registered) {
   std::optional<Result<Inspected>> result;
   runInterruptible("Inspecting", [&](CommandJob& job) { result = inspect(arguments, registered, job.progress()); });
   if (!*result) return fail(result->error());
-  const auto& [input, report] = result->value();
+  const auto& [input, report, described] = result->value();
   DocumentFile file = input.opened.file;
   if (input.mesh) file.lost.clear();  // nothing is written, so nothing is not kept
   reportLosses(file);
   const bool json = arguments.has("json");
   if (input.mesh) return print(json ? textOf(meshJson(input, report)) : meshText(input, report));
-  if (json) return print(textOf(toJson(input.opened)));
-  const nlohmann::json described = input.opened.kind->describe(*input.opened.content);
+  if (json) return print(textOf(toJson(input.opened, described)));
   return print(readableText(input.opened) + plansText(described, "  ") + dimensionsText(described));
 }
 

@@ -117,6 +117,10 @@ std::optional<PathProof> proofFrom(const json& stored) {
 
 }  // namespace
 
+const char* keyOf(BasisChange change) {
+  return change == BasisChange::Nothing ? nullptr : kParts[static_cast<std::size_t>(change) - 1];
+}
+
 void writeProofs(const PathProofs& proofs, const std::set<std::string>& paths, Container& container) {
   json stored = {{"method", kMethod}, {"paths", json::array()}};
   for (const auto& [path, proof] : proofs) {

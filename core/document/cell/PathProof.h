@@ -19,6 +19,9 @@ struct Container;
 // The inputs of a path's verification, in the order in which a change is named. Nothing: none of it has changed.
 enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Clearance, Targets, Configurations };
 
+// Its name in files and reports; null: nothing has changed.
+const char* keyOf(BasisChange change);
+
 // A digest of each of these (SHA-256, hexadecimal digits), in order, without Nothing.
 using BasisDigests = std::array<std::string, 9>;
 

@@ -75,20 +75,6 @@ nlohmann::json withPose(nlohmann::json described, const Pose& pose) {
   return described;
 }
 
-nlohmann::json describeRobots(const RobotCellSnapshot& cell) {
-  const RobotModel& robot = cell.robot->model;
-  nlohmann::json list = nlohmann::json::array();
-  for (const RobotArm& arm : cell.robot->arms) {
-    list.push_back(withPose({{"name", arm.name},
-                             {"title", arm.title},
-                             {"base", robot.links[arm.base].name},
-                             {"flange", robot.links[arm.flange].name},
-                             {"planned", arm == activeArm(*cell.robot, *cell.plans)}},
-                            basePose(robot, arm)));
-  }
-  return list;
-}
-
 // Whose joints something sets, by its name.
 std::string describedArm(const RobotCellSnapshot& cell, const std::string& arm) {
   const auto number = armNumber(*cell.robot, arm);
@@ -137,33 +123,6 @@ nlohmann::json describeFrames(const RobotCellSnapshot& cell) {
   return list;
 }
 
-// What of a path's basis has changed since it was verified. Null: nothing, so what was found holds.
-nlohmann::json describeChange(BasisChange change) {
-  switch (change) {
-    case BasisChange::Robots:
-      return "robots";
-    case BasisChange::Path:
-      return "path";
-    case BasisChange::Joints:
-      return "joints";
-    case BasisChange::Bodies:
-      return "bodies";
-    case BasisChange::Pairs:
-      return "allowed";
-    case BasisChange::Tool:
-      return "tool";
-    case BasisChange::Clearance:
-      return "clearance";
-    case BasisChange::Targets:
-      return "targets";
-    case BasisChange::Configurations:
-      return "configurations";
-    case BasisChange::Nothing:
-      break;
-  }
-  return nullptr;
-}
-
 // Of the cell as it was then.
 nlohmann::json describeProof(const PathProof& proof, const BasisDigests& now) {
   const PathFindings& found = proof.found;
@@ -173,7 +132,8 @@ nlohmann::json describeProof(const PathProof& proof, const BasisDigests& now) {
                               {"clearance_mm", found.leastClearance},
                               {"collisions", found.collisions - tooNear},
                               {"too_near", tooNear},
-                              {"changed_since", describeChange(changeBetween(proof.basis, now))}};
+                              {"changed_since", nullptr}};
+  if (const char* const change = keyOf(changeBetween(proof.basis, now))) described["changed_since"] = change;
   if (found.stopsAt) described["stops_at"] = *found.stopsAt;
   return described;
 }
@@ -225,6 +185,20 @@ std::optional<Note> noteOnHidden(const BodySet& bodies) {
 }
 
 }  // namespace
+
+nlohmann::json describeRobots(const RobotCellSnapshot& cell) {
+  const RobotModel& robot = cell.robot->model;
+  nlohmann::json list = nlohmann::json::array();
+  for (const RobotArm& arm : cell.robot->arms) {
+    list.push_back(withPose({{"name", arm.name},
+                             {"title", arm.title},
+                             {"base", robot.links[arm.base].name},
+                             {"flange", robot.links[arm.flange].name},
+                             {"planned", arm == activeArm(*cell.robot, *cell.plans)}},
+                            basePose(robot, arm)));
+  }
+  return list;
+}
 
 std::string RobotCellKind::title() const {
   return QT_TRANSLATE_NOOP("DocumentKind", "Robot cell");

@@ -9,6 +9,8 @@
 
 namespace handwheel {
 
+struct RobotCellSnapshot;
+
 // Document kind of robot cells. A cell is a URDF description, its meshes and joint values, and bodies beside it.
 class RobotCellKind : public DocumentKind {
  public:
@@ -39,5 +41,8 @@ class RobotCellKind : public DocumentKind {
  private:
   std::atomic<std::uint32_t> m_shapeSides = kShapeSides;
 };
+
+// The key "robots" of what describe() gives: an array with name, title, position and planned of each, among others.
+nlohmann::json describeRobots(const RobotCellSnapshot& cell);
 
 }  // namespace handwheel

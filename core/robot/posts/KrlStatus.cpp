@@ -50,15 +50,14 @@ std::optional<ArmValues> jointsWith(const KrlStatus& wanted, const SerialArm& ar
   if (!wanted.turn) return jointsOfWay(way, arm, closed, tip, std::array{reference});
   // Where two axes are in line, the solution has the first from the reference. It is 0, or half a turn to its side: at
   // one of these the other is on its own.
-  const auto within = [&](double halfTurns) {
-    ArmValues values = reference;
-    for (const Eigen::Index i : {Eigen::Index{0}, Eigen::Index{3}}) {
-      const double side = isBelow(i) ? -1.0 : 1.0;
-      values[i] = halfTurns < 0.0 ? side * std::max(0.0, side * values[i]) : side * halfTurns * M_PI;
-    }
-    return values;
-  };
-  return jointsOfWay(way, arm, closed, tip, std::array{within(-1.0), within(0.0), within(1.0)});
+  ArmValues nearest = reference, none = reference, half = reference;
+  for (const Eigen::Index i : {Eigen::Index{0}, Eigen::Index{3}}) {
+    const double side = isBelow(i) ? -1.0 : 1.0;
+    nearest[i] = side * std::max(0.0, side * reference[i]);
+    none[i] = 0.0;
+    half[i] = side * M_PI;
+  }
+  return jointsOfWay(way, arm, closed, tip, std::array{nearest, none, half});
 }
 
 }  // namespace handwheel

@@ -199,15 +199,17 @@ class RapidConfigurationTest : public QObject {
     QVERIFY2(read.hasValue(), text.c_str());
     QVERIFY((*read)[0].joints.has_value());
     const ArmValues& values = *(*read)[0].joints;
-    QVERIFY(hasConfiguration(wanted, program.arm, values));
     const Pose reached = program.arm.tipPose(values);
     QVERIFY((reached.translation() - tip.translation()).norm() < 0.05);
     QVERIFY(Eigen::AngleAxisd(Eigen::Matrix3d(tip.linear().transpose() * reached.linear())).angle() < 5e-4);
     QVERIFY((values.head(3) - joints.head(3)).cwiseAbs().maxCoeff() < 5e-4);
     QVERIFY(std::abs(values[4] - joints[4]) < 5e-4);
+    // Where axis 5 is near 0, axes 4 and 6 turn against each other by the angle that rounding turns the hand, over its
+    // sine. The hand turns by 1e-4 at most: 0.005 mm at the wrist and 5e-7 in the quaternion.
+    const double free = std::min(0.5 * M_PI, 1e-4 / std::abs(std::sin(joints[4])));
     for (const auto& [axis, quarter] : {std::pair(3, wanted.quarters[1]), std::pair(5, wanted.quarters[2])}) {
-      QVERIFY(values[axis] >= 0.5 * M_PI * quarter - 0.3);
-      QVERIFY(values[axis] <= 0.5 * M_PI * (quarter + 1) + 0.3);
+      QVERIFY(values[axis] >= 0.5 * M_PI * quarter - free);
+      QVERIFY(values[axis] <= 0.5 * M_PI * (quarter + 1) + free);
     }
   }
 
