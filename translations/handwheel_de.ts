@@ -10117,6 +10117,10 @@
         <source>%1: −%2 mm³</source>
         <translation>%1: −%2 mm³</translation>
     </message>
+    <message>
+        <source>this volume is to be drilled, not shaped</source>
+        <translation>dieses Volumen ist zu bohren, nicht zu formen</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -12428,12 +12432,12 @@
         <translation>Zum Bohren die Taste auf dem Teil halten</translation>
     </message>
     <message>
-        <source>Undo the hole to try again, and stop at the breakthrough. The report tells of this try.</source>
-        <translation>Machen Sie das Bohrloch rückgängig, um es noch einmal zu versuchen, und halten Sie beim Durchbruch an. Der Bericht nennt diesen Versuch.</translation>
-    </message>
-    <message>
         <source>Breakthrough, %1 mm beyond</source>
         <translation>Durchbruch, %1 mm darüber hinaus</translation>
+    </message>
+    <message>
+        <source>Undo the hole to try again, and stop at the breakthrough. The report lists this try.</source>
+        <translation>Machen Sie das Bohrloch rückgängig, um es noch einmal zu versuchen, und halten Sie beim Durchbruch an. Der Bericht führt diesen Versuch auf.</translation>
     </message>
 </context>
 <context>

@@ -10064,6 +10064,10 @@
         <source>%1: −%2 mm³</source>
         <translation>%1：−%2 mm³</translation>
     </message>
+    <message>
+        <source>this volume is to be drilled, not shaped</source>
+        <translation>此体素模型用于钻孔，而非塑形</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -12352,12 +12356,12 @@
         <translation>在零件上按住按钮即可钻孔</translation>
     </message>
     <message>
-        <source>Undo the hole to try again, and stop at the breakthrough. The report tells of this try.</source>
-        <translation>撤销此孔即可再试，并在钻穿时停止。报告会列出这次尝试。</translation>
-    </message>
-    <message>
         <source>Breakthrough, %1 mm beyond</source>
         <translation>已钻穿，超出 %1 mm</translation>
+    </message>
+    <message>
+        <source>Undo the hole to try again, and stop at the breakthrough. The report lists this try.</source>
+        <translation>撤销此孔即可再试，并在钻穿时停止。报告会列出这次尝试。</translation>
     </message>
 </context>
 <context>

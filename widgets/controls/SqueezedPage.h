@@ -8,7 +8,8 @@
 namespace handwheel {
 
 // The page of a ScrolledPanel with lists or plots. They take the room that there is, and it is scrolled only where they
-// would become smaller than their least size. Of another page with wrapped lines the usual height is scrolled.
+// would become smaller than their least size. Another page with wrapped lines gets the height of its size hint, and is
+// scrolled although there is room.
 class SqueezedPage : public QWidget {
  public:
   using QWidget::QWidget;
