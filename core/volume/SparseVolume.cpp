@@ -25,8 +25,9 @@ VoxelIndex regionOfKey(std::uint64_t key) {
 }  // namespace
 
 std::int16_t depthSample(double voxels) {
-  const double scaled = std::clamp(std::round(voxels * VolumeBlock::kUnit), -32767.0, 32767.0);
-  const auto sample = static_cast<std::int16_t>(scaled);
+  // Rounded by truncation: std::round is a call.
+  const double scaled = std::clamp(voxels * VolumeBlock::kUnit, -32767.0, 32767.0);
+  const auto sample = static_cast<std::int16_t>(scaled + std::copysign(0.5, scaled));
   return sample != 0 ? sample : static_cast<std::int16_t>(voxels < 0.0 ? -1 : 1);
 }
 

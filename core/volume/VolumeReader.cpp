@@ -15,26 +15,31 @@ double mix(double a, double b, double t) {
 
 // The eight samples around a place, and the shares of the way between them.
 struct SampledCell {
-  std::array<double, 8> corners;  // voxels
+  std::array<double, 8> corners;  // as they are stored
   Vec3 share;
 
   SampledCell(const VolumeReader& reader, const Vec3& at) {
     const VoxelIndex base = at.array().floor().cast<int>();
     share = at - base.cast<double>();
     const std::array<std::int16_t, 8> samples = reader.samplesFrom(base);
-    for (std::size_t k = 0; k < 8; ++k) corners[k] = samples[k] / VolumeBlock::kUnit;
+    for (std::size_t k = 0; k < 8; ++k) corners[k] = samples[k];
   }
+
+  // Voxels.
+  double depth() const {
+    return kVoxel * mix(mix(alongX(0), alongX(2), share.y()), mix(alongX(4), alongX(6), share.y()), share.z());
+  }
+  Vec3 gradient() const {
+    return kVoxel * Vec3(mix(mix(slopeX(0), slopeX(2), share.y()), mix(slopeX(4), slopeX(6), share.y()), share.z()),
+                         mix(alongX(2) - alongX(0), alongX(6) - alongX(4), share.z()),
+                         mix(alongX(4), alongX(6), share.y()) - mix(alongX(0), alongX(2), share.y()));
+  }
+
+ private:
+  static constexpr double kVoxel = 1.0 / VolumeBlock::kUnit;
 
   double alongX(std::size_t k) const { return mix(corners[k], corners[k + 1], share.x()); }
   double slopeX(std::size_t k) const { return corners[k + 1] - corners[k]; }
-  double depth() const {
-    return mix(mix(alongX(0), alongX(2), share.y()), mix(alongX(4), alongX(6), share.y()), share.z());
-  }
-  Vec3 gradient() const {
-    return {mix(mix(slopeX(0), slopeX(2), share.y()), mix(slopeX(4), slopeX(6), share.y()), share.z()),
-            mix(alongX(2) - alongX(0), alongX(6) - alongX(4), share.z()),
-            mix(alongX(4), alongX(6), share.y()) - mix(alongX(0), alongX(2), share.y())};
-  }
 };
 
 // Whether a place, in voxels, is where a volume can have samples.

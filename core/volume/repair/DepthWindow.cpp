@@ -12,6 +12,23 @@ namespace handwheel {
 namespace {
 
 constexpr std::array<int, 3> kAxisSteps{1, DepthWindow::kSide, DepthWindow::kSide* DepthWindow::kSide};
+constexpr std::size_t kWindowPlaces = static_cast<std::size_t>(DepthWindow::kSide) * kAxisSteps[2];
+using Depths = std::array<float, kWindowPlaces>;
+
+// Replaces depths by their means along an axis. These are all but the first and the last ones, more than a block needs,
+// in loops of constant length, which compilers make vector instructions of. Where the axis leaves the window, that is
+// at places that no mean of the block comes from, the neighbours are those of another row.
+template <int kStep>
+void averageAlong(Depths& depths, int reach) {
+  constexpr std::size_t kFirst = DepthWindow::kMargin * kStep;
+  const float share = 1.0f / static_cast<float>(2 * reach + 1);
+  Depths sums{};
+  for (int k = -reach; k <= reach; ++k) {
+    const std::size_t from = kFirst + static_cast<std::size_t>(k * kStep);
+    for (std::size_t i = 0; i < kWindowPlaces - 2 * kFirst; ++i) sums[kFirst + i] += depths[from + i];
+  }
+  for (std::size_t i = kFirst; i < kWindowPlaces - kFirst; ++i) depths[i] = share * sums[i];
+}
 
 }  // namespace
 
@@ -33,46 +50,38 @@ DepthWindow::DepthWindow(const SparseVolume& volume, const VoxelIndex& block) {
   }
 }
 
-// Along one axis after the other: the mean over a cube is that of means. Only what the block needs.
 void DepthWindow::average(int reach) {
-  const float share = 1.0f / static_cast<float>(2 * reach + 1);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Depths before = m_depths;
-    std::array<int, 3> low, high;  // of the places that are averaged
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = k <= axis ? 0 : -reach;
-      high[k] = VolumeBlock::kSize + (k <= axis ? 0 : reach);
-    }
-    for (int z = low[2]; z < high[2]; ++z)
-      for (int y = low[1]; y < high[1]; ++y)
-        for (int x = low[0]; x < high[0]; ++x) {
-          const auto place = static_cast<int>(index(x, y, z));
-          float sum = 0.0f;
-          for (int k = -reach; k <= reach; ++k) sum += before[static_cast<std::size_t>(place + k * kAxisSteps[axis])];
-          m_depths[static_cast<std::size_t>(place)] = share * sum;
-        }
-  }
+  averageAlong<1>(m_depths, reach);
+  averageAlong<kSide>(m_depths, reach);
+  averageAlong<kSide * kSide>(m_depths, reach);
 }
 
 namespace {
-
-using Depths = std::array<float, DepthWindow::kSide * DepthWindow::kSide * DepthWindow::kSide>;
 
 // Fast marching from the places beside the surface outwards, layer by layer, within a window but for its outermost
 // places: what these would change lies beyond the depths that are stored.
 class Marching {
  public:
   Marching(const Depths& depths, DepthWindow::Beside beside) : m_depths(depths), m_beside(beside) {
-    m_state.fill(kOutside);
     m_distances.fill(kUnknown);
-    constexpr int n = DepthWindow::kSide;
-    for (int z = 1; z < n - 1; ++z)
-      for (int y = 1; y < n - 1; ++y)
-        for (int x = 1; x < n - 1; ++x) {
-          const auto place = static_cast<std::size_t>((z * n + y) * n + x);
-          m_state[place] = kFree;
-          begin(place);
-        }
+    constexpr std::size_t n = DepthWindow::kSide, border = n * n + n;
+    // Which places are beside the surface, in loops as those of the means: of most it is not so.
+    std::array<std::uint8_t, kWindowPlaces> isInside, isBeside{};
+    for (std::size_t i = 0; i < kWindowPlaces; ++i) isInside[i] = m_depths[i] > 0.0f ? 1 : 0;
+    for (std::size_t i = border; i < kWindowPlaces - border; ++i) {
+      const std::uint8_t here = isInside[i];
+      isBeside[i] = static_cast<std::uint8_t>((here ^ isInside[i - 1]) | (here ^ isInside[i + 1]) |
+                                              (here ^ isInside[i - n]) | (here ^ isInside[i + n]) |
+                                              (here ^ isInside[i - n * n]) | (here ^ isInside[i + n * n]));
+    }
+    m_state.fill(kOutside);
+    for (std::size_t z = 1; z < n - 1; ++z)
+      for (std::size_t y = 1; y < n - 1; ++y) {
+        const std::size_t row = (z * n + y) * n;
+        std::fill_n(m_state.begin() + static_cast<std::ptrdiff_t>(row) + 1, n - 2, kFree);
+        for (std::size_t place = row + 1; place < row + n - 1; ++place)
+          if (isBeside[place] != 0) begin(place);
+      }
   }
 
   const Depths& run() {
@@ -104,13 +113,6 @@ class Marching {
   // A place beside the surface: its depth by the slope there.
   void begin(std::size_t place) {
     const float depth = m_depths[place];
-    const bool isInside = depth > 0.0f;
-    bool isBeside = false;  // of most it is not: that is found out first, without a branch
-    for (const int step : kAxisSteps) {
-      isBeside |= (m_depths[place - static_cast<std::size_t>(step)] > 0.0f) != isInside;
-      isBeside |= (m_depths[place + static_cast<std::size_t>(step)] > 0.0f) != isInside;
-    }
-    if (!isBeside) return;
     const bool isKept = m_beside == DepthWindow::Beside::Kept;
     m_distances[place] = std::abs(depth) / (isKept ? 1.0f : std::max(kLeastSlope, slopeAt(place)));
     m_state[place] = kKnown;

@@ -31,6 +31,7 @@ class CellCube {
 
   VolumeTriangles triangles(const Vec3& origin) const {
     VolumeTriangles made;
+    if (!hasSurface()) return made;
     made.points.reserve(400);
     made.normals.reserve(400);
     made.corners.reserve(600);
@@ -50,6 +51,12 @@ class CellCube {
   }
 
  private:
+  // Whether there are samples on both sides; of blocks near the surface about half have none.
+  bool hasSurface() const {
+    const bool isInside = m_samples.front() > 0;
+    return std::any_of(m_samples.begin(), m_samples.end(), [&](std::int16_t s) { return (s > 0) != isInside; });
+  }
+
   // Each sample once, block by block.
   void copyBlocks() {
     const VoxelIndex low = m_first - VoxelIndex::Ones(), high = low + VoxelIndex::Constant(m_side - 1);
