@@ -128,21 +128,19 @@ class ExerciseEditorTest : public QObject {
     };
     auto* const field = page->findChild<QWidget*>("property/criterion.d36.lower")->findChild<QLineEdit*>();
     const QString good = field->text(), bad = QStringLiteral("45 min");
-    QList<int> before;
+    // The panels get their widths some time after the window is shown, and narrow names have more lines.
+    for (int same = 0, width = 0; same < 5; same = page->width() == std::exchange(width, page->width()) ? same + 1 : 0)
+      QTest::qWait(100);
+    const QList<int> before = places();
+    QVERIFY(!before.contains(-1));
     for (const QString& text : {bad, good, bad, good}) {
       field->setFocus();
       field->selectAll();
       QTest::keyClicks(field, text);
       QTest::keyClick(field, Qt::Key_Return);
       QTRY_COMPARE(remarks->text().isEmpty(), text == good);
-      if (!before.isEmpty()) {
-        QTRY_COMPARE(places(), before);
-      } else if (text == good) {
-        QTest::qWait(300);  // until they are laid out
-        before = places();
-      }
+      QTRY_COMPARE(places(), before);
     }
-    QVERIFY(!before.contains(-1));
     for (const char* const limit : {"criterion.d36.lower", "criterion.d36.upper"})
       QVERIFY(exercise.setProperty(limit, std::string()));
     QTRY_VERIFY2(remarks->text().contains("they cannot be scored without a limit"), qPrintable(remarks->text()));
