@@ -205,7 +205,6 @@ void ExerciseLesson::setMeasured(const ExerciseSnapshot& measured, const Marking
   m_sizes->setText(measuredText(exercise, marking));
   m_sizes->setEnabled(true);
   m_isMeasured = true;
-  setMet(measured, marking);
   // They may be below what is in view. Once they are laid out.
   QTimer::singleShot(0, this, [this] { m_reading->verticalScrollBar()->setValue(m_sizes->y()); });
 }

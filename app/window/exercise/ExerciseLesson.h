@@ -28,7 +28,7 @@ class ExerciseLesson : public QWidget {
   void setSeconds(double seconds, double allowed);
   // Ticks the steps whose marks are met, and no others of those that have any.
   void setMet(const ExerciseSnapshot& measured, const Marking& marking);
-  // Shows each size of the drawing, too.
+  // Shows each size of the drawing; the ticks stay.
   void setMeasured(const ExerciseSnapshot& exercise, const Marking& marking);
   // The part is another one than was measured: the sizes stay, but look old.
   void setOutdated();

@@ -411,7 +411,8 @@ void RunningAttempt::take(const DocumentTab* tab, const ExerciseSnapshot& exerci
   }
   if (showsSizes || work->attempt.done != before) store(*work, true);
   if (work != current()) return;
-  if (!showsSizes) return m_lesson->setMet(exercise, *marking);
+  m_lesson->setMet(exercise, *marking);
+  if (!showsSizes) return;
   m_lesson->setMeasured(exercise, *marking);
   if (work->areSizesOld) m_lesson->setOutdated();
 }

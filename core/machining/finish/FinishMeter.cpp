@@ -69,13 +69,18 @@ void FinishMeter::endContact() {
 }
 
 void FinishMeter::add(const TurningPass& pass, std::size_t i, std::uint32_t number, const TurnedProfile& profile,
-                      const TurnedProfile::Range& changed) {
+                      const TurnedProfile::Range& beside) {
   m_feed = 0.0;
+  TurnedProfile::Range changed = beside;
+  if (i == 1 && number == m_number) changed.extend(m_first);
   const bool isOther = i == 0 || changed.isEmpty() || number != m_number;
   if (isOther) m_meter.clear();
   if (isOther || !goesOn(pass, i)) endContact();
   m_number = number;
-  if (changed.isEmpty()) return;
+  // What a tool takes where its pass begins has the feed of the first move, of which the manual lathe cuts it as a
+  // part.
+  m_first = i == 0 && pass.path.size() > 1 ? changed : TurnedProfile::Range();
+  if (changed.isEmpty() || !m_first.isEmpty()) return;
   m_touched.extend(changed);
   const bool isAbrasive = pass.tool && pass.tool->isAbrasive();
   const double way = i == 0 ? 0.0 : (pass.path[i] - pass.path[i - 1]).norm();

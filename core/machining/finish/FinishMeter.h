@@ -61,6 +61,7 @@ class FinishMeter {
   double m_feed = 0.0;
   std::vector<double> m_taken[2];  // mm, by side: off each sample in this contact
   TurnedProfile::Range m_touched;  // in this contact
+  TurnedProfile::Range m_first;    // that the first point of the pass has changed, and no mark tells yet
 };
 
 // Cuts a pass as cut() does, and marks the finish. Incomplete when it was cancelled.

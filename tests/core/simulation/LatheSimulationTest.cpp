@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/turning/LatheSimulation.h"
 
+#include "LatheBench.h"
 #include "TestClass.h"
 #include "haptics/scene/SceneForces.h"
-#include "machining/finish/FinishMeter.h"
-#include "machining/force/TrainedForceModel.h"
-#include "machining/lathe/LatheJson.h"
-#include "simulation/SimulationLoop.h"
 #include "simulation/turning/LatheForce.h"
 
 #include <QtTest>
@@ -16,83 +13,7 @@
 #include <cmath>
 
 using namespace handwheel;
-
-namespace {
-
-using LatheDo = LatheCommand::Kind;
-
-constexpr StockCylinder kRod{40.0, 100.0, 0.0};
-constexpr double kLower = 7.0, kServoTick = 0.001;
-constexpr std::size_t kPassesBefore = 3;
-
-// A law with numbers that a test can calculate with.
-class PlainLaw : public CuttingForceModel {
- public:
-  CutForces at(const CutConditions& cut) const noexcept override {
-    return {2000.0 * cut.depth * cut.feed, 800.0 * cut.depth * cut.feed, 400.0 * cut.depth * cut.feed};
-  }
-  bool covers(const CutConditions&) const noexcept override { return true; }
-};
-
-// The same law for all tools.
-template <class Law>
-std::shared_ptr<const LatheMaterial> materialWith(Law law) {
-  LatheMaterial material;
-  material.laws.assign(shippedLatheTools().size(), std::make_shared<Law>(law));
-  return std::make_shared<const LatheMaterial>(std::move(material));
-}
-
-struct LatheBench {
-  std::shared_ptr<LatheChannel> channel = std::make_shared<LatheChannel>();
-  VirtualClock clock;
-  Service service{"simulation"};
-  TurnedProfile rod{kRod, 0.05};
-  LatheSetup setup = defaultLatheSetup(kRod);
-  LatheTools tools = shippedLatheTools();
-  std::shared_ptr<const LatheMaterial> material = materialWith(PlainLaw());
-  std::shared_ptr<const PartThreads> threads;
-  SimulationLoop loop{make(), 1000.0, channel->inputs, clock, service};
-
-  std::unique_ptr<Simulation> make() {
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
-    return std::make_unique<LatheSimulation>(
-        LatheRun(setup, tools, rod, LatheMachine::initialState(setup, kRod), material),
-        TurnedSurface(rod, 0.05, threads), kLower, channel, SurfaceFinish(rod.size()), kPassesBefore);
-  }
-  void send(LatheDo kind, double value, double other = 0.0, LatheAxis axis = LatheAxis::Carriage) {
-    channel->commands.push({kind, axis, value, other});
-  }
-  void run(double seconds) { loop.runSteps(static_cast<std::uint64_t>(std::lround(seconds / loop.dt()))); }
-  // The first pass: 2 mm off by the feed.
-  void turnDown() {
-    send(LatheDo::Spindle, 1.0);
-    send(LatheDo::Place, 18.0, 102.0);
-    run(2.0);
-    send(LatheDo::Feed, -0.2);
-    run(8.0);
-  }
-  // Turns the end down and cuts in with the parting tool.
-  std::unique_ptr<Simulation> workWithTwoTools() {
-    turnDown();
-    send(LatheDo::Feed, 0.0);
-    send(LatheDo::Place, 30.0, 110.0);
-    run(1.0);
-    send(LatheDo::Tool, 3.0);  // parting
-    send(LatheDo::Place, 21.0, 60.0);
-    run(2.0);
-    send(LatheDo::Feed, -0.05, 0.0, LatheAxis::Cross);
-    run(5.0);
-    auto taken = loop.take();
-    static_cast<LatheSimulation&>(*taken).finish();
-    return taken;
-  }
-  const LatheMoment& moment() { return static_cast<const LatheMoment&>(*(m_held = loop.state())); }
-
- private:
-  std::shared_ptr<const SimulationState> m_held;
-};
-
-}  // namespace
+using namespace handwheel::test;
 
 class LatheSimulationTest : public QObject {
   Q_OBJECT
@@ -149,57 +70,6 @@ class LatheSimulationTest : public QObject {
       QVERIFY(pass.speeds.back() < 300.0 && pass.askedSpeeds.back() == 600.0);
       for (std::size_t i = 0; i < pass.path.size(); ++i) QVERIFY(pass.askedSpeeds[i] >= pass.speeds[i]);
     }
-  }
-
-  // The feed of the lever and the nose of the tool in the post, then paper on a part of it; and whoever repeats the
-  // passes finds the same, bit for bit.
-  void theFinishIsKept() {
-    LatheBench bench;
-    LatheSetup setup = bench.setup;
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
-    setup.stations[0].tool = "right-finishing";
-    setup.stations[1].tool = "paper-240";
-    const auto paper = toolNamed(bench.tools, "paper-240");
-    bench.loop.replace(std::make_unique<LatheSimulation>(
-        LatheRun(setup, bench.tools, bench.rod, LatheMachine::initialState(setup, kRod), bench.material),
-        TurnedSurface(bench.rod, 0.05), kLower, bench.channel, SurfaceFinish(bench.rod.size()), kPassesBefore));
-    const auto at = [&](double z) {
-      return bench.moment().finish.at(TurningSide::Outside, static_cast<std::size_t>(std::lround(z / 0.05)));
-    };
-    bench.send(LatheDo::Spindle, 1.0);
-    bench.send(LatheDo::Place, 19.8, 102.0);
-    bench.run(2.0);
-    bench.send(LatheDo::Feed, -0.2);
-    bench.run(20.0);  // to 62 mm
-    const double turned = 1e3 * 0.04 / (32.0 * 0.4);
-    QVERIFY2(std::abs(at(90.0).roughness / turned - 1.0) < 0.02, qPrintable(QString::number(at(90.0).roughness)));
-    QVERIFY(at(90.0).pass == kPassesBefore && std::abs(at(90.0).feed - 0.2) < 0.002);
-    QVERIFY(!at(50.0).isKnown());
-    bench.send(LatheDo::Feed, 0.0);
-    bench.send(LatheDo::Place, 40.0, 130.0);
-    bench.run(2.0);
-    bench.send(LatheDo::Tool, 1.0);
-    bench.send(LatheDo::Place, 20.5, 80.0);
-    bench.run(2.0);
-    bench.send(LatheDo::Place, 19.0, 80.0);
-    bench.run(1.0);
-    const double rubbed = at(80.0).roughness;
-    QVERIFY(rubbed < turned && rubbed > paper->leastRoughness);
-    bench.run(10.0);
-    QVERIFY(std::abs(at(80.0).roughness - paper->leastRoughness) < 1e-6);
-    QVERIFY(std::abs(at(95.0).roughness / turned - 1.0) < 0.02);  // beside it
-
-    const auto taken = bench.loop.take();
-    auto& lathe = static_cast<LatheSimulation&>(*taken);
-    lathe.finish();
-    const auto& last = static_cast<const LatheMoment&>(*lathe.state());
-    QVERIFY(last.collisions->empty());
-    TurnedProfile part = bench.rod;
-    FinishMeter again(part, SurfaceFinish(part.size()));
-    for (std::size_t i = 0; i < lathe.passes().size(); ++i)
-      cut(part, lathe.passes()[i], static_cast<std::uint32_t>(kPassesBefore + i), again);
-    QVERIFY(part == last.profile);
-    QVERIFY(again.finish() == last.finish);
   }
 
   void saysWhatIsCut() {

@@ -365,6 +365,7 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(driver.enterFileName("exerciseTargetDialog", shaft));
     QVERIFY(driver.settle());
     QTRY_VERIFY(driver.window().findChild<QDialog*>("targetPlaceDialog"));
+    QVERIFY(driver.settle());  // its fields are filled anew with what was computed
     dialog = driver.find<QDialog>("targetPlaceDialog");
     const auto facing = [&] {
       return dialog->findChild<QWidget*>("property/facing_allowance")->findChild<QLineEdit*>();

@@ -159,14 +159,19 @@ Measurement peak(const MarkingCriterion& c, const std::vector<MeasuredPart::Load
   return {c.id, (*largest).*which, {QT_TRANSLATE_NOOP("Note", "after %1 s"), {time}}};
 }
 
-// What a drill left is that of the passes: programs before it had a figure of its own kept the cusps of a round nose.
-SurfaceFinish withDrilledAsRepeated(SurfaceFinish kept, const SurfaceFinish& repeated) {
+// As the passes leave it where older programs kept another finish: of a drill the cusps of a round nose, and no feed at
+// all where a pass began in the material.
+SurfaceFinish withOlderMarksAsRepeated(SurfaceFinish kept, const SurfaceFinish& repeated) {
   constexpr double kSame = 1e-4;  // share: marks keep feed and roughness rounded to single precision
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    const FinishMark again = repeated.at(TurningSide::Bore, i), mark = kept.at(TurningSide::Bore, i);
-    const double drilled = drilledRoughness(again.feed);
-    const bool isDrilled = again.isKnown() && std::abs(again.roughness - drilled) <= kSame * drilled;
-    if (isDrilled && mark.isKnown() && mark.pass == again.pass) kept.set(TurningSide::Bore, i, again);
+  for (const TurningSide side : {TurningSide::Outside, TurningSide::Bore}) {
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      const FinishMark again = repeated.at(side, i), mark = kept.at(side, i);
+      if (!mark.isKnown() || !again.isKnown() || mark.pass != again.pass) continue;
+      const double drilled = drilledRoughness(again.feed);
+      const bool isDrilled = side == TurningSide::Bore && std::abs(again.roughness - drilled) <= kSame * drilled;
+      const bool isBegin = mark.roughness == 0.0f && mark.feed == 0.0f;
+      if (isDrilled || isBegin) kept.set(side, i, again);
+    }
   }
   return kept;
 }
@@ -291,7 +296,7 @@ MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& wor
   }
   m_review =
       TurningReview::make(TurnedProfile::barOf(workpiece.stock, m_profile.size()), m_passes, task.lathe, progress);
-  if (m_review && m_profile.isBored()) m_finish = withDrilledAsRepeated(std::move(m_finish), m_review->finish());
+  if (m_review) m_finish = withOlderMarksAsRepeated(std::move(m_finish), m_review->finish());
   m_isOfItsPasses = m_review && m_review->profile() == m_profile && isRepeated(m_finish, m_review->finish());
 }
 

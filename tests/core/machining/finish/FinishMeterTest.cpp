@@ -267,6 +267,23 @@ class FinishMeterTest : public QObject {
     }
   }
 
+  // What a pass takes where it begins leaves with the feed of its first move, whether that is cut as one or not.
+  void aPassBeginsWithItsFirstMove() {
+    FollowedPart part, live;
+    const TurningPass there = along(18.0, 105.0, 80.0, 0.2), back = along(17.9, 80.0, 95.0, 0.1, 0.8, 150);
+    part.turn(there);
+    live.turn(there);
+    part.turn(back);
+    for (std::size_t i = 1; i < back.path.size(); ++i) {
+      const TurnedProfile::Range now = cut(live.profile, back, back.path[i - 1], back.path[i]);
+      live.meter.add(back, i, 1, live.profile, now);
+    }
+    QVERIFY(part.profile == live.profile);
+    QVERIFY(part.meter.finish() == live.meter.finish());
+    QVERIFY(part.at(80.0).pass == 1 && isNear(part.at(80.0).roughness, raOfCusps(0.1, 0.8), 0.3));
+    QVERIFY(isNear(part.at(80.0).feed, 0.1, 1e-4));
+  }
+
   // The finish of one that follows is the same, bit for bit, however the parts before were copied.
   void isDeterministic() {
     FollowedPart one, other;

@@ -4,6 +4,8 @@
 #include "../workpiece/LatheWindow.h"
 #include "LessonWidgets.h"
 #include "document/workpiece/TurnedPartEdit.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
 
 #include <QPushButton>
 #include <cmath>
@@ -69,6 +71,18 @@ class LessonPassTest : public QObject {
     QVERIFY2(isSpoiled(), qPrintable(labelsOf(lesson)));
     window.driver.find<QAction>("undo")->trigger();
     QVERIFY2(QTest::qWaitFor(isGood, kPatienceMs), qPrintable(labelsOf(lesson)));
+
+    // Sizes that were measured before tick nothing when the work is shown again.
+    window.driver.find<QAction>("undo")->trigger();
+    const auto isUncut = [lesson] { return labelsOf(lesson).contains("0 of 5 steps"); };
+    QVERIFY2(QTest::qWaitFor(isUncut, kPatienceMs), qPrintable(labelsOf(lesson)));
+    auto* const tabs = window.driver.window().findChild<DocumentTabs*>();
+    DocumentTab* const here = tabs->current();
+    tabs->setCurrent(tabs->all().front().get());
+    QVERIFY(tabs->current() != here && window.driver.settle());
+    tabs->setCurrent(here);
+    QVERIFY(window.driver.settle());
+    QVERIFY2(isUncut() && !sizes->isEnabled(), qPrintable(labelsOf(lesson)));
   }
 };
 
