@@ -207,8 +207,6 @@ void DrillSimulation::publish() {
   state->changedBlocks = m_changed.size();
   state->thrust = m_load.thrust;
   state->torque = m_load.torque;
-  state->maxThrust = m_run.maxThrust();
-  state->maxTorque = m_run.maxTorque();
   state->removed = m_run.removed();
   state->energy = m_run.energy();
   state->time = m_time;

@@ -11,16 +11,15 @@ namespace handwheel {
 
 // A volume that is being drilled, at one moment.
 struct DrillState : ClayState {
-  double thrust = 0.0, torque = 0.0;        // N, N·mm: largest since the state before
-  double maxThrust = 0.0, maxTorque = 0.0;  // since the simulation began
-  double removed = 0.0;                     // mm³
-  double energy = 0.0;                      // J
-  double time = 0.0;                        // s, since the hole was begun
-  std::optional<double> breakthrough;       // s, since then
-  std::optional<DrillPlan> plan;            // that it is judged by; none yet
-  DrillStatistics figures;                  // by the plan
-  PagedArray<DrillMoment> moments;          // of the hole
-  PagedArray<DrillPose> poses;              // that it can be drilled by again
+  double thrust = 0.0, torque = 0.0;   // N, N·mm: largest since the state before
+  double removed = 0.0;                // mm³
+  double energy = 0.0;                 // J
+  double time = 0.0;                   // s, since the hole was begun
+  std::optional<double> breakthrough;  // s, since then
+  std::optional<DrillPlan> plan;       // that it is judged by; none yet
+  DrillStatistics figures;             // by the plan
+  PagedArray<DrillMoment> moments;     // of the hole
+  PagedArray<DrillPose> poses;         // that it can be drilled by again
   // Of a part of triangles: where its surface is that of the voxels, as it may have been cut. The triangles have it
   // elsewhere. Cubes of HybridPart::kTile voxels from the origin of the volume, which are pieces of the surface.
   std::vector<VolumeSurface::Key> tiles;

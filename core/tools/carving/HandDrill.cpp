@@ -32,8 +32,8 @@ void addFigures(std::vector<Property>& all, const DrillState& hole, bool isDrill
   if (!hole.moments.empty())
     all.push_back(drillFigure("hole_depth", QT_TRANSLATE_NOOP("Property", "Depth of the hole"),
                               hole.moments[hole.moments.size() - 1].holeDepth, Quantity::Length));
-  all.push_back(drillFigure("max_thrust", QT_TRANSLATE_NOOP("Property", "Largest thrust (N)"), hole.maxThrust));
-  all.push_back(drillFigure("max_torque", QT_TRANSLATE_NOOP("Property", "Largest torque (N·mm)"), hole.maxTorque));
+  all.push_back(drillFigure("max_thrust", QT_TRANSLATE_NOOP("Property", "Largest thrust (N)"), hole.figures.thrust));
+  all.push_back(drillFigure("max_torque", QT_TRANSLATE_NOOP("Property", "Largest torque (N·mm)"), hole.figures.torque));
   all.push_back(drillFigure("removed", QT_TRANSLATE_NOOP("Property", "Removed (mm³)"), hole.removed));
   all.push_back(drillFigure("energy", QT_TRANSLATE_NOOP("Property", "Work (J)"), hole.energy));
   if (hole.breakthrough)
@@ -55,8 +55,8 @@ std::span<const ToolKey> HandDrill::keys() {
 QString HandDrill::textOf(const DrillState& hole) {
   const QLocale locale;
   return QCoreApplication::translate("Tool", "Drill: −%1 mm³, at most %2 N and %3 N·mm")
-      .arg(locale.toString(hole.removed, 'g', 4), locale.toString(hole.maxThrust, 'g', 3),
-           locale.toString(hole.maxTorque, 'g', 3));
+      .arg(locale.toString(hole.removed, 'g', 4), locale.toString(hole.figures.thrust, 'g', 3),
+           locale.toString(hole.figures.torque, 'g', 3));
 }
 
 // The resistance until the simulation tells what the head takes: that of its whole section, by the balance of energy.

@@ -19,6 +19,7 @@ void DrillMonitor::beginHole(const DrillSetup& setup) {
   m_time = 0.0;
   m_setup = setup;
   m_place.reset();
+  m_last.clear();
   m_contact.reset();
   m_exit.reset();
   m_temperature = 0.0;
@@ -40,11 +41,9 @@ DrillMoment DrillMonitor::add(const DrillTick& tick, const Vec3& axis, bool isTh
   const double dt = m_place ? tick.time - m_time : 0.0;
   DrillMoment moment;
   moment.time = m_begin + tick.time;
-  moment.thrust = tick.thrust;
-  moment.torque = tick.torque.norm();
+  takeMeans(moment, tick, dt);
   if (dt > 0.0) {
-    moment.feed = (tick.place - *m_place).norm() / dt;
-    const double power = 1e-3 * moment.torque * std::abs(m_setup.spindle);  // W
+    const double power = 1e-3 * tick.torque.norm() * std::abs(m_setup.spindle);  // W
     const double warming = DrillHeat::kShare * power / (DrillHeat::kHeat * DrillHeat::volume(m_setup.tool));
     m_temperature = m_temperature * std::exp(-dt / DrillHeat::kTime) + warming * dt;
   }
@@ -61,6 +60,26 @@ DrillMoment DrillMonitor::add(const DrillTick& tick, const Vec3& axis, bool isTh
   m_time = tick.time;
   count(moment, tip, tick.ahead);
   return moment;
+}
+
+// Summed anew, so that nothing is left of loads that have passed.
+void DrillMonitor::takeMeans(DrillMoment& moment, const DrillTick& tick, double dt) {
+  if (!(dt > 0.0)) return;
+  m_last.push_back({dt, (tick.place - *m_place).norm(), dt * tick.thrust, dt * tick.torque.norm()});
+  Passage sum{};
+  auto first = m_last.end();
+  while (first != m_last.begin() && sum.seconds < DrillMoment::kMeanTime) {
+    --first;
+    sum.seconds += first->seconds;
+    sum.way += first->way;
+    sum.impulse += first->impulse;
+    sum.angular += first->angular;
+  }
+  m_last.erase(m_last.begin(), first);
+  const double seconds = std::max(sum.seconds, DrillMoment::kMeanTime);
+  moment.thrust = sum.impulse / seconds;
+  moment.torque = sum.angular / seconds;
+  moment.feed = sum.way / seconds;
 }
 
 void DrillMonitor::count(const DrillMoment& moment, const Vec3& tip, const Vec3& ahead) {

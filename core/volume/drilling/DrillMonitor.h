@@ -5,6 +5,7 @@
 #include "volume/VolumeShapes.h"
 #include "volume/drilling/DrillRun.h"
 
+#include <deque>
 #include <vector>
 
 namespace handwheel {
@@ -17,8 +18,12 @@ struct DrillPlan {
   std::vector<SolidBall> forbidden;  // where the head must not be
 };
 
-// A cycle of a drill, as it is judged by a plan.
+// A cycle of a drill, as it is judged by a plan. Loads and feed are means over the last kMeanTime, as a sensor that is
+// filtered shows them: a hand that meets the material gets its resistance some cycles later, and until then goes on as
+// in air.
 struct DrillMoment {
+  static constexpr double kMeanTime = 0.05;  // s
+
   double time = 0.0;         // s, since the first hole was begun; pauses between holes do not count
   double thrust = 0.0;       // N
   double torque = 0.0;       // N·mm
@@ -71,6 +76,7 @@ class DrillMonitor {
  private:
   double forbiddenDepth(const Vec3& centre, const Vec3& axis) const;
   double deviation(const Vec3& p) const;
+  void takeMeans(DrillMoment& moment, const DrillTick& tick, double dt);
   void count(const DrillMoment& moment, const Vec3& tip, const Vec3& axis);
 
   DrillPlan m_plan;
@@ -78,6 +84,11 @@ class DrillMonitor {
   DrillStatistics m_figures;
   double m_begin = 0.0, m_time = 0.0;  // s: of the hole, and of the last tick in it
   std::optional<Vec3> m_place;
+  struct Passage {
+    double seconds, way;      // mm
+    double impulse, angular;  // N·s, N·mm·s
+  };
+  std::deque<Passage> m_last;             // of kMeanTime
   double m_temperature = 0.0;             // K
   std::optional<Vec3> m_contact, m_exit;  // of the tip in this hole: where it met the material, and where it came out
 };

@@ -144,7 +144,7 @@ class DrillWindowTest : public QObject {
     QCOMPARE(thrust.series.size(), std::size_t{3});  // ours, the reference, the breakthrough
     double highest = 0.0;
     for (const QPointF& p : thrust.series[0].points) highest = std::max(highest, p.y());
-    QCOMPARE(highest, hole->maxThrust);
+    QCOMPARE(highest, hole->figures.thrust);
     QVERIFY(driver.find<QWidget>("exerciseLesson")->isVisible());
     driver.find<QWidget>("exerciseLesson")->findChild<QPushButton*>("lesson/measure")->click();
     QVERIFY(driver.settle());

@@ -46,9 +46,10 @@ void addBreakthrough(ReportCurve& curve, const std::vector<DrillMoment>& moments
   curve.series.push_back({QT_TRANSLATE_NOOP("Figure", "Breakthrough"), {{through->time, low}, {through->time, high}}});
 }
 
-// By the reference laws of He 2008, (3-22) and (3-23), while the drill cuts.
+// By the reference laws of He 2008, (3-22) and (3-23), of a head that is in the material as a whole: while the drill
+// cuts, up to the breakthrough.
 DrillLoad referenceAt(const DrillSetup& setup, const DrillMoment& moment) {
-  if (!moment.isCutting) return {};
+  if (!moment.isCutting || moment.isThrough) return {};
   return agreeingReference(setup.material, setup.tool, moment.feed, setup.spindle);
 }
 

@@ -62,8 +62,8 @@ class PartDrillingTest : public QObject {
     const auto a = test::stateOf(whole), b = test::stateOf(part);
     QVERIFY(b->isExact);
     QVERIFY(std::abs(a->removed - b->removed) < 1e-9 * a->removed);
-    QVERIFY(std::abs(a->maxThrust - b->maxThrust) < 1e-9 * a->maxThrust);
-    QVERIFY(std::abs(a->maxTorque - b->maxTorque) < 1e-9 * a->maxTorque);
+    QVERIFY(std::abs(a->figures.thrust - b->figures.thrust) < 1e-9 * a->figures.thrust);
+    QVERIFY(std::abs(a->figures.torque - b->figures.torque) < 1e-9 * a->figures.torque);
     QVERIFY(a->breakthrough && a->breakthrough == b->breakthrough);
     QCOMPARE(b->changedBlocks, a->changedBlocks);
     QCOMPARE(b->poses.size(), a->poses.size());

@@ -90,8 +90,8 @@ class DrillingToolTest : public QObject {
     const auto review = reviewDrilling(before->volume, bench.tool->hole()->plan.value(), after->holes);
     QVERIFY(review.has_value());
     QCOMPARE(countedMaterial(review->left), countedMaterial(after->volume));
-    QCOMPARE(review->figures.thrust, bench.tool->hole()->maxThrust);
-    QCOMPARE(review->figures.torque, bench.tool->hole()->maxTorque);
+    QCOMPARE(review->figures.thrust, bench.tool->hole()->figures.thrust);
+    QCOMPARE(review->figures.torque, bench.tool->hole()->figures.torque);
     // Shown to four digits, so to half of the last one.
     for (const auto& [id, exact] :
          {std::pair("max_thrust", review->figures.thrust), std::pair("max_torque", review->figures.torque),

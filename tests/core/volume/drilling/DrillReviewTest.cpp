@@ -92,6 +92,29 @@ class DrillReviewTest : public QObject {
   }
 
   // Beside the plan by 0.7 mm, or tilted: then the tip is further away than the centre.
+  // A steady load is shown as it is; one cycle of a millisecond counts as a fiftieth of what is shown for 50 ms.
+  void loadsAreMeans() {
+    DrillMonitor watch{DrillPlan()};
+    watch.beginHole(DrillSetup());
+    int i = 0;
+    const auto add = [&](double thrust) {
+      DrillTick tick{0.001 * i, Vec3(0.0, 0.0, -0.002 * i)};
+      ++i;
+      tick.thrust = thrust;
+      tick.torque = Vec3(0.0, 0.0, -4.0 * thrust);
+      return watch.add(tick, Vec3::UnitZ(), false);
+    };
+    for (int k = 0; k < 100; ++k) add(0.0);
+    add(35.0);
+    QVERIFY(isNear(watch.figures().thrust, 0.7, 1e-9) && isNear(watch.figures().torque, 2.8, 1e-9));
+    for (int k = 0; k < 60; ++k) add(0.0);
+    QCOMPARE(add(0.0).thrust, 0.0);
+    for (int k = 0; k < 60; ++k) add(3.0);
+    const DrillMoment steady = add(3.0);
+    QVERIFY(isNear(steady.thrust, 3.0, 1e-9) && isNear(steady.torque, 12.0, 1e-9) && isNear(steady.feed, 2.0, 1e-9));
+    QVERIFY(isNear(watch.figures().thrust, 3.0, 1e-9));
+  }
+
   void deviation() {
     QVERIFY(isNear(reviewOf({hole("ball:4", -3.0, 0.7)}).figures.deviation, 0.7, 1e-5));
     DrillPlan tilted;

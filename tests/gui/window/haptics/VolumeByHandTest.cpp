@@ -144,7 +144,7 @@ class VolumeByHandTest : public QObject {
     QVERIFY(hand.driver.settle());
 
     const auto hole = dynamic_cast<const DrillingTool*>(hand.runner().tool())->hole();
-    QVERIFY(hole && hole->breakthrough && hole->maxThrust > 0.0 && hole->energy > 0.0);
+    QVERIFY(hole && hole->breakthrough && hole->figures.thrust > 0.0 && hole->energy > 0.0);
     const double cylinder = M_PI * 0.25 * kDiameter * kDiameter * kThick;
     QVERIFY2(hole->removed > 0.95 * cylinder, qPrintable(QString::number(hole->removed / cylinder)));
     const double gone = before->volume.material() - hand.material();
