@@ -58,9 +58,15 @@ std::string verifiedText(const nlohmann::json& path) {
   std::string text = changed.is_null() ? ", verified " + found["at"].get<std::string>() + ": "
                                        : ", not verified since " + changeText(changed.get<std::string>()) +
                                              "; before, " + found["at"].get<std::string>() + ": ";
-  if (found["certified"].get<bool>())
-    return text + "free of collisions, clearance " + shownText(shownDistance(found["clearance_mm"].get<double>())) +
-           " mm";
+  if (found["certified"].get<bool>()) {
+    text += "free of collisions, clearance " + shownText(shownDistance(found["clearance_mm"].get<double>())) + " mm";
+    constexpr std::size_t kMostPairs = 5;
+    const nlohmann::json& pairs = found["not_checked"];
+    for (std::size_t i = 0; i < std::min(pairs.size(), kMostPairs); ++i)
+      text += ", not checked: " + pairs[i][0].get<std::string>() + " with " + pairs[i][1].get<std::string>();
+    return pairs.size() > kMostPairs ? text + " and " + std::to_string(pairs.size() - kMostPairs) + " more pairs"
+                                     : text;
+  }
   if (found.contains("stops_at")) return text + "a line to place " + std::to_string(count("stops_at") + 1) + " ends";
   text += std::to_string(count("collisions")) + " times it collides";
   return count("too_near") > 0 ? text + ", " + std::to_string(count("too_near")) + " times it is too near" : text;

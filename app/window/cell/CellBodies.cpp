@@ -11,6 +11,7 @@
 #include "window/ActionToolTip.h"
 #include "window/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
+#include "window/kinds/KindPanel.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -81,7 +82,7 @@ void CellBodies::connectActions() {
     });
   });
   connect(&m_rename, &QAction::triggered, this, [this] {
-    if (!m_parts.isPanelVisible()) m_parts.showPanel->trigger();
+    showKindPanel(m_parts);
     m_list->setFocus();
     m_list->edit(m_list->currentIndex().siblingAtColumn(BodyModel::Name));
   });

@@ -96,7 +96,7 @@ void CellPaths::reportAllVerified() {
   if (failed > 0) said.detail = others.front();
   if (const QString pairs = notCheckedText({notChecked.begin(), notChecked.end()}); !pairs.isEmpty()) {
     const QString text = tr("Not checked, as they may touch: %1.").arg(pairs);
-    said.detail = said.detail.isEmpty() ? text : said.detail + QLatin1Char(' ') + text;
+    said.detail = said.detail.isEmpty() ? text : said.detail + QStringLiteral(". ") + text;
   }
   if (failed > 1) said.advice = tr("The list has what is known of the others.");
   said.about = &m_document->document;
@@ -137,6 +137,14 @@ void CellPaths::startPlanning(std::vector<Waypoint> places, const RouteSettings&
                     const CellScene& scene, const RobotCellSnapshot& content,
                     Progress progress) { return plannedThrough(scene, *content.plans, places, settings, progress); },
                 {name, text, std::move(again)});
+}
+
+void CellPaths::whenPrepared(const std::function<void()>& then) {
+  if (m_collisions.scene()) return then();
+  const auto goOn = [this, then, document = m_document] {
+    if (document == m_document) whenPrepared(then);
+  };
+  connect(&m_collisions, &CellCollisions::prepared, this, goOn, Qt::SingleShotConnection);
 }
 
 // Another document may be in view when the path has been planned: it is put into the cell for which that was asked.

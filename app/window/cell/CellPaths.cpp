@@ -13,6 +13,7 @@
 #include "window/cell/PathStatus.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileDialogs.h"
+#include "window/kinds/KindPanel.h"
 
 #include <QFileDialog>
 #include <QLabel>
@@ -183,7 +184,7 @@ void CellPaths::connectActions() {
   });
   connect(&m_pairs, &QAction::triggered, this, &CellPaths::askForPairs);
   connect(&m_rename, &QAction::triggered, this, [this] {
-    if (!m_parts.isPanelVisible()) m_parts.showPanel->trigger();
+    showKindPanel(m_parts);
     m_tree->setFocus();
     m_tree->editItem(m_tree->currentItem(), 0);
   });

@@ -133,6 +133,9 @@ class CellPaths : public QObject {
     std::string part = {};             // that a new path leads along; empty: none, or that of the path of this name
   };
   void startPlanning(Planning planning, PlanRequest request);
+  // Calls what needs scene(): at once, or when the cell has been prepared. Not where another document is in view by
+  // then.
+  void whenPrepared(const std::function<void()>& then);
   // How a path is to be worked off that is being planned for it; the owner of that job.
   struct WantedProcess {
     std::string path;

@@ -18,11 +18,17 @@ namespace handwheel {
 
 namespace {
 
+constexpr std::size_t kMostResults = 8;  // of a path
+
 // Whether what is stored contradicts itself, as no verification finds it.
 bool isContradictory(const PathFindings& found, BasisChange change, double clearance) {
   constexpr double kTolerance = 1e-6;  // mm
   if (found.isCertified && (found.collisions > 0 || !found.listed.empty())) return true;
   return change == BasisChange::Nothing && !(std::abs(found.clearance - clearance) <= kTolerance);
+}
+
+PathProof proofOf(const PathResult& result) {
+  return {*result.found, result.at.toUTC().toString(Qt::ISODate).toStdString(), result.digests};
 }
 
 }  // namespace
@@ -50,8 +56,10 @@ void PathChecks::setDocument(DocumentTab* document) {
   m_parts.jobs.cancelOf(this);
   m_parts.jobs.cancelOf(&m_results);
   m_digests.reset();
+  disconnect(m_changes);
   m_document = document;
   if (!document) return;
+  m_changes = connect(&document->document, &Document::changed, this, &PathChecks::storeThoseThatHold);
   if (auto rest = m_interrupted.extract(document)) {
     m_asked = std::move(rest.mapped().asked);  // goOn() as soon as the cell is prepared
     m_waiting = std::move(rest.mapped().waiting);
@@ -70,14 +78,14 @@ void PathChecks::recall() {
   job.owner = &m_results;
   job.work = [this, now](Progress) -> Job::Finish {
     const auto digests = std::make_shared<const PathDigests>(now);
-    std::map<std::string, PathResult> results;
+    Results results;
     for (const RobotPath& path : now->plans->paths) {
       const auto proof = now->proofs->find(path.name);
       if (proof == now->proofs->end()) continue;
       const BasisChange change = changeBetween(proof->second.basis, digests->of(path));
       if (isContradictory(proof->second.found, change, now->plans->clearanceOf(path))) continue;
       const QDateTime at = QDateTime::fromString(QString::fromStdString(proof->second.at), Qt::ISODate).toLocalTime();
-      results[path.name] = {basisOf(*now, path), proof->second.found, {}, nullptr, at, change};
+      results[path.name] = {{basisOf(*now, path), proof->second.found, {}, nullptr, at, change, proof->second.basis}};
     }
     return [this, digests, results = std::move(results)]() mutable {
       m_recalled.insert(m_document);
@@ -97,12 +105,23 @@ std::shared_ptr<const RobotCellSnapshot> PathChecks::content() const {
 const PathResult* PathChecks::resultOf(const RobotPath& path, const RobotCellSnapshot& now) const {
   const auto known = m_results.find(m_document);
   if (known == m_results.end()) return nullptr;
-  const auto& results = known->second;
-  if (const auto found = results.find(path.name); found != results.end()) return &found->second;
-  const auto renamed = std::find_if(results.begin(), results.end(), [&](const auto& each) {
-    return !now.plans->path(each.first) && areSameWay(each.second.basis.path, path);
+  const Results& results = known->second;
+  auto of = results.find(path.name);
+  if (of == results.end()) {
+    const auto isSame = [&](const PathResult& result) { return areSameWay(result.basis.path, path); };
+    of = std::find_if(results.begin(), results.end(), [&](const auto& each) {
+      return !now.plans->path(each.first) && std::any_of(each.second.begin(), each.second.end(), isSame);
+    });
+  }
+  if (of == results.end()) return nullptr;
+  const auto holding = std::find_if(of->second.rbegin(), of->second.rend(), [&](const PathResult& result) {
+    return changeOf(result, now, path) == BasisChange::Nothing;
   });
-  return renamed == results.end() ? nullptr : &renamed->second;
+  return holding == of->second.rend() ? &of->second.back() : &*holding;
+}
+
+BasisChange PathChecks::changeOf(const PathResult& result, const RobotCellSnapshot& now, const RobotPath& path) {
+  return result.changedBefore != BasisChange::Nothing ? result.changedBefore : changeSince(result.basis, now, path);
 }
 
 bool PathChecks::isRunning(const RobotPath& path, const RobotCellSnapshot& now) const {
@@ -113,9 +132,7 @@ PathChecks::State PathChecks::stateOf(const RobotPath& path) const {
   if (!m_document) return {};
   const auto now = content();
   State state{resultOf(path, *now), BasisChange::Nothing, isRunning(path, *now)};
-  if (state.last)
-    state.change = state.last->changedBefore != BasisChange::Nothing ? state.last->changedBefore
-                                                                     : changeSince(state.last->basis, *now, path);
+  if (state.last) state.change = changeOf(*state.last, *now, path);
   return state;
 }
 
@@ -174,14 +191,21 @@ void PathChecks::take(std::uint64_t run, const Outcome& outcome) {
   const Run done = std::move(*m_run);
   m_run.reset();
   m_digests = outcome.digests;
-  PathResult result{.basis = done.basis, .found = {}, .checked = nullptr, .at = QDateTime::currentDateTime()};
+  PathResult result{.basis = done.basis,
+                    .found = {},
+                    .checked = nullptr,
+                    .at = QDateTime::currentDateTime(),
+                    .digests = m_digests->of(done.basis.path)};
   if (outcome.checked) {
     result.checked = std::make_shared<const CheckedPath>(*outcome.checked);
     result.found = findingsOf(*outcome.checked, *outcome.scene, done.basis.clearance);
   } else {
     result.problem = errorSentence(outcome.checked.error());
   }
-  m_results[m_document][done.basis.path.name] = result;
+  std::vector<PathResult>& known = m_results[m_document][done.basis.path.name];
+  std::erase_if(known, [&](const PathResult& each) { return each.digests == result.digests; });
+  if (known.size() == kMostResults) known.erase(known.begin());
+  known.push_back(result);
   store(result, done.isAsked || done.isOfAll);
   emit changed();
   if (done.isAsked) emit verified(result);
@@ -198,11 +222,28 @@ void PathChecks::store(const PathResult& result, bool isAsked) {
     if (proofs.erase(name) > 0) cell.setProofs(std::move(proofs), false);
     return;
   }
-  const PathProof proof{*result.found, result.at.toUTC().toString(Qt::ISODate).toStdString(),
-                        m_digests->of(result.basis.path)};
+  const PathProof proof = proofOf(result);
   const bool isNew = known == proofs.end() || known->second.found != proof.found || known->second.basis != proof.basis;
   proofs[name] = proof;
   cell.setProofs(std::move(proofs), isAsked && isNew);
+}
+
+// What undo and redo bring back holds again, and no change that is to be saved.
+void PathChecks::storeThoseThatHold() {
+  auto& cell = static_cast<RobotCellDocument&>(m_document->document);
+  const auto now = content();
+  PathProofs proofs = cell.proofs();
+  bool isOther = false;
+  for (const RobotPath& path : now->plans->paths) {
+    const PathResult* const result = resultOf(path, *now);
+    if (!result || !result->found || changeOf(*result, *now, path) != BasisChange::Nothing) continue;
+    const PathProof proof = proofOf(*result);
+    const auto known = proofs.find(path.name);
+    if (known != proofs.end() && known->second == proof) continue;
+    proofs[path.name] = proof;
+    isOther = true;
+  }
+  if (isOther) cell.setProofs(std::move(proofs), false);
 }
 
 void PathChecks::renamed(const std::string& from, const std::string& to) {

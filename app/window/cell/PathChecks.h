@@ -16,7 +16,7 @@
 
 namespace handwheel {
 
-// The result of the last verification of a path.
+// The result of a verification of a path.
 struct PathResult {
   PathBasis basis;
   std::optional<PathFindings> found;           // none: it could not be verified
@@ -24,18 +24,20 @@ struct PathResult {
   std::shared_ptr<const CheckedPath> checked;  // null: not in this session
   QDateTime at = {};
   BasisChange changedBefore = BasisChange::Nothing;  // of one that was stored: since then, before it was opened
+  BasisDigests digests = {};                         // of the basis
 };
 
-// What is known of the paths of the open cells. A path is verified on a worker, one at a time; its result is kept until
-// it is verified again, also while another path or document is shown, and holds as long as nothing changes that it
-// depends on. In brief it is stored with the cell, with digests of what it depends on. Window thread.
+// What is known of the paths of the open cells. A path is verified on a worker, one at a time. Its last results are
+// kept, also while another path or document is shown. One holds while all that it depends on is as it was, so undo
+// brings it back. The one that holds is stored with the cell in brief, with digests of what it depends on. Window
+// thread.
 class PathChecks : public QObject {
   Q_OBJECT
 
  public:
   // What is known of a path now.
   struct State {
-    const PathResult* last = nullptr;  // null: it was never verified
+    const PathResult* last = nullptr;  // that holds, else the last one; null: it was never verified
     BasisChange change = BasisChange::Nothing;
     bool isUnderWay = false;
   };
@@ -90,17 +92,21 @@ class PathChecks : public QObject {
 
   std::shared_ptr<const RobotCellSnapshot> content() const;
   std::shared_ptr<const CellScene> sceneFor(const RobotPath& path, const RobotCellSnapshot& now) const;
+  static BasisChange changeOf(const PathResult& result, const RobotCellSnapshot& now, const RobotPath& path);
   const PathResult* resultOf(const RobotPath& path, const RobotCellSnapshot& now) const;
   bool isRunning(const RobotPath& path, const RobotCellSnapshot& now) const;
   void recall();
   void goOn();
   void take(std::uint64_t run, const Outcome& outcome);
   void store(const PathResult& result, bool isAsked);
+  void storeThoseThatHold();
 
   WindowContext m_parts;
   CellCollisions& m_collisions;
   DocumentTab* m_document = nullptr;
-  std::map<const DocumentTab*, std::map<std::string, PathResult>> m_results;  // by the name of the path
+  QMetaObject::Connection m_changes;                               // of the document
+  using Results = std::map<std::string, std::vector<PathResult>>;  // by the name of the path, the last one behind
+  std::map<const DocumentTab*, Results> m_results;
   std::set<const DocumentTab*> m_recalled;  // of which nothing stored is left to be recalled
   std::optional<Run> m_run;
   std::uint64_t m_runs = 0;            // that were begun

@@ -132,6 +132,7 @@ nlohmann::json describeProof(const PathProof& proof, const BasisDigests& now) {
                               {"clearance_mm", found.leastClearance},
                               {"collisions", found.collisions - tooNear},
                               {"too_near", tooNear},
+                              {"not_checked", found.notChecked},
                               {"changed_since", nullptr}};
   if (const char* const change = keyOf(changeBetween(proof.basis, now))) described["changed_since"] = change;
   if (found.stopsAt) described["stops_at"] = *found.stopsAt;

@@ -63,10 +63,11 @@ TimeLinePanel::TimeLinePanel(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(4);
-  column->addWidget(m_plot, 1);
-  column->addWidget(m_track);
-  column->addWidget(m_text);
+  // What is used stays in sight where the panel is low.
   column->addWidget(controls());
+  column->addWidget(m_text);
+  column->addWidget(m_track);
+  column->addWidget(m_plot, 1);
   m_timer.setObjectName(QStringLiteral("timeTimer"));
   m_timer.setTimerType(Qt::PreciseTimer);
   m_timer.setInterval(kFrameMs);

@@ -93,11 +93,11 @@ void CellPaths::reportHindered(DocumentTab& tab, const Error& error, const QStri
   if (!pair && !row) return report(&tab, error, title);
   Message said{
       .weight = Message::Weight::Error, .title = title, .detail = errorSentence(error), .advice = errorAdvice(error)};
-  const auto let = [this, pair, document = &tab] {
+  const auto let = [this, pair, again = request.again, document = &tab] {
     if (document != m_document) return;
     CellPlans changed = plans();
     setAllowed(changed, *pair, true);
-    commit(tr("Change the pairs that may touch"), std::move(changed));
+    if (commit(tr("Change the pairs that may touch"), std::move(changed)) && again) whenPrepared(again);
   };
   const auto go = [this, row, document = &tab] {
     if (document == m_document) goTo(*row);

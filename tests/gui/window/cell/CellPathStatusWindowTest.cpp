@@ -3,6 +3,7 @@
 #include "../WindowTestMain.h"
 #include "PixelsLike.h"
 #include "PlanningWindow.h"
+#include "document/cell/RobotCellDocument.h"
 #include "panels/time/TimeLinePanel.h"
 #include "panels/time/TimePlot.h"
 #include "viewport/path/PathLayer.h"
@@ -15,6 +16,8 @@
 #include <QTemporaryDir>
 #include "window/cell/PathStatus.h"
 #include "window/cell/PlanTree.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -66,6 +69,29 @@ class CellPathStatusWindowTest : public QObject {
     QVERIFY(driver.settle());
     driver.choose("verifyAllPaths");
     QVERIFY(driver.becomes(0, "free"));
+  }
+
+  // The selected path is verified at each change. Undo brings back what was found before, also for the file.
+  void undoBringsTheProofBack() {
+    TwoPaths driver;
+    const auto& cell =
+        static_cast<const RobotCellDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
+    QVERIFY(driver.settle());
+    const PathProofs before = cell.proofs();
+    const QString first = driver.remark(0), second = driver.remark(1);
+    QCOMPARE(before.size(), std::size_t{2});
+    driver.choose("add-box");
+    QTRY_VERIFY_WITH_TIMEOUT(cell.proofs() != before, kPatienceMs);
+    driver.click("quickActions/undo");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.remark(0), first);
+    QCOMPARE(driver.remark(1), second);
+    QVERIFY(cell.proofs() == before);
+    driver.click("quickActions/redo");
+    QVERIFY(driver.settle());
+    QVERIFY(driver.remark(0).contains("not verified since") && cell.proofs() != before);
+    driver.click("quickActions/undo");
+    QVERIFY(driver.settle() && cell.proofs() == before);
   }
 
   // Verified all together: how many are proven is said, also where that was known, and why the first other one is not.
