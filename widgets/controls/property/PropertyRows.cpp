@@ -40,16 +40,23 @@ constexpr int kListMargin = 24;        // pixels, for frame and scroll bar
 constexpr double kMostCount = 1e15;    // whole numbers beyond have digits that a double does not
 
 // With the wheel over them, these would change instead of letting the form scroll.
-template <class Widget>
-class Unhurried final : public Widget {
+class FormSlider final : public QSlider {
  public:
-  using Widget::Widget;
+  using QSlider::QSlider;
 
  protected:
   void wheelEvent(QWheelEvent* event) override {
-    if (Widget::hasFocus()) return Widget::wheelEvent(event);
+    if (hasFocus()) return QSlider::wheelEvent(event);
     event->ignore();
   }
+};
+// Also with the focus, which a box has since its choice was made: whoever then scrolls the form would choose anew.
+class FormBox final : public QComboBox {
+ public:
+  using QComboBox::QComboBox;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 };
 
 // A value of another type than the row is made for would be a bug of the document; it shows as zero or nothing.
@@ -81,7 +88,7 @@ NumberRow::NumberRow(QWidget* parent)
     : PropertyRow(parent),
       m_field(new NumberField(this)),
       m_travel(new QWidget(this)),
-      m_slider(new Unhurried<QSlider>(Qt::Horizontal, m_travel)),
+      m_slider(new FormSlider(Qt::Horizontal, m_travel)),
       m_lower(new QLabel(m_travel)),
       m_upper(new QLabel(m_travel)) {
   m_slider->setObjectName(QStringLiteral("propertySlider"));
@@ -322,7 +329,7 @@ void ColourRow::choose() {
   dialog->open();
 }
 
-ChoiceRow::ChoiceRow(QWidget* parent) : PropertyRow(parent), m_box(new Unhurried<QComboBox>(this)) {
+ChoiceRow::ChoiceRow(QWidget* parent) : PropertyRow(parent), m_box(new FormBox(this)) {
   m_box->setFocusPolicy(Qt::StrongFocus);
   m_box->setObjectName(QStringLiteral("propertyChoice"));
   m_box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
