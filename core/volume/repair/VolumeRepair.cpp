@@ -20,6 +20,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace handwheel {
 namespace {
@@ -49,32 +50,45 @@ class Reduction {
   Reduction(const HalfEdgeMesh& sampled, const std::vector<Vec3>& kept, const VolumeRepairOptions& options)
       : m_sampled(sampled), m_kept(kept), m_within(options.within * options.voxel), m_numbers(options.numbers) {}
 
-  // The first of so many triangles, or twice, four times as many and so on, that is near enough; else all.
+  // The first of so many triangles, or twice, four times as many and so on, that is near enough; else all. Each is made
+  // of the next larger one, so that the triangles are reduced once and not for each.
   VolumeRepair reduced(VolumeRepair repair, std::size_t faces, Progress progress) const {
-    const std::size_t all = m_sampled.liveFaceCount();
+    constexpr double kMaking = 0.6;  // of the time
+    std::vector<std::size_t> wanted;
+    for (std::size_t each = std::max<std::size_t>(faces, 100); each < m_sampled.liveFaceCount(); each *= 2)
+      wanted.push_back(each);
+    std::vector<HalfEdgeMesh> made;
+    made.reserve(wanted.size());
     double done = 0.0;
-    for (std::size_t wanted = std::max<std::size_t>(faces, 100); wanted < all && !progress.cancelled(); wanted *= 2) {
+    for (auto each = wanted.rbegin(); each != wanted.rend(); ++each) {
+      const double next = 0.5 * (kMaking + done);
+      HalfEdgeMesh fewer = made.empty() ? m_sampled : made.back();
+      const DecimationReport report =
+          decimate(fewer, {.faces = *each, .method = DecimationMethod::Quadric}, progress.part(done, next));
+      if (report.cancelled) return repair;
+      if (report.refusal != OpenMeshRefusal::None) break;
+      made.push_back(std::move(fewer));
+      done = next;
+    }
+    done = kMaking;
+    for (auto each = made.rbegin(); each != made.rend() && !progress.cancelled(); ++each) {
       const double next = 0.5 * (1.0 + done);
-      if (attempt(wanted, repair, progress.part(done, next))) return repair;
+      if (takeIfNear(std::move(*each), repair, progress.part(done, next))) return repair;
       done = next;
     }
     return repair;
   }
 
  private:
-  bool attempt(std::size_t faces, VolumeRepair& repair, Progress progress) const {
-    HalfEdgeMesh fewer = m_sampled;
-    const DecimationReport report =
-        decimate(fewer, {.faces = faces, .method = DecimationMethod::Quadric}, progress.part(0.0, 0.5));
-    if (report.refusal != OpenMeshRefusal::None || report.cancelled) return false;
+  bool takeIfNear(HalfEdgeMesh fewer, VolumeRepair& repair, Progress progress) const {
     roundTo(fewer, m_numbers);
-    const double kept = distanceFrom(fewer, m_kept, progress.part(0.5, 0.6));
+    const double kept = distanceFrom(fewer, m_kept, progress.part(0.0, 0.2));
     // Where the sampled surface is farther itself, nothing can be nearer.
     if (kept > std::max(m_within, repair.keptDistance)) return false;
-    const std::optional<double> distance = largestDistance(fewer, m_sampled, progress.part(0.6, 0.7));
+    const std::optional<double> distance = largestDistance(fewer, m_sampled, progress.part(0.2, 0.5));
     if (!distance || *distance > m_within) return false;
     const TriangleSoup soup = fewer.compact().soup;
-    const auto pairs = selfIntersections(soup.points, soup.triangles, progress.part(0.7, 1.0), 1);
+    const auto pairs = selfIntersections(soup.points, soup.triangles, progress.part(0.5, 1.0), 1);
     if (!pairs || !pairs->empty()) return false;
     repair.mesh = std::move(fewer);
     repair.keptDistance = kept;
