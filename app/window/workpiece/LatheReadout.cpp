@@ -85,8 +85,10 @@ QLabel* LatheReadout::cell(QHBoxLayout& line, const QString& name, const char* i
 }
 
 void LatheReadout::showLimited(QLabel& label, double value, double limit, int digits, const QString& unit) {
-  label.setText(limit > 0.0 ? tr("%1 of %2 %3").arg(figure(value, digits), figure(limit, 0), unit)
-                            : QStringLiteral("%1 %2").arg(figure(value, digits), unit));
+  label.setText(
+      limit > 0.0
+          ? tr("%1 of %2 %3").arg(figure(value, digits), figure(limit, limit == std::floor(limit) ? 0 : digits), unit)
+          : QStringLiteral("%1 %2").arg(figure(value, digits), unit));
   setWarning(label, limit > 0.0 && value > limit);
 }
 
