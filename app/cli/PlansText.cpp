@@ -61,7 +61,7 @@ std::string verifiedText(const nlohmann::json& path) {
   if (found["certified"].get<bool>()) {
     text += "free of collisions, clearance " + shownText(shownDistance(found["clearance_mm"].get<double>())) + " mm";
     constexpr std::size_t kMostPairs = 5;
-    const nlohmann::json& pairs = found["not_checked"];
+    const nlohmann::json pairs = listAt(found, "not_checked");
     for (std::size_t i = 0; i < std::min(pairs.size(), kMostPairs); ++i)
       text += ", not checked: " + pairs[i][0].get<std::string>() + " with " + pairs[i][1].get<std::string>();
     return pairs.size() > kMostPairs ? text + " and " + std::to_string(pairs.size() - kMostPairs) + " more pairs"

@@ -24,6 +24,13 @@ class PlansTextTest : public QObject {
         {"changed_since", nullptr}};
     QCOMPARE(text(), std::string("path weld, 6 places, verified 2026-11-24T10:00:00Z: free of collisions, clearance "
                                  "1.5 mm\n"));
+    const auto pair = [](int i) { return nlohmann::json::array({"tool", "part " + std::to_string(i)}); };
+    path["verified"]["not_checked"] = nlohmann::json::array({pair(1), pair(2)});
+    QVERIFY2(text().ends_with("1.5 mm, not checked: tool with part 1, not checked: tool with part 2\n"),
+             text().c_str());
+    for (int i = 3; i < 9; ++i) path["verified"]["not_checked"].push_back(pair(i));
+    QVERIFY2(text().ends_with(", not checked: tool with part 5 and 3 more pairs\n"), text().c_str());
+    path["verified"].erase("not_checked");
     for (const char* const changed :
          {"robots", "path", "joints", "bodies", "allowed", "tool", "clearance", "targets", "configurations"}) {
       path["verified"]["changed_since"] = changed;
