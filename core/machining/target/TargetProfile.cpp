@@ -135,8 +135,9 @@ std::optional<TargetProfile::Extent> TargetProfile::extentAt(double z) const {
                          return true;
                        });
   if (!(largest >= 0.0)) return std::nullopt;
-  const bool isAxisInside =
-      !outline.isClosed && z >= outline.segments.front().from.y() && z <= outline.segments.back().to.y();
+  // An arc that leaves a face along it may go beyond it by rounding, which makes no recess.
+  const bool isAxisInside = !outline.isClosed && z >= outline.segments.front().from.y() - kJoin &&
+                            z <= outline.segments.back().to.y() + kJoin;
   return Extent{isAxisInside ? 0.0 : std::max(least, 0.0), largest};
 }
 
