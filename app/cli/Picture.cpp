@@ -50,6 +50,12 @@ int save(const QImage& picture, const std::filesystem::path& png) {
   return saved ? kExitDone : fail(saved.error());
 }
 
+int failToDraw(Error error, const PictureRequest& request) {
+  if (error.subject.empty())
+    error.subject = (error.code == ErrorCode::OutOfMemory ? request.mesh : request.png).string();
+  return fail(error);
+}
+
 int drawDocument(const PictureRequest& request, const DocumentKinds& kinds) {
   std::optional<Result<Input>> input;
   HalfEdgeMesh mesh;
@@ -68,10 +74,7 @@ int drawDocument(const PictureRequest& request, const DocumentKinds& kinds) {
   endWhenInterrupted();
   Result<QImage> picture =
       input->value().mesh ? renderPicture(mesh, marksOf(mesh), kSize) : renderPicture(model, kSize);
-  if (picture) return save(*picture, request.png);
-  Error error = picture.error();
-  error.subject = request.png.string();
-  return fail(error);
+  return picture ? save(*picture, request.png) : failToDraw(picture.error(), request);
 }
 
 // Measured at the vertices alone: they are what is coloured.
@@ -93,7 +96,7 @@ Result<QImage> deviationSides(const PictureRequest& request, const DocumentKinds
 int drawDeviation(const PictureRequest& request, const DocumentKinds& kinds) {
   std::optional<Result<QImage>> picture;
   runInterruptible("Drawing", [&](CommandJob& job) { picture = deviationSides(request, kinds, job.progress()); });
-  if (!*picture) return fail(picture->error());
+  if (!*picture) return failToDraw(picture->error(), request);
   endWhenInterrupted();
   return save(picture->value(), request.png);
 }

@@ -36,9 +36,9 @@ bool isDone(const Ran& ran) {
   return ran.code == 0 || ran.code == 2;
 }
 
-// The smallest limit, to that step, within which it comes to its end.
-rlim_t leastFor(const Bench& bench, const QStringList& words, rlim_t step) {
-  rlim_t least = 512, tooLittle = 128;
+// A limit within which it comes to its end, to that step; enough: where the search begins.
+rlim_t leastFor(const Bench& bench, const QStringList& words, rlim_t step, rlim_t enough = 512) {
+  rlim_t least = enough, tooLittle = 128;
   while (least - tooLittle > step) {
     const rlim_t middle = (least + tooLittle) / 2;
     (isDone(runWithin(bench, middle, words)) ? least : tooLittle) = middle;
@@ -114,6 +114,24 @@ class MemoryTest : public QObject {
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains("handwheel: a.off: there is not enough memory. "), ran.err);
     QCOMPARE(bench.names(), QStringList{"a.off"});
+  }
+
+  // Where memory ends only after the graphics have drawn: while the pixels are read and turned.
+  void lastStepsOfAPictureSaySo() {
+    if (QStandardPaths::findExecutable("xvfb-run").isEmpty()) QSKIP("xvfb-run is not installed");
+    constexpr rlim_t kStep = 3;  // one picture takes as much
+    const Bench bench;
+    bench.put("a.off", openCube().off());
+    const QStringList words{"picture", "a.off", "p.png"};
+    const rlim_t least = leastFor(bench, words, kStep, 600);
+    for (rlim_t limit = least; limit > least - 5 * kStep; limit -= kStep) {
+      QFile::remove(bench.path() + "/p.png");
+      const Ran ran = runWithin(bench, limit, words);
+      QCOMPARE(bench.names().contains("p.png"), ran.code == 0);
+      if (ran.code == 0) continue;
+      QCOMPARE(ran.code, 1);
+      QVERIFY2(ran.err.contains("handwheel: a.off: there is not enough memory. "), ran.err);
+    }
   }
 
   // The repair stands without its picture.

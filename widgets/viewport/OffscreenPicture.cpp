@@ -30,7 +30,7 @@ CameraState wholeModel(const Scene& scene, const Vec2& size, const Vec3& outward
   return CameraNavigation(camera, size).fitted(scene.outline(), kShare);
 }
 
-QImage render(Scene& scene, int width, int height) {
+Result<QImage> render(Scene& scene, int width, int height) {
   const auto window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
@@ -40,27 +40,27 @@ QImage render(Scene& scene, int width, int height) {
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetPixelData(0, 0, width - 1, height - 1, 0, pixels);
   window->RemoveRenderer(scene.renderer());
-  if (pixels->GetNumberOfTuples() != vtkIdType{width} * height) return {};
-  const QImage picture(pixels->GetPointer(0), width, height, 3 * width, QImage::Format_RGB888);
-  return picture.mirrored();  // rows come from below; this copies
+  if (pixels->GetNumberOfTuples() != vtkIdType{width} * height) return writeFailed("the picture could not be rendered");
+  const QImage rows(pixels->GetPointer(0), width, height, 3 * width, QImage::Format_RGB888);
+  QImage picture = rows.mirrored();  // rows come from below; this copies, and is null if there is no memory for it
+  if (picture.isNull()) return Error{ErrorCode::OutOfMemory, {}, {}, {}};
+  return picture;
 }
 
-// With axes and scale bar; null when it could not be rendered.
-QImage drawn(Scene& scene, const QSize& size, const Vec3& outward) {
+// With axes and scale bar.
+Result<QImage> drawn(Scene& scene, const QSize& size, const Vec3& outward) {
   while (scene.uploadPendingGeometry()) {
   }
   const Vec2 pixels(size.width(), size.height());
   const CameraState camera = wholeModel(scene, pixels, outward);
   scene.prepare(camera, pixels, 1.0);
-  QImage picture = render(scene, size.width(), size.height());
-  if (picture.isNull()) return picture;
-  QPainter painter(&picture);
-  paintOverlay(painter, picture.size(), camera, LengthUnit::Millimetre, scene.colours());
-  scene.paintOver(painter, picture.size(), LengthUnit::Millimetre);
+  Result<QImage> picture = render(scene, size.width(), size.height());
+  if (!picture) return picture;
+  QPainter painter(&*picture);
+  paintOverlay(painter, picture->size(), camera, LengthUnit::Millimetre, scene.colours());
+  scene.paintOver(painter, picture->size(), LengthUnit::Millimetre);
   return picture;
 }
-
-constexpr char kNotRendered[] = "the picture could not be rendered";
 
 // make: builds the layer to be shown.
 template <class Make>
@@ -70,9 +70,7 @@ Result<QImage> renderLayer(const Make& make, const QSize& size, const Vec3& outw
   if (!display.problem().empty()) return writeFailed(display.problem());
   Scene scene;
   scene.add(make());
-  QImage picture = drawn(scene, size, outward);
-  if (picture.isNull()) return writeFailed(kNotRendered);
-  return picture;
+  return drawn(scene, size, outward);
 }
 
 }  // namespace
@@ -109,9 +107,9 @@ Result<std::vector<QImage>> renderSides(const HalfEdgeMesh& mesh, const VertexVa
   std::vector<QImage> pictures;
   for (const Vec3& side : outward) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    QImage picture = drawn(scene, size, side);
-    if (picture.isNull()) return writeFailed(kNotRendered);
-    pictures.push_back(std::move(picture));
+    Result<QImage> picture = drawn(scene, size, side);
+    if (!picture) return picture.error();
+    pictures.push_back(std::move(*picture));
     progress.set(static_cast<double>(pictures.size()) / static_cast<double>(outward.size()));
   }
   return pictures;

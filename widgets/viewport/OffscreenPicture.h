@@ -20,7 +20,7 @@ inline const Vec3 kPictureSide{1.0, -1.0, 1.0};
 
 // Renders a mesh with its loops, or parts. The picture includes axes and scale bar. Needs neither a widget nor an
 // application object. outward: the direction from the model to the viewer; it need not be of unit length, z is up.
-// Needs an X display with GLX; WriteFailed {reason} when there is none.
+// Needs an X display with GLX. Errors: WriteFailed {reason} when there is none, OutOfMemory; without a subject.
 Result<QImage> renderPicture(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const QSize& size,
                              const Vec3& outward = kPictureSide);
 Result<QImage> renderPicture(const DisplayModel& model, const QSize& size, const Vec3& outward = kPictureSide);
