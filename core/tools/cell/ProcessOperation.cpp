@@ -226,6 +226,22 @@ std::vector<Parameter> holdingParameters() {
        .hasDefault = false}};
 }
 
+// From approach to retract.
+std::vector<Waypoint> processPlaces(const CellScene& scene, const FollowedTrack& followed,
+                                    const OperationValues& values) {
+  std::vector<Waypoint> places;
+  for (const ArmValues& each : followed.values) {
+    places.push_back({.joints = scene.whole(each),
+                      .motion = ProgramMotion::Kind::Linear,
+                      .speed = values.number("speed"),
+                      .blend = values.number("blend")});
+  }
+  places.front() = {.joints = places.front().joints, .name = "approach"};
+  places.back().name = "retract";
+  places[1].blend = places[places.size() - 2].blend = places.back().blend = 0.0;
+  return places;
+}
+
 }  // namespace
 
 const Operation& processOperation() {
@@ -316,16 +332,7 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
                                              settings, progress.part(0.0, 0.8));
   if (const Status solved = checkFollowed(followed, poses, scene); !solved) return solved.error();
   PlannedPath planned;
-  std::vector<Waypoint>& places = planned.path.places;
-  for (const ArmValues& each : followed.values) {
-    places.push_back({.joints = scene.whole(each),
-                      .motion = ProgramMotion::Kind::Linear,
-                      .speed = values.number("speed"),
-                      .blend = values.number("blend")});
-  }
-  places.front() = {.joints = places.front().joints, .name = "approach"};
-  places.back().name = "retract";
-  places[1].blend = places[places.size() - 2].blend = places.back().blend = 0.0;
+  std::vector<Waypoint>& places = planned.path.places = processPlaces(scene, followed, values);
   if (values.isSet("from")) {
     const Result<Waypoint> from = placeCalled(scene, cell, values.text("from"), places.front().joints);
     if (!from) return from.error();
