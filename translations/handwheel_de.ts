@@ -2057,10 +2057,6 @@
         <translation>es ist nicht da</translation>
     </message>
     <message>
-        <source>the picture could not be packed</source>
-        <translation>das Bild konnte nicht gepackt werden</translation>
-    </message>
-    <message>
         <source>the picture has no pixels</source>
         <translation>das Bild hat keine Pixel</translation>
     </message>

@@ -2057,10 +2057,6 @@
         <translation>设备不存在</translation>
     </message>
     <message>
-        <source>the picture could not be packed</source>
-        <translation>图片无法压缩</translation>
-    </message>
-    <message>
         <source>the picture has no pixels</source>
         <translation>图片没有像素</translation>
     </message>

@@ -43,17 +43,18 @@ HalfEdgeMesh meshOf(const Input& input, Progress progress) {
   return buildMesh(input.mesh->soup, progress).mesh;
 }
 
-// From here on a signal no longer ends the program: a picture that is there was a success.
-int save(const QImage& picture, const std::filesystem::path& png) {
-  ignoreSignals();
-  const Status saved = savePng(picture, png);
-  return saved ? kExitDone : fail(saved.error());
-}
-
+// An error without a subject is of what could not be drawn, where memory ended, else of the picture.
 int failToDraw(Error error, const PictureRequest& request) {
   if (error.subject.empty())
     error.subject = (error.code == ErrorCode::OutOfMemory ? request.mesh : request.png).string();
   return fail(error);
+}
+
+// From here on a signal no longer ends the program: a picture that is there was a success.
+int save(const QImage& picture, const PictureRequest& request) {
+  ignoreSignals();
+  const Status saved = savePng(picture, request.png);
+  return saved ? kExitDone : failToDraw(saved.error(), request);
 }
 
 int drawDocument(const PictureRequest& request, const DocumentKinds& kinds) {
@@ -74,7 +75,7 @@ int drawDocument(const PictureRequest& request, const DocumentKinds& kinds) {
   endWhenInterrupted();
   Result<QImage> picture =
       input->value().mesh ? renderPicture(mesh, marksOf(mesh), kSize) : renderPicture(model, kSize);
-  return picture ? save(*picture, request.png) : failToDraw(picture.error(), request);
+  return picture ? save(*picture, request) : failToDraw(picture.error(), request);
 }
 
 // Measured at the vertices alone: they are what is coloured.
@@ -98,7 +99,7 @@ int drawDeviation(const PictureRequest& request, const DocumentKinds& kinds) {
   runInterruptible("Drawing", [&](CommandJob& job) { picture = deviationSides(request, kinds, job.progress()); });
   if (!*picture) return failToDraw(picture->error(), request);
   endWhenInterrupted();
-  return save(picture->value(), request.png);
+  return save(picture->value(), request);
 }
 
 }  // namespace

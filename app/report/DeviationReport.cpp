@@ -172,6 +172,7 @@ Result<QImage> deviationPicture(const HalfEdgeMesh& mesh, const VertexValues& at
       renderSides(mesh, atVertex, scale, kSides, {kSideWidth, kSideHeight}, progress);
   if (!sides) return sides.error();
   QImage sheet(2 * kSideWidth, 2 * kSideHeight, QImage::Format_RGB32);
+  if (sheet.isNull()) return Error{ErrorCode::OutOfMemory, {}, {}, {}};
   QPainter painter(&sheet);
   for (int i = 0; i < 4; ++i) painter.drawImage(i % 2 * kSideWidth, i / 2 * kSideHeight, (*sides)[std::size_t(i)]);
   return sheet;

@@ -25,7 +25,7 @@ struct Comparison {
 double defaultRange(const SurfaceDeviation& deviation);
 
 // Renders the coloured mesh from four sides that together show all of it. Each view has the scale; two are side by
-// side. Needs an X display with GLX. Errors: WriteFailed {reason}, Cancelled.
+// side. Needs an X display with GLX. Errors: WriteFailed {reason}, OutOfMemory, Cancelled.
 Result<QImage> deviationPicture(const HalfEdgeMesh& mesh, const VertexValues& atVertex, const ColourScale& scale,
                                 Progress progress = {});
 

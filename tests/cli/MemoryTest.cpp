@@ -36,7 +36,7 @@ bool isDone(const Ran& ran) {
   return ran.code == 0 || ran.code == 2;
 }
 
-// A limit within which it comes to its end, to that step; enough: where the search begins.
+// A limit within which it comes to its end, and does not with one smaller by up to the step. enough: taken to be one.
 rlim_t leastFor(const Bench& bench, const QStringList& words, rlim_t step, rlim_t enough = 512) {
   rlim_t least = enough, tooLittle = 128;
   while (least - tooLittle > step) {

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kShare = 0.86;  // of the picture, filled by the model
 
-Error writeFailed(std::string reason, const std::filesystem::path& png = {}) {
-  return {ErrorCode::WriteFailed, {std::move(reason)}, {}, png.string()};
+Error writeFailed(std::string reason) {
+  return {ErrorCode::WriteFailed, {std::move(reason)}, {}, {}};
 }
 
 CameraState wholeModel(const Scene& scene, const Vec2& size, const Vec3& outward) {
@@ -118,7 +118,7 @@ Result<std::vector<QImage>> renderSides(const HalfEdgeMesh& mesh, const VertexVa
 Status savePng(const QImage& picture, const std::filesystem::path& png) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
-  if (!picture.save(&buffer, "PNG")) return writeFailed("the picture could not be packed", png);
+  if (!picture.save(&buffer, "PNG")) return Error{ErrorCode::OutOfMemory, {}, {}, {}};  // nothing else fails here
   return writeFileAtomically(png, {buffer.data().constData(), static_cast<std::size_t>(buffer.size())});
 }
 

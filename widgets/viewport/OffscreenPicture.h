@@ -25,13 +25,12 @@ Result<QImage> renderPicture(const HalfEdgeMesh& mesh, const std::vector<LoopMar
                              const Vec3& outward = kPictureSide);
 Result<QImage> renderPicture(const DisplayModel& model, const QSize& size, const Vec3& outward = kPictureSide);
 
-// Renders a mesh from several sides, coloured by values, with the colour scale. Errors: WriteFailed {reason} as above,
-// Cancelled.
+// Renders a mesh from several sides, coloured by values, with the colour scale. Errors: as above, Cancelled.
 Result<std::vector<QImage>> renderSides(const HalfEdgeMesh& mesh, const VertexValues& atVertex,
                                         const ColourScale& scale, std::span<const Vec3> outward, const QSize& size,
                                         Progress progress = {});
 
-// Writes an image to a PNG file. Error: WriteFailed {reason}.
+// Writes an image, not null, to a PNG file. Errors: WriteFailed {reason}, OutOfMemory without a subject.
 Status savePng(const QImage& picture, const std::filesystem::path& png);
 
 }  // namespace handwheel

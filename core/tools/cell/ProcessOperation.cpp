@@ -332,7 +332,8 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
                                              settings, progress.part(0.0, 0.8));
   if (const Status solved = checkFollowed(followed, poses, scene); !solved) return solved.error();
   PlannedPath planned;
-  std::vector<Waypoint>& places = planned.path.places = processPlaces(scene, followed, values);
+  planned.path.places = processPlaces(scene, followed, values);
+  const std::vector<Waypoint>& places = planned.path.places;
   if (values.isSet("from")) {
     const Result<Waypoint> from = placeCalled(scene, cell, values.text("from"), places.front().joints);
     if (!from) return from.error();
