@@ -3236,6 +3236,10 @@
         <source>Draw one of these, or write a program of your own.</source>
         <translation>Zeichnen Sie eines davon, oder schreiben Sie ein eigenes Programm.</translation>
     </message>
+    <message>
+        <source>the picture could not be rendered</source>
+        <translation>das Bild konnte nicht gezeichnet werden</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>

@@ -3236,6 +3236,10 @@
         <source>Draw one of these, or write a program of your own.</source>
         <translation>请绘制其中之一，或编写您自己的程序。</translation>
     </message>
+    <message>
+        <source>the picture could not be rendered</source>
+        <translation>图片无法绘制</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>

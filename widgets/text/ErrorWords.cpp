@@ -120,6 +120,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the file cannot be written"),
     QT_TRANSLATE_NOOP("ErrorWord", "the file contains no shape"),
     QT_TRANSLATE_NOOP("ErrorWord", "the file contains no surface"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the picture could not be rendered"),
     QT_TRANSLATE_NOOP("ErrorWord", "the picture has no pixels"),
     QT_TRANSLATE_NOOP("ErrorWord", "the solid cannot be translated"),
     QT_TRANSLATE_NOOP("ErrorWord", "the system ended it; it may have run out of memory"),
