@@ -8,10 +8,11 @@
 
 namespace handwheel {
 
-// The half section of a sampled turned part as lines and arcs. From its lower end, which is at z = 0. It is within the
+// The half section of a sampled turned part as lines and arcs. Its first sample is at z = 0. It is within the
 // tolerance (mm, > 0) of the samples. Corners between two samples are where the surfaces beside them meet, and a
-// shoulder between two is half way, unless the arc beside it tells. Material that was cut in two is not represented:
-// only what lies between the axis and the samples. O(samples log samples). Errors: those of TargetProfile::make().
+// shoulder between two is half way, unless the arc beside it tells; so is a face of a bored part. Material that was cut
+// in two is not represented: only what lies between the axis and the samples. O(samples log samples). Errors: those of
+// TargetProfile::make().
 Result<TargetProfile> sectionOf(const TurnedProfile& part, double tolerance);
 
 // The same of the piece at the free end of a part that was parted off: what is behind it is left over. It keeps its

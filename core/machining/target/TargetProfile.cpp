@@ -72,7 +72,12 @@ void extendAt(const ProfileSegment& segment, double z, double& least, double& la
     return;
   }
   const auto radii = radiiOfCircle(segment, z);
-  if (!radii) return;
+  if (!radii) {
+    // Its lowest or highest place, beside which it passes by rounding.
+    const ProfileBox box = segment.box();
+    if (z == box.min().y() || z == box.max().y()) take(segment.centre().x());
+    return;
+  }
   for (const double r : *radii)
     if (isOnArc(segment, {r, z - segment.from.y()})) take(segment.from.x() + r);
 }

@@ -96,6 +96,35 @@ class SampledProfileTest : public QObject {
     QVERIFY(std::abs(open->volume() / tube.volume() - 1.0) < 1e-9);
   }
 
+  // Where a bored part was faced, the samples beyond its face are the wall of the bore on both sides.
+  void aFacedBush() {
+    for (const double face : {39.2, 39.207, 39.213}) {
+      TurnedProfile part = sampled(profileThrough({{8, 0}, {20, 0}, {20, 40}, {8, 40}, {8, 0}}), 0.02);
+      for (std::size_t i = 0; i < part.size(); ++i)
+        if (part.z(i) > face) part.limitOuter(i, 0.0);
+      const auto back = sectionOf(part, 1e-3);
+      QVERIFY(back.hasValue() && back->isClosed());
+      QCOMPARE(back->segments().size(), std::size_t{4});
+      QCOMPARE(back->lowerEnd(), 0.0);
+      QVERIFY(std::abs(back->upperEnd() - face) <= 0.01 + 1e-9);
+      QVERIFY(std::abs(back->volume() - M_PI * (400.0 - 64.0) * back->length()) < 1e-6);
+    }
+  }
+
+  // A taper that meets the bore: the part ends in an edge, at a sample or between two.
+  void aSharpEdge() {
+    for (const double shift : {0.0, 0.0067}) {
+      TurnedProfile part = sampled(profileThrough({{8, 0}, {20, 0}, {20, 40}, {8, 40}, {8, 0}}), 0.02);
+      for (std::size_t i = 0; i < part.size(); ++i) part.limitOuter(i, 8.0 + (39.0 + shift - part.z(i)));
+      const auto back = sectionOf(part, 1e-3);
+      QVERIFY(back.hasValue() && back->isClosed());
+      QVERIFY(std::abs(back->upperEnd() - 39.0 - shift) <= 0.02);
+      // A cylinder of 12 mm of wall, to where the taper begins, and the cone's ring on it.
+      const double cylinder = 27.0 + shift, cone = M_PI * (12.0 / 3.0 * (400.0 + 160.0 + 64.0) - 12.0 * 64.0);
+      QVERIFY(std::abs(back->volume() / (M_PI * (400.0 - 64.0) * cylinder + cone) - 1.0) < 1e-3);
+    }
+  }
+
   void anyShaftComesBack() {
     QVERIFY(rc::check("its samples are near the section, and the volume is that of the shaft", [] {
       const auto shaft = TargetProfile::make(anyShaft());

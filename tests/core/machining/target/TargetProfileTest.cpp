@@ -141,6 +141,24 @@ class TargetProfileTest : public QObject {
     QCOMPARE(blind->distance({0.0, 9.0}), -1.0);
   }
 
+  // An arc that dips below the face that it leaves ends the part in a circle, whose radius follows from the tangents.
+  void anArcThatDips() {
+    for (int i = 1; i <= 200; ++i) {
+      const ProfilePoint from(3.0906, 0.0), to(19.1351, 2.1616);
+      const double rise = std::atan2(to.y(), to.x() - from.x()), half = rise + 0.001 * i;  // rad, of the arc
+      const auto made = TargetProfile::make({{{0.0, 0.0}, from, 0.0},
+                                             {from, to, std::tan(0.5 * half)},
+                                             {to, {to.x(), 4.0}, 0.0},
+                                             {{to.x(), 4.0}, {0.0, 4.0}, 0.0}});
+      QVERIFY(made.hasValue());
+      const auto extent = made->extentAt(made->lowerEnd());
+      QVERIFY(extent.has_value());
+      const double radius = 0.5 * (to - from).norm() / std::sin(half),
+                   lowest = from.x() + radius * std::sin(half - rise);
+      QVERIFY(std::abs(extent->outer - lowest) < 1e-4 && std::abs(extent->inner - lowest) < 1e-4);
+    }
+  }
+
   void aBall() {
     const auto ball = TargetProfile::make({arcAround({0, 7}, 5.0, -M_PI / 2, M_PI / 2)});
     QVERIFY(ball.hasValue());
