@@ -13,61 +13,6 @@
     </message>
 </context>
 <context>
-    <name>ClassTable</name>
-    <message>
-        <source>Student</source>
-        <translation>Schüler</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Handed in</source>
-        <translation>Abgegeben</translation>
-    </message>
-    <message>
-        <source>Minutes</source>
-        <translation>Minuten</translation>
-    </message>
-    <message>
-        <source>Hints</source>
-        <translation>Hinweise</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Percent</source>
-        <translation>Prozent</translation>
-    </message>
-    <message>
-        <source>points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>von Hand</translation>
-    </message>
-    <message>
-        <source>by program</source>
-        <translation>durch ein Programm</translation>
-    </message>
-    <message>
-        <source>both</source>
-        <translation>beides</translation>
-    </message>
-    <message>
-        <source>Made</source>
-        <translation>Hergestellt</translation>
-    </message>
-    <message>
-        <source>Tries</source>
-        <translation>Versuche</translation>
-    </message>
-</context>
-<context>
     <name>ClosePrompt</name>
     <message>
         <source>Unsaved changes</source>
@@ -5788,7 +5733,7 @@
     </message>
 </context>
 <context>
-    <name>PlaceTool</name>
+    <name>PlaceBodyTool</name>
     <message>
         <source>Turn %1</source>
         <translation>%1 drehen</translation>
@@ -8621,6 +8566,61 @@
     <message>
         <source>A part of the surface that stood out by %1 was removed, at X %2, Y %3, Z %4.</source>
         <translation>Ein Teil der Oberfläche, der %1 herausstand, wurde entfernt, bei X %2, Y %3, Z %4.</translation>
+    </message>
+</context>
+<context>
+    <name>SubmissionTable</name>
+    <message>
+        <source>Student</source>
+        <translation>Schüler</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Handed in</source>
+        <translation>Abgegeben</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Percent</source>
+        <translation>Prozent</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>by program</source>
+        <translation>durch ein Programm</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beides</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Hergestellt</translation>
+    </message>
+    <message>
+        <source>Tries</source>
+        <translation>Versuche</translation>
     </message>
 </context>
 <context>
@@ -11661,45 +11661,6 @@
     </message>
 </context>
 <context>
-    <name>handwheel::ClassView</name>
-    <message>
-        <source>&amp;Mark…</source>
-        <translation>Be&amp;werten…</translation>
-    </message>
-    <message>
-        <source>Mark files that students have handed in</source>
-        <translation>Dateien bewerten, die Schüler abgegeben haben</translation>
-    </message>
-    <message>
-        <source>&amp;Report…</source>
-        <translation>Beri&amp;cht…</translation>
-    </message>
-    <message>
-        <source>&amp;Table…</source>
-        <translation>&amp;Tabelle…</translation>
-    </message>
-    <message>
-        <source>Submissions</source>
-        <translation>Abgaben</translation>
-    </message>
-    <message>
-        <source>&amp;Compare…</source>
-        <translation>&amp;Vergleichen…</translation>
-    </message>
-    <message>
-        <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
-        <translation>Einen Bericht der zwei ausgewählten Arbeiten nebeneinander schreiben (Strg+Klick wählt eine zweite aus)</translation>
-    </message>
-    <message>
-        <source>Remo&amp;ve</source>
-        <translation>&amp;Entfernen</translation>
-    </message>
-    <message>
-        <source>Remove the selected works from the class; their files stay</source>
-        <translation>Die gewählten Arbeiten aus der Klasse entfernen; ihre Dateien bleiben</translation>
-    </message>
-</context>
-<context>
     <name>handwheel::ClayLayersView</name>
     <message>
         <source>La&amp;yers</source>
@@ -12211,21 +12172,6 @@
     <message>
         <source>Ticks are late when the computer is busy, and the stiffness is reduced to allow for that</source>
         <translation>Wenn der Rechner ausgelastet ist, kommen Takte zu spät; die Steifigkeit ist daher verringert</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::DeviceDock</name>
-    <message>
-        <source>along (Z)</source>
-        <translation>längs (Z)</translation>
-    </message>
-    <message>
-        <source>radius (X)</source>
-        <translation>Radius (X)</translation>
-    </message>
-    <message>
-        <source>across</source>
-        <translation>quer</translation>
     </message>
 </context>
 <context>
@@ -16979,6 +16925,21 @@
     </message>
 </context>
 <context>
+    <name>handwheel::SessionDevicePanel</name>
+    <message>
+        <source>along (Z)</source>
+        <translation>längs (Z)</translation>
+    </message>
+    <message>
+        <source>radius (X)</source>
+        <translation>Radius (X)</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>quer</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ShellActions</name>
     <message>
         <source>Split into s&amp;hells</source>
@@ -17374,6 +17335,45 @@
     </message>
 </context>
 <context>
+    <name>handwheel::SubmissionsView</name>
+    <message>
+        <source>&amp;Mark…</source>
+        <translation>Be&amp;werten…</translation>
+    </message>
+    <message>
+        <source>Mark files that students have handed in</source>
+        <translation>Dateien bewerten, die Schüler abgegeben haben</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>Beri&amp;cht…</translation>
+    </message>
+    <message>
+        <source>&amp;Table…</source>
+        <translation>&amp;Tabelle…</translation>
+    </message>
+    <message>
+        <source>Submissions</source>
+        <translation>Abgaben</translation>
+    </message>
+    <message>
+        <source>&amp;Compare…</source>
+        <translation>&amp;Vergleichen…</translation>
+    </message>
+    <message>
+        <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
+        <translation>Einen Bericht der zwei ausgewählten Arbeiten nebeneinander schreiben (Strg+Klick wählt eine zweite aus)</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected works from the class; their files stay</source>
+        <translation>Die gewählten Arbeiten aus der Klasse entfernen; ihre Dateien bleiben</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::SuggestionCard</name>
     <message>
         <source>Do not show this card for this document again</source>
@@ -17389,73 +17389,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::TargetPanel</name>
-    <message>
-        <source>Bore %1</source>
-        <translation>Bohrung %1</translation>
-    </message>
-    <message>
-        <source>Measured dimensions</source>
-        <translation>Gemessene Maße</translation>
-    </message>
-    <message>
-        <source>Target</source>
-        <translation>Ziel</translation>
-    </message>
-    <message>
-        <source>Dimensions</source>
-        <translation>Maße</translation>
-    </message>
-    <message>
-        <source>No target: import one to compare the part with it.</source>
-        <translation>Kein Ziel: Importieren Sie eines, um das Teil damit zu vergleichen.</translation>
-    </message>
-    <message>
-        <source>Too large by up to %1</source>
-        <translation>Zu groß um bis zu %1</translation>
-    </message>
-    <message>
-        <source>Too small by up to %1</source>
-        <translation>Zu klein um bis zu %1</translation>
-    </message>
-    <message>
-        <source>blue: %1 too small, red: %1 too large</source>
-        <translation>blau: %1 zu klein, rot: %1 zu groß</translation>
-    </message>
-    <message>
-        <source>Curve ⌀ %1 … %2</source>
-        <translation>Kurve ⌀ %1 … %2</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::TargetPlaceView</name>
-    <message>
-        <source>The target in its bar; the free end is on the right</source>
-        <translation>Das Ziel in seiner Stange; das freie Ende ist rechts</translation>
-    </message>
-    <message>
-        <source>Grey: the target. Blue: what is cut off the bar</source>
-        <translation>Grau: das Ziel. Blau: was von der Stange abgeschnitten wird</translation>
-    </message>
-    <message>
-        <source>← chuck</source>
-        <translation>← Futter</translation>
-    </message>
-    <message>
-        <source>Turn &amp;end for end</source>
-        <translation>&amp;Umdrehen</translation>
-    </message>
-    <message>
-        <source>Make the end at the chuck the free one, whose face is finished</source>
-        <translation>Das Ende am Futter zum freien machen, dessen Stirnfläche bearbeitet wird</translation>
-    </message>
-    <message>
-        <source>free end →</source>
-        <translation>freies Ende →</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::TargetView</name>
+    <name>handwheel::TargetActions</name>
     <message>
         <source>Import &amp;target…</source>
         <translation>&amp;Ziel importieren…</translation>
@@ -17562,6 +17496,91 @@
     </message>
 </context>
 <context>
+    <name>handwheel::TargetPanel</name>
+    <message>
+        <source>Bore %1</source>
+        <translation>Bohrung %1</translation>
+    </message>
+    <message>
+        <source>Measured dimensions</source>
+        <translation>Gemessene Maße</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Dimensions</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>No target: import one to compare the part with it.</source>
+        <translation>Kein Ziel: Importieren Sie eines, um das Teil damit zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Too large by up to %1</source>
+        <translation>Zu groß um bis zu %1</translation>
+    </message>
+    <message>
+        <source>Too small by up to %1</source>
+        <translation>Zu klein um bis zu %1</translation>
+    </message>
+    <message>
+        <source>blue: %1 too small, red: %1 too large</source>
+        <translation>blau: %1 zu klein, rot: %1 zu groß</translation>
+    </message>
+    <message>
+        <source>Curve ⌀ %1 … %2</source>
+        <translation>Kurve ⌀ %1 … %2</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TargetPlaceView</name>
+    <message>
+        <source>The target in its bar; the free end is on the right</source>
+        <translation>Das Ziel in seiner Stange; das freie Ende ist rechts</translation>
+    </message>
+    <message>
+        <source>Grey: the target. Blue: what is cut off the bar</source>
+        <translation>Grau: das Ziel. Blau: was von der Stange abgeschnitten wird</translation>
+    </message>
+    <message>
+        <source>← chuck</source>
+        <translation>← Futter</translation>
+    </message>
+    <message>
+        <source>Turn &amp;end for end</source>
+        <translation>&amp;Umdrehen</translation>
+    </message>
+    <message>
+        <source>Make the end at the chuck the free one, whose face is finished</source>
+        <translation>Das Ende am Futter zum freien machen, dessen Stirnfläche bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>free end →</source>
+        <translation>freies Ende →</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ThreadAction</name>
+    <message>
+        <source>T&amp;hread…</source>
+        <translation>&amp;Gewinde…</translation>
+    </message>
+    <message>
+        <source>Cut a thread outside or in a bore, between two heights</source>
+        <translation>Ein Gewinde außen oder in einer Bohrung schneiden, zwischen zwei Höhen</translation>
+    </message>
+    <message>
+        <source>Cutting the thread</source>
+        <translation>Gewinde wird geschnitten</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Gewinde</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ThreadDialog</name>
     <message>
         <source>Thread</source>
@@ -17578,25 +17597,6 @@
     <message>
         <source>The bottom of the groove is at a diameter of %1.</source>
         <translation>Der Rillengrund liegt auf einem Durchmesser von %1.</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::ThreadView</name>
-    <message>
-        <source>T&amp;hread…</source>
-        <translation>&amp;Gewinde…</translation>
-    </message>
-    <message>
-        <source>Cut a thread outside or in a bore, between two heights</source>
-        <translation>Ein Gewinde außen oder in einer Bohrung schneiden, zwischen zwei Höhen</translation>
-    </message>
-    <message>
-        <source>Cutting the thread</source>
-        <translation>Gewinde wird geschnitten</translation>
-    </message>
-    <message>
-        <source>Thread</source>
-        <translation>Gewinde</translation>
     </message>
 </context>
 <context>

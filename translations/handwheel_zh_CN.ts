@@ -13,61 +13,6 @@
     </message>
 </context>
 <context>
-    <name>ClassTable</name>
-    <message>
-        <source>Student</source>
-        <translation>学生</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>文件</translation>
-    </message>
-    <message>
-        <source>Handed in</source>
-        <translation>提交时间</translation>
-    </message>
-    <message>
-        <source>Minutes</source>
-        <translation>分钟</translation>
-    </message>
-    <message>
-        <source>Hints</source>
-        <translation>提示</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>得分</translation>
-    </message>
-    <message>
-        <source>Percent</source>
-        <translation>百分比</translation>
-    </message>
-    <message>
-        <source>points</source>
-        <translation>分</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>手动</translation>
-    </message>
-    <message>
-        <source>by program</source>
-        <translation>由程序</translation>
-    </message>
-    <message>
-        <source>both</source>
-        <translation>两者</translation>
-    </message>
-    <message>
-        <source>Made</source>
-        <translation>加工方式</translation>
-    </message>
-    <message>
-        <source>Tries</source>
-        <translation>尝试次数</translation>
-    </message>
-</context>
-<context>
     <name>ClosePrompt</name>
     <message>
         <source>Unsaved changes</source>
@@ -5784,7 +5729,7 @@
     </message>
 </context>
 <context>
-    <name>PlaceTool</name>
+    <name>PlaceBodyTool</name>
     <message>
         <source>Turn %1</source>
         <translation>转动 %1</translation>
@@ -8578,6 +8523,61 @@
     <message>
         <source>A part of the surface that stood out by %1 was removed, at X %2, Y %3, Z %4.</source>
         <translation>已移除表面上突出 %1 的部分，位于 X %2、Y %3、Z %4。</translation>
+    </message>
+</context>
+<context>
+    <name>SubmissionTable</name>
+    <message>
+        <source>Student</source>
+        <translation>学生</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Handed in</source>
+        <translation>提交时间</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>分钟</translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>得分</translation>
+    </message>
+    <message>
+        <source>Percent</source>
+        <translation>百分比</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>分</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>by program</source>
+        <translation>由程序</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>两者</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>加工方式</translation>
+    </message>
+    <message>
+        <source>Tries</source>
+        <translation>尝试次数</translation>
     </message>
 </context>
 <context>
@@ -11587,45 +11587,6 @@
     </message>
 </context>
 <context>
-    <name>handwheel::ClassView</name>
-    <message>
-        <source>&amp;Mark…</source>
-        <translation>评分(&amp;M)…</translation>
-    </message>
-    <message>
-        <source>Mark files that students have handed in</source>
-        <translation>对学生提交的文件评分</translation>
-    </message>
-    <message>
-        <source>&amp;Report…</source>
-        <translation>报告(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>&amp;Table…</source>
-        <translation>表格(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>Submissions</source>
-        <translation>提交的作业</translation>
-    </message>
-    <message>
-        <source>&amp;Compare…</source>
-        <translation>比较(&amp;C)…</translation>
-    </message>
-    <message>
-        <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
-        <translation>将两份所选作业写成对照报告（Ctrl+单击可选择第二份）</translation>
-    </message>
-    <message>
-        <source>Remo&amp;ve</source>
-        <translation>移除(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Remove the selected works from the class; their files stay</source>
-        <translation>从班级中移除所选作业；其文件保留</translation>
-    </message>
-</context>
-<context>
     <name>handwheel::ClayLayersView</name>
     <message>
         <source>La&amp;yers</source>
@@ -12135,21 +12096,6 @@
     <message>
         <source>Ticks are late when the computer is busy, and the stiffness is reduced to allow for that</source>
         <translation>计算机繁忙时节拍会延迟，因此降低了刚度</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::DeviceDock</name>
-    <message>
-        <source>along (Z)</source>
-        <translation>轴向 (Z)</translation>
-    </message>
-    <message>
-        <source>radius (X)</source>
-        <translation>径向 (X)</translation>
-    </message>
-    <message>
-        <source>across</source>
-        <translation>切向</translation>
     </message>
 </context>
 <context>
@@ -16864,6 +16810,21 @@
     </message>
 </context>
 <context>
+    <name>handwheel::SessionDevicePanel</name>
+    <message>
+        <source>along (Z)</source>
+        <translation>轴向 (Z)</translation>
+    </message>
+    <message>
+        <source>radius (X)</source>
+        <translation>径向 (X)</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>切向</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ShellActions</name>
     <message>
         <source>Split into s&amp;hells</source>
@@ -17253,6 +17214,45 @@
     </message>
 </context>
 <context>
+    <name>handwheel::SubmissionsView</name>
+    <message>
+        <source>&amp;Mark…</source>
+        <translation>评分(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Mark files that students have handed in</source>
+        <translation>对学生提交的文件评分</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>报告(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Table…</source>
+        <translation>表格(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Submissions</source>
+        <translation>提交的作业</translation>
+    </message>
+    <message>
+        <source>&amp;Compare…</source>
+        <translation>比较(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Write a report of the two selected works side by side (Ctrl+click selects a second one)</source>
+        <translation>将两份所选作业写成对照报告（Ctrl+单击可选择第二份）</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>移除(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Remove the selected works from the class; their files stay</source>
+        <translation>从班级中移除所选作业；其文件保留</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::SuggestionCard</name>
     <message>
         <source>Do not show this card for this document again</source>
@@ -17268,73 +17268,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::TargetPanel</name>
-    <message>
-        <source>Bore %1</source>
-        <translation>孔 %1</translation>
-    </message>
-    <message>
-        <source>Measured dimensions</source>
-        <translation>测得的尺寸</translation>
-    </message>
-    <message>
-        <source>Target</source>
-        <translation>目标</translation>
-    </message>
-    <message>
-        <source>Dimensions</source>
-        <translation>尺寸</translation>
-    </message>
-    <message>
-        <source>No target: import one to compare the part with it.</source>
-        <translation>没有目标：请导入一个目标与零件比较。</translation>
-    </message>
-    <message>
-        <source>Too large by up to %1</source>
-        <translation>最多偏大 %1</translation>
-    </message>
-    <message>
-        <source>Too small by up to %1</source>
-        <translation>最多偏小 %1</translation>
-    </message>
-    <message>
-        <source>blue: %1 too small, red: %1 too large</source>
-        <translation>蓝色：偏小 %1，红色：偏大 %1</translation>
-    </message>
-    <message>
-        <source>Curve ⌀ %1 … %2</source>
-        <translation>曲线 ⌀ %1 … %2</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::TargetPlaceView</name>
-    <message>
-        <source>The target in its bar; the free end is on the right</source>
-        <translation>棒料中的目标；自由端在右侧</translation>
-    </message>
-    <message>
-        <source>Grey: the target. Blue: what is cut off the bar</source>
-        <translation>灰色：目标。蓝色：从棒料上切除的部分</translation>
-    </message>
-    <message>
-        <source>← chuck</source>
-        <translation>← 卡盘</translation>
-    </message>
-    <message>
-        <source>Turn &amp;end for end</source>
-        <translation>首尾调转(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Make the end at the chuck the free one, whose face is finished</source>
-        <translation>将卡盘端变为自由端，其端面需加工</translation>
-    </message>
-    <message>
-        <source>free end →</source>
-        <translation>自由端 →</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::TargetView</name>
+    <name>handwheel::TargetActions</name>
     <message>
         <source>Import &amp;target…</source>
         <translation>导入目标(&amp;T)…</translation>
@@ -17441,6 +17375,91 @@
     </message>
 </context>
 <context>
+    <name>handwheel::TargetPanel</name>
+    <message>
+        <source>Bore %1</source>
+        <translation>孔 %1</translation>
+    </message>
+    <message>
+        <source>Measured dimensions</source>
+        <translation>测得的尺寸</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Dimensions</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>No target: import one to compare the part with it.</source>
+        <translation>没有目标：请导入一个目标与零件比较。</translation>
+    </message>
+    <message>
+        <source>Too large by up to %1</source>
+        <translation>最多偏大 %1</translation>
+    </message>
+    <message>
+        <source>Too small by up to %1</source>
+        <translation>最多偏小 %1</translation>
+    </message>
+    <message>
+        <source>blue: %1 too small, red: %1 too large</source>
+        <translation>蓝色：偏小 %1，红色：偏大 %1</translation>
+    </message>
+    <message>
+        <source>Curve ⌀ %1 … %2</source>
+        <translation>曲线 ⌀ %1 … %2</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TargetPlaceView</name>
+    <message>
+        <source>The target in its bar; the free end is on the right</source>
+        <translation>棒料中的目标；自由端在右侧</translation>
+    </message>
+    <message>
+        <source>Grey: the target. Blue: what is cut off the bar</source>
+        <translation>灰色：目标。蓝色：从棒料上切除的部分</translation>
+    </message>
+    <message>
+        <source>← chuck</source>
+        <translation>← 卡盘</translation>
+    </message>
+    <message>
+        <source>Turn &amp;end for end</source>
+        <translation>首尾调转(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Make the end at the chuck the free one, whose face is finished</source>
+        <translation>将卡盘端变为自由端，其端面需加工</translation>
+    </message>
+    <message>
+        <source>free end →</source>
+        <translation>自由端 →</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ThreadAction</name>
+    <message>
+        <source>T&amp;hread…</source>
+        <translation>螺纹(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Cut a thread outside or in a bore, between two heights</source>
+        <translation>在两个高度之间车削外螺纹或内螺纹</translation>
+    </message>
+    <message>
+        <source>Cutting the thread</source>
+        <translation>正在切削螺纹</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>螺纹</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ThreadDialog</name>
     <message>
         <source>Thread</source>
@@ -17457,25 +17476,6 @@
     <message>
         <source>The bottom of the groove is at a diameter of %1.</source>
         <translation>牙槽底部直径为 %1。</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::ThreadView</name>
-    <message>
-        <source>T&amp;hread…</source>
-        <translation>螺纹(&amp;H)…</translation>
-    </message>
-    <message>
-        <source>Cut a thread outside or in a bore, between two heights</source>
-        <translation>在两个高度之间车削外螺纹或内螺纹</translation>
-    </message>
-    <message>
-        <source>Cutting the thread</source>
-        <translation>正在切削螺纹</translation>
-    </message>
-    <message>
-        <source>Thread</source>
-        <translation>螺纹</translation>
     </message>
 </context>
 <context>

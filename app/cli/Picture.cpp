@@ -11,7 +11,7 @@
 #include "document/mesh/MeshSnapshot.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "report/DeviationReport.h"
-#include "theme/DefectColours.h"
+#include "theme/DefectKind.h"
 #include "viewport/OffscreenPicture.h"
 
 #include <csignal>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fidelity/ArmAmongBoxes.h"
 
-#include "planning/PlanningSet.h"
+#include "planning/problems/PlanningSet.h"
 #include "robot/dh/DhTable.h"
 
 #include <algorithm>

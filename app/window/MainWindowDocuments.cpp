@@ -16,8 +16,8 @@
 #include "window/documents/DocumentProperties.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
-#include "window/haptics/DeviceDock.h"
 #include "window/haptics/DeviceView.h"
+#include "window/haptics/SessionDevicePanel.h"
 #include "window/haptics/SpaceMouseNavigation.h"
 #include "window/tools/ToolChoice.h"
 #include "window/tools/ToolHost.h"
@@ -197,7 +197,7 @@ void MainWindow::showDocument(DocumentTab* document) {
   m_viewSettings->followModel();
   m_deviceView->followModel();
   // The hand is in the view of this document by now: its axes are named after that.
-  m_deviceDock->findChild<DeviceDock*>()->setTurningAxis(document ? document->ui.sectionAxis() : std::nullopt);
+  m_deviceDock->findChild<SessionDevicePanel*>()->setTurningAxis(document ? document->ui.sectionAxis() : std::nullopt);
   if (!document) m_viewSettings->setSectionFigures({});
   for (QAction* action : m_viewActions->views() + m_viewActions->shadings()) action->setEnabled(document != nullptr);
   m_viewActions->fit()->setEnabled(document != nullptr);

@@ -24,12 +24,12 @@
 #include "window/fidelity/CalibrationRow.h"
 #include "window/fidelity/FidelityPanel.h"
 #include "window/fidelity/FrameTiming.h"
-#include "window/haptics/DeviceDock.h"
 #include "window/haptics/DevicePointer.h"
 #include "window/haptics/DeviceView.h"
 #include "window/haptics/HapticFidelity.h"
 #include "window/haptics/RecordingIndicator.h"
-#include "window/haptics/RecordingsDock.h"
+#include "window/haptics/SessionDevicePanel.h"
+#include "window/haptics/SessionRecordingsPage.h"
 #include "window/haptics/SpaceMouseNavigation.h"
 #include "window/haptics/TickTiming.h"
 #include "window/haptics/TouchPage.h"
@@ -135,9 +135,9 @@ void MainWindow::buildDocks() {
   tabifyDockWidget(m_toolDock, m_propertiesDock);
   tabifyDockWidget(m_propertiesDock, m_viewDock);
   // Most have no device: who plugs one in finds it in the menu.
-  auto* device = new DeviceDock(m_haptics, this);
+  auto* device = new SessionDevicePanel(m_haptics, this);
   device->addPage(new TouchPage(m_haptics, device), tr("Touch"));
-  device->addPage(new RecordingsDock(m_recordings, m_haptics, device), tr("Record"));
+  device->addPage(new SessionRecordingsPage(m_recordings, m_haptics, device), tr("Record"));
   connect(m_spaceMouse, &SpaceMouseNavigation::changed, device,
           [this, device] { device->setSpaceMice(m_spaceMouse->names()); });
   m_deviceDock = addDock(*this, Qt::RightDockWidgetArea, "deviceDock", tr("Device"), device, "device");
@@ -172,8 +172,8 @@ void MainWindow::buildStatusBar() {
   log->setIconSize({16, 16});
   auto* recording = new RecordingIndicator(m_haptics, this);
   connect(recording, &QToolButton::clicked, this, [this] {
-    auto* device = m_deviceDock->findChild<DeviceDock*>();
-    device->showPage(device->findChild<RecordingsDock*>());
+    auto* device = m_deviceDock->findChild<SessionDevicePanel*>();
+    device->showPage(device->findChild<SessionRecordingsPage*>());
     m_deviceDock->show();
     m_deviceDock->raise();
   });

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Two bodies of a query, by their numbers.
+// Two moving bodies of a distance query, by their numbers.
 struct BodyPair {
   std::uint32_t first, second;
   bool operator==(const BodyPair&) const = default;

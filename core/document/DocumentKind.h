@@ -39,7 +39,7 @@ struct WrittenFile {
 
 // Interface of a document type: reading, saving, exporting, describing and displaying its documents. No state but
 // settings; any thread, except make(). To add a kind, derive from this class and add it to the list in
-// app/registration.
+// app/builtin.
 class DocumentKind {
  public:
   virtual ~DocumentKind() = default;

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The haptic force that keeps a hand-guided robot away from obstacles. Each link is pushed away from the obstacles near
+// The repulsive force on a hand-guided robot near obstacles. Each link is pushed away from the obstacles near
 // to it (distanceForce()), and the arm, which weighs nothing, hands this on to its tool and the hand that leads it, as
 // a force and a torque. Near singular places the arm's levers are bounded. It keeps what it found for the next place of
 // the robot.

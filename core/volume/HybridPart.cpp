@@ -3,7 +3,7 @@
 #include "volume/HybridPart.h"
 
 #include "volume/SurfaceToVolume.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/repair/ClosedSurfaceInVoxels.h"
 #include "volume/repair/WindingNumberFill.h"
 #include "volume/surface/SurfaceTile.h"
@@ -49,7 +49,7 @@ void HybridPart::Tile::countLost(const VoxelIndex& first) {
   SparseVolume own;
   for (int b = 0; b < SurfaceTile::kAllBlocks; ++b)
     own.setContent(SparseVolume::blockOf(first) + SurfaceTile::blockAt(b), blocks[static_cast<std::size_t>(b)]);
-  const VolumeReader reader(own);
+  const VolumeSampler reader(own);
   for (int b = 0; b < SurfaceTile::kAllBlocks; ++b) {
     const SparseVolume::Block& block = blocks[static_cast<std::size_t>(b)].block;
     for (int i = 0; block && i < static_cast<int>(VolumeBlock::kCount); ++i) {
@@ -150,7 +150,7 @@ double HybridPart::depthBefore(const Vec3& place) {
     }
     add(tiles);
   }
-  return VolumeReader(m_before).depthAt(place).depth;
+  return VolumeSampler(m_before).depthAt(place).depth;
 }
 
 void HybridPart::add(std::span<const VoxelIndex> tiles) {

@@ -56,7 +56,7 @@ class HybridPart {
   // Blocks of left() that were changed: they are kept.
   void keep(std::span<const VoxelIndex> blocks);
   std::vector<VoxelIndex> cutBlocks() const;  // all that were kept, in one order
-  // How deep a place was below the surface before anything was cut, mm; as VolumeReader::depthAt(). Makes what it
+  // How deep a place was below the surface before anything was cut, mm; as VolumeSampler::depthAt(). Makes what it
   // needs.
   double depthBefore(const Vec3& place);
 

@@ -40,7 +40,8 @@ struct VolumeBlock {
 // A sample for a depth in voxels. Never 0: each sample is inside or outside.
 std::int16_t depthSample(double voxels);
 
-// A sparse volume, stored near its surface only. Material is given by its depth below the surface. Blocks that the
+// A sparse volume, stored near its surface only. It is a truncated signed distance field, in which depth below the
+// surface is positive. Blocks that the
 // surface does not come near are full or empty, and take no memory of their own.
 //
 // A value: copies share blocks, and a copy takes time and memory in proportion to the volume's 64³ regions. So a

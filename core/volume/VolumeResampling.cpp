@@ -6,8 +6,8 @@
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeFilters.h"
 #include "volume/VolumeMemory.h"
-#include "volume/VolumeReader.h"
-#include "volume/VolumeRegions.h"
+#include "volume/VolumeSampler.h"
+#include "volume/VolumeSerialization.h"
 
 #include <tbb/parallel_for.h>
 
@@ -114,7 +114,7 @@ class Resampling {
     const Vec3 first = n * block.cast<double>();
     if (const auto isFull = uniformIn(toFrom(first), toFrom(first + Vec3::Constant(n - 1.0))))
       return {nullptr, *isFull};
-    const VolumeReader reader(m_from);
+    const VolumeSampler reader(m_from);
     const double voxel = m_made.voxel();
     // Depths that are interpolated grow by no more than this to a way, and the corners of a block are 6.1 voxels away.
     constexpr double kSteepest = 1.8, kFar = VolumeBlock::kFull / VolumeBlock::kUnit + kSteepest * 6.1;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/VolumeShapes.h"
 
-#include "volume/ClayDab.h"
+#include "volume/clay/ClayDab.h"
 
 namespace handwheel {
 

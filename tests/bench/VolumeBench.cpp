@@ -220,7 +220,7 @@ BENCHMARK(smudge)->Iterations(100)->Unit(benchmark::kMillisecond);
 void stamp(benchmark::State& state) {
   SparseVolume volume = ballOfVoxels(12.8, kVoxel);
   VolumeSurface surface(volume);
-  DrillTool tool;
+  DrillBit tool;
   tool.diameter = 1.6;
   std::vector<double> seconds;
   double z = 13.4;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "BatchBench.h"
+#include "BatchFixture.h"
 #include "TestClass.h"
 
 #include <utime.h>

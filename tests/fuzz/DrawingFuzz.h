@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "machining/target/Drawing.h"
+#include "machining/target/files/Drawing.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DrawingFuzz.h"
-#include "machining/target/DrawingWriter.h"
-#include "machining/target/SvgReader.h"
+#include "machining/target/files/DrawingWriter.h"
+#include "machining/target/files/SvgReader.h"
 
 #include <cstddef>
 #include <cstdint>

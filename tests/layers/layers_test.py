@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
-ROOMS = {"core": ("base", "mesh", "document"), "widgets": ("viewport", "panels"), "app": ("cli", "window", "registration")}
+ROOMS = {"core": ("base", "mesh", "document"), "widgets": ("viewport", "panels"), "app": ("cli", "window", "builtin")}
 PLUGINS = {"devices": ("io", "falcon", "haply"), "formats": ("step",)}
 
 
@@ -68,7 +68,7 @@ class LayersTest(unittest.TestCase):
         self.assert_allowed("app/window/cell/A.cpp", '"document/cell/B.h"')
         self.assert_allowed("app/window/cell/A.cpp", '"window/cell/B.h"')
         self.assert_allowed("core/document/cell/A.cpp", '"document/cell/B.h"')
-        self.assert_allowed("app/registration/A.cpp", '"window/cell/B.h"')
+        self.assert_allowed("app/builtin/A.cpp", '"window/cell/B.h"')
         self.assert_allowed("app/window/A.cpp", '"window/haptics/B.h"')
         self.assert_allowed("app/window/A.cpp", '"document/formats/B.h"')
         self.assert_refused("app/window/A.cpp", '"window/cell/B.h"')

@@ -8,7 +8,7 @@
 #include "cli/OperationOptions.h"
 #include "cli/cell/PathReport.h"
 #include "cli/cell/PlannedPathOutput.h"
-#include "tools/cell/path/PathOptimisation.h"
+#include "tools/cell/path/OptimisePathOperation.h"
 
 namespace handwheel {
 

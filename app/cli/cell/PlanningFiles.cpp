@@ -3,8 +3,8 @@
 #include "cli/cell/PlanningFiles.h"
 
 #include "document/FileBytes.h"
-#include "planning/PlanningPair.h"
-#include "planning/YamlText.h"
+#include "planning/problems/MoveItProblem.h"
+#include "planning/problems/YamlText.h"
 
 #include <algorithm>
 
@@ -66,7 +66,7 @@ Result<PlanningSet> readPair(const fs::path& file) {
                             wish = readFileHead(request, YamlLimits::kMostBytes + 1);
   if (!world) return inFile(world.error(), scene);
   if (!wish) return inFile(wish.error(), request);
-  Result<PlanningSet> set = readPlanningPair(*world, *wish, problemName(scene));
+  Result<PlanningSet> set = readMoveItProblem(*world, *wish, problemName(scene));
   if (set) return set;
   const auto& arguments = set.error().arguments;
   return inFile(set.error(), !arguments.empty() && arguments[0].starts_with(kRequest) ? request : scene);

@@ -6,7 +6,7 @@
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/cell/PlannedPathOutput.h"
-#include "tools/cell/ProcessOperation.h"
+#include "tools/cell/ProcessPathOperation.h"
 
 namespace handwheel {
 

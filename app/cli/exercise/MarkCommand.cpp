@@ -44,7 +44,7 @@ std::string problemOf(const Arguments& arguments, const DocumentKinds& kinds) {
 
 // By the heading of a column, or the name of a criterion; false when there is none.
 bool sortBy(std::vector<ReportedWork>& works, const Exercise& exercise, std::string_view heading) {
-  ClassTable table(exercise);
+  SubmissionTable table(exercise);
   const bool isDescending = heading.starts_with("-");
   if (isDescending) heading.remove_prefix(1);
   std::size_t column = 0;
@@ -53,7 +53,7 @@ bool sortBy(std::vector<ReportedWork>& works, const Exercise& exercise, std::str
   for (const ReportedWork& work : works) table.add(work.row);
   table.sort(column, isDescending);
   std::vector<ReportedWork> sorted;
-  for (const ClassRow& row : table.rows()) {
+  for (const SubmissionRow& row : table.rows()) {
     const auto found = std::find_if(works.begin(), works.end(), [&](const ReportedWork& work) {
       return work.row.file == row.file && work.row.attempt == row.attempt;
     });
@@ -64,9 +64,9 @@ bool sortBy(std::vector<ReportedWork>& works, const Exercise& exercise, std::str
   return true;
 }
 
-int writeFiles(const ClassReport& report, const Arguments& arguments) {
+int writeFiles(const SubmissionsReport& report, const Arguments& arguments) {
   if (arguments.has("csv")) {
-    ClassTable table(report.exercise);
+    SubmissionTable table(report.exercise);
     for (const ReportedWork& work : report.works) table.add(work.row);
     const Status written = writeFileAtomically(arguments.valueOf("csv"), table.csv());
     if (!written) return fail(written.error());
@@ -85,7 +85,7 @@ int runMark(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!scheme) return refuse(arguments.operands[0] + " is not an exercise.");
   if (scheme->isForStudents) return fail({ExerciseError::WithoutScheme, {}, {}, arguments.operands[0]});
 
-  ClassReport report{scheme->exercise, measurementTypes(*scheme->subject), {}};
+  SubmissionsReport report{scheme->exercise, measurementTypes(*scheme->subject), {}};
   bool isCancelled = false;
   runInterruptible("Marking", [&](CommandJob& job) {
     const std::size_t count = arguments.operands.size() - 1;

@@ -8,7 +8,7 @@
 #include "cli/mesh/FeelCommand.h"
 #include "cli/mesh/RepairCommand.h"
 #include "cli/mesh/SectionCommand.h"
-#include "cli/mesh/ShellCommands.h"
+#include "cli/mesh/SplitMergeCommands.h"
 
 #include <algorithm>
 

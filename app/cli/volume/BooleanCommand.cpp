@@ -9,7 +9,7 @@
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
 #include "cli/volume/VolumeFiles.h"
-#include "tools/volume/VolumeOperations.h"
+#include "tools/volume/VoxelizeOperations.h"
 #include "volume/VolumeBoolean.h"
 
 #include <array>

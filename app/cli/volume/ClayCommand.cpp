@@ -16,7 +16,7 @@
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "tools/volume/ClayOperation.h"
-#include "tools/volume/VolumeOperations.h"
+#include "tools/volume/VoxelizeOperations.h"
 #include "volume/VolumeErrors.h"
 
 #include <nlohmann/json.hpp>

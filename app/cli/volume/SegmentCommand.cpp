@@ -13,7 +13,7 @@
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "text/NoteText.h"
-#include "tools/volume/Segmentation.h"
+#include "tools/volume/SegmentOperation.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -15,13 +15,13 @@
 #include "cli/volume/DrillExperimentCommand.h"
 #include "cli/volume/OutputName.h"
 #include "cli/volume/SegmentCommand.h"
+#include "cli/volume/ShellOffsetCommands.h"
 #include "cli/volume/VolumeFiles.h"
-#include "cli/volume/WallCommands.h"
 #include "document/formats/MeshExport.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "text/NoteText.h"
-#include "tools/volume/VolumeOperations.h"
+#include "tools/volume/VoxelizeOperations.h"
 #include "volume/VolumeFidelity.h"
 #include "volume/repair/TriangleWalls.h"
 
@@ -204,7 +204,7 @@ int runRemesh(const Arguments& arguments, const DocumentKinds& kinds) {
 
 std::vector<Command> volumeCommands() {
   std::vector<Command> commands{{voxelizeSpec(), runVoxelize}, {remeshSpec(), runRemesh}, booleanCommand()};
-  for (Command& command : wallCommands()) commands.push_back(std::move(command));
+  for (Command& command : shellOffsetCommands()) commands.push_back(std::move(command));
   commands.push_back(clayCommand());
   commands.push_back(drillCommand());
   commands.push_back(drillExperimentCommand());

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The workpiece after the recorded passes of another one are cut in it again. The other was turned, ground, bored
+// Cuts the recorded passes of another workpiece in this one. The other was turned, ground, bored
 // or threaded by hand in the window. On the same bar it becomes the same part, bit for bit; crashes that were recorded
 // with them are taken along. Error: Cancelled.
 Result<WorkpieceSnapshot> turnByWork(WorkpieceSnapshot workpiece, const WorkpieceSnapshot& work,

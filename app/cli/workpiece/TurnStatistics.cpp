@@ -6,10 +6,10 @@
 #include "document/FileBytes.h"
 #include "machining/force/ForcePeaks.h"
 #include "machining/refit/SampledProfile.h"
-#include "machining/target/Drawing.h"
-#include "machining/target/DxfReader.h"
-#include "machining/target/SvgReader.h"
 #include "machining/target/TargetDeviation.h"
+#include "machining/target/files/Drawing.h"
+#include "machining/target/files/DxfReader.h"
+#include "machining/target/files/SvgReader.h"
 
 #include <algorithm>
 #include <cmath>

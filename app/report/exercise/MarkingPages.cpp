@@ -72,21 +72,21 @@ bool areNamesShort(const std::vector<MarkingCriterion>& criteria) {
 
 // The class on one page: the criteria are named where there is room, else numbered, and named below. More of them than
 // fit on paper stand with each student only.
-std::string classTable(const ClassReport& report) {
+std::string submissionTable(const SubmissionsReport& report) {
   constexpr std::size_t kMostOnPaper = 16;
-  ClassTable table(report.exercise);
+  SubmissionTable table(report.exercise);
   for (const ReportedWork& work : report.works) table.add(work.row);
-  std::vector<std::size_t> columns = {ClassTable::Student, ClassTable::Minutes, ClassTable::Hints,
-                                      ClassTable::Made,    ClassTable::Points,  ClassTable::Percent};
-  const auto areCounted = [](const ClassRow& row) { return row.tries.has_value(); };
+  std::vector<std::size_t> columns = {SubmissionTable::Student, SubmissionTable::Minutes, SubmissionTable::Hints,
+                                      SubmissionTable::Made,    SubmissionTable::Points,  SubmissionTable::Percent};
+  const auto areCounted = [](const SubmissionRow& row) { return row.tries.has_value(); };
   if (std::any_of(table.rows().begin(), table.rows().end(), areCounted))
-    columns.insert(std::find(columns.begin(), columns.end(), ClassTable::Points), ClassTable::Tries);
+    columns.insert(std::find(columns.begin(), columns.end(), SubmissionTable::Points), SubmissionTable::Tries);
   std::vector<std::string> headings;
   for (const std::size_t column : columns) headings.push_back(translatedHeading(table.heading(column)));
-  const std::size_t criteria = table.columns() - ClassTable::FirstCriterion;
+  const std::size_t criteria = table.columns() - SubmissionTable::FirstCriterion;
   const bool fits = criteria <= kMostOnPaper, isNamed = areNamesShort(report.exercise.criteria);
   for (std::size_t i = 0; fits && i < criteria; ++i) {
-    columns.push_back(ClassTable::FirstCriterion + i);
+    columns.push_back(SubmissionTable::FirstCriterion + i);
     headings.push_back(isNamed ? report.exercise.criteria[i].name : std::to_string(i + 1));
   }
   std::string html =
@@ -97,7 +97,7 @@ std::string classTable(const ClassReport& report) {
     std::vector<std::string> cells;
     for (const std::size_t column : columns) {
       cells.push_back(table.cell(row, column));
-      if (column == ClassTable::Made && !cells.back().empty()) cells.back() = translatedHeading(cells.back());
+      if (column == SubmissionTable::Made && !cells.back().empty()) cells.back() = translatedHeading(cells.back());
     }
     if (cells.front().empty()) cells.front() = table.rows()[row].file;
     html += cellsOf(cells, "td");
@@ -115,7 +115,7 @@ std::string nameOf(const ReportedWork& work) {
   return work.row.attempt.student.empty() ? work.row.file : work.row.attempt.student;
 }
 
-std::string figureLine(const ClassReport& report, const ReportMeasurement& each) {
+std::string figureLine(const SubmissionsReport& report, const ReportMeasurement& each) {
   const MeasurementType* const type = measurementType(report.figures, each.figure);
   if (!type) return {};
   const QString label = QCoreApplication::translate("Figure", type->label.c_str());
@@ -123,9 +123,9 @@ std::string figureLine(const ClassReport& report, const ReportMeasurement& each)
          "</p>\n";
 }
 
-std::string workSection(const ClassReport& report, const ReportedWork& work, const std::string& name,
+std::string workSection(const SubmissionsReport& report, const ReportedWork& work, const std::string& name,
                         const ImageElement& image) {
-  const ClassRow& row = work.row;
+  const SubmissionRow& row = work.row;
   // On paper each student of a class begins a page, to be given away.
   const char* const heading = report.works.size() > 1 ? "<h2 style=\"page-break-before: always\">" : "<h2>";
   std::string html =
@@ -218,10 +218,10 @@ std::string linesOf(const std::string& text) {
   return html;
 }
 
-std::string bodyOf(const ClassReport& report, const ImageElement& image, Progress progress) {
+std::string bodyOf(const SubmissionsReport& report, const ImageElement& image, Progress progress) {
   std::string html = "<h1>" + escaped(report.exercise.title) + "</h1>\n";
   if (!report.exercise.text.empty()) html += "<p>" + linesOf(report.exercise.text) + "</p>\n";
-  if (report.works.size() > 1) html += classTable(report);
+  if (report.works.size() > 1) html += submissionTable(report);
   const bool areTwo =
       report.works.size() == 2 && report.works[0].row.problem.empty() && report.works[1].row.problem.empty();
   if (areTwo) html += sideBySide(report.works[0], report.works[1], image);
@@ -241,7 +241,7 @@ std::string base64Png(const QImage& picture) {
 
 }  // namespace
 
-std::string htmlOf(const ClassReport& report, Progress progress) {
+std::string htmlOf(const SubmissionsReport& report, Progress progress) {
   const auto image = [](const QImage& picture, const std::string& name) {
     return "<img style=\"max-width: 100%\" width=\"" + std::to_string(kPlotWidth) + "\" alt=\"" + name +
            "\" src=\"data:image/png;base64," + base64Png(picture) + "\"/>";
@@ -253,7 +253,7 @@ std::string htmlOf(const ClassReport& report, Progress progress) {
          bodyOf(report, image, progress) + "</body>\n</html>\n";
 }
 
-std::string pdfOf(const ClassReport& report, Progress progress) {
+std::string pdfOf(const SubmissionsReport& report, Progress progress) {
   QTextDocument document;
   const auto image = [&](const QImage& picture, const std::string& name) {
     document.addResource(QTextDocument::ImageResource, QUrl(QString::fromStdString(name)), picture);
@@ -271,7 +271,7 @@ std::string pdfOf(const ClassReport& report, Progress progress) {
   return buffer.data().toStdString();
 }
 
-Status writeReport(const ClassReport& report, const std::filesystem::path& path, Progress progress) {
+Status writeReport(const SubmissionsReport& report, const std::filesystem::path& path, Progress progress) {
   const std::string ending = path.extension().string();
   if (ending != ".html" && ending != ".pdf") return unknownEnding(path, {".html", ".pdf"});
   const Progress drawing = progress.part(0.0, 0.95);

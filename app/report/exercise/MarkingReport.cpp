@@ -37,7 +37,7 @@ Json numberOrNull(const std::optional<double>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json jsonOf(const ClassReport& report, const Mark& mark) {
+Json jsonOf(const SubmissionsReport& report, const Mark& mark) {
   const MarkingCriterion& c = *report.exercise.find(mark.criterion);
   return {{"id", c.id},
           {"name", c.name},
@@ -53,7 +53,7 @@ Json jsonOf(const ClassReport& report, const Mark& mark) {
           {"remark", mark.remark.inEnglish()}};
 }
 
-Json jsonOf(const ClassReport& report, const ReportMeasurement& each) {
+Json jsonOf(const SubmissionsReport& report, const ReportMeasurement& each) {
   const MeasurementType* const type = measurementType(report.figures, each.figure);
   return {{"figure", each.figure}, {"unit", type ? type->unit : std::string()}, {"measured", each.value}};
 }
@@ -111,13 +111,13 @@ ReportedWork markFile(const ExerciseSnapshot& scheme, std::uint64_t mark, const 
   work.scheme = mark;
   const Result<OpenedFile> opened = kinds.open(path, {}, progress.part(0.0, 0.3));
   const auto submission = opened ? std::dynamic_pointer_cast<const ExerciseSnapshot>(opened->content) : nullptr;
-  const auto marked = [&]() -> Result<ClassRow> {
+  const auto marked = [&]() -> Result<SubmissionRow> {
     if (!opened) return opened.error();
     if (!submission) return Error{ExerciseError::NotHandedIn, {}, {}, {}};
     return markSubmission(scheme, *submission, work.row.file, progress.part(0.3, 0.7));
   };
   if (opened) work.row.remarks = damageRemarks(opened->file, describe);
-  if (Result<ClassRow> row = marked()) {
+  if (Result<SubmissionRow> row = marked()) {
     row->remarks.insert(row->remarks.begin(), work.row.remarks.begin(), work.row.remarks.end());
     work.row = std::move(row.value());
     work.details = scheme.subject->details(*scheme.task, *submission->work, progress.part(0.7, 1.0));
@@ -132,7 +132,7 @@ ReportedWork markFile(const ExerciseSnapshot& scheme, std::uint64_t mark, const 
 }
 
 void remarkEqualWorks(std::vector<ReportedWork>& works) {
-  const auto nameOf = [](const ClassRow& row) {
+  const auto nameOf = [](const SubmissionRow& row) {
     return row.attempt.student.empty() ? row.file : row.attempt.student + " (" + row.file + ")";
   };
   const HandPieces pieces = handPiecesOf(works);
@@ -151,8 +151,8 @@ void remarkEqualWorks(std::vector<ReportedWork>& works) {
   }
 }
 
-ClassReport classReportOf(const ExerciseSnapshot& exercise) {
-  ClassReport report{inLanguage(exercise), measurementTypes(*exercise.subject), {}};
+SubmissionsReport submissionsReportOf(const ExerciseSnapshot& exercise) {
+  SubmissionsReport report{inLanguage(exercise), measurementTypes(*exercise.subject), {}};
   if (!exercise.marked) return report;
   const std::uint64_t scheme = schemeMark(exercise);
   const std::uint64_t older = schemeMark(exercise.exercise);  // as older versions stored it, without the task
@@ -166,10 +166,10 @@ ClassReport classReportOf(const ExerciseSnapshot& exercise) {
   return report;
 }
 
-Json toJson(const ClassReport& report) {
+Json toJson(const SubmissionsReport& report) {
   Json works = Json::array();
   for (const ReportedWork& work : report.works) {
-    const ClassRow& row = work.row;
+    const SubmissionRow& row = work.row;
     Json json = {{"file", row.file},
                  {"student", row.attempt.student},
                  {"handed_in", row.attempt.handedIn},
@@ -196,10 +196,10 @@ Json toJson(const ClassReport& report) {
   return {{"exercise", report.exercise.title}, {"of", report.exercise.points()}, {"submissions", std::move(works)}};
 }
 
-std::string readableText(const ClassReport& report) {
+std::string readableText(const SubmissionsReport& report) {
   std::string text;
   for (const ReportedWork& work : report.works) {
-    const ClassRow& row = work.row;
+    const SubmissionRow& row = work.row;
     text +=
         (text.empty() ? "" : "\n") + row.file + (row.attempt.student.empty() ? "" : ", " + row.attempt.student) + ": ";
     text += (row.problem.empty() ? pointsText(row.marking) : "not marked: " + row.problem) + "\n";

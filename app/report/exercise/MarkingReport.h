@@ -10,7 +10,7 @@
 namespace handwheel {
 
 // The marks of a class for a report.
-struct ClassReport {
+struct SubmissionsReport {
   Exercise exercise;
   std::vector<MeasurementType> figures;
   std::vector<ReportedWork> works;
@@ -27,22 +27,22 @@ ReportedWork markFile(const ExerciseSnapshot& scheme, std::uint64_t mark, const 
 void remarkEqualWorks(std::vector<ReportedWork>& works);
 
 // The report of what an exercise has of its class. Works that were marked by another scheme say so in a remark.
-ClassReport classReportOf(const ExerciseSnapshot& exercise);
+SubmissionsReport submissionsReportOf(const ExerciseSnapshot& exercise);
 
 // All figures, marks and reasons as JSON, without pictures and curves.
-nlohmann::ordered_json toJson(const ClassReport& report);
+nlohmann::ordered_json toJson(const SubmissionsReport& report);
 
 // The marks for people: for each student a table of sizes, limits, points and reasons.
-std::string readableText(const ClassReport& report);
+std::string readableText(const SubmissionsReport& report);
 
 // The report as a self-contained HTML page with the class as a table, then each student with marks, events, pictures
 // and plots. Needs fonts, so a QGuiApplication.
-std::string htmlOf(const ClassReport& report, Progress progress = {});
+std::string htmlOf(const SubmissionsReport& report, Progress progress = {});
 // The same as PDF (A4).
-std::string pdfOf(const ClassReport& report, Progress progress = {});
+std::string pdfOf(const SubmissionsReport& report, Progress progress = {});
 
 // Writes the report as .html or .pdf, by the extension of the path. Writes the whole file or nothing. Errors:
 // ExtensionUnknown, WriteFailed, Cancelled. Any thread; seconds for a class.
-Status writeReport(const ClassReport& report, const std::filesystem::path& path, Progress progress = {});
+Status writeReport(const SubmissionsReport& report, const std::filesystem::path& path, Progress progress = {});
 
 }  // namespace handwheel

@@ -23,7 +23,7 @@ std::string limitsOf(const MarkingCriterion& c, const std::string& unit) {
 
 }  // namespace
 
-std::string unitOf(const ClassReport& report, const MarkingCriterion& c) {
+std::string unitOf(const SubmissionsReport& report, const MarkingCriterion& c) {
   const MeasurementType* type = measurementType(report.figures, c.figure);
   return type ? type->unit : std::string();
 }
@@ -40,7 +40,7 @@ std::string translatedText(const ExerciseText& text) {
 }
 
 std::string translatedHeading(const std::string& heading) {
-  return QCoreApplication::translate("ClassTable", heading.c_str()).toStdString();
+  return QCoreApplication::translate("SubmissionTable", heading.c_str()).toStdString();
 }
 
 std::string momentOf(const ReportEvent& event) {
@@ -52,7 +52,7 @@ std::string localTime(const std::string& utc) {
   return at.isValid() ? QLocale().toString(at.toLocalTime(), QLocale::ShortFormat).toStdString() : utc;
 }
 
-std::vector<std::array<std::string, 5>> rowsOf(const ClassReport& report, const Marking& marking) {
+std::vector<std::array<std::string, 5>> rowsOf(const SubmissionsReport& report, const Marking& marking) {
   std::vector<std::array<std::string, 5>> rows;
   for (const Mark& mark : marking.marks) {
     const MarkingCriterion* c = report.exercise.find(mark.criterion);

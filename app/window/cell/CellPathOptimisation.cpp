@@ -3,7 +3,7 @@
 
 // The action that optimises a path.
 #include "document/cell/RobotCellDocument.h"
-#include "tools/cell/path/PathOptimisation.h"
+#include "tools/cell/path/OptimisePathOperation.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
 #include "window/documents/DocumentTab.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Fields of paths, and those along curves on parts: planned, and planned anew when their process is changed.
-#include "document/cell/PlaceProperties.h"
 #include "document/cell/RobotCellDocument.h"
-#include "tools/cell/ProcessSettings.h"
+#include "document/cell/WaypointProperties.h"
+#include "tools/cell/ProcessPathSettings.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
 #include "window/cell/PathStatus.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "panels/MessageBar.h"
-#include "tools/cell/ProcessOperation.h"
+#include "tools/cell/ProcessPathOperation.h"
 #include "tools/cell/path/PathExport.h"
 #include "tools/cell/path/PlanOperation.h"
 #include "tools/cell/path/ProgramFrames.h"

@@ -10,7 +10,7 @@
 #include "tools/cell/CellTool.h"
 #include "tools/cell/FaceMateTool.h"
 #include "tools/cell/IkSolutionsTool.h"
-#include "tools/cell/ProcessTool.h"
+#include "tools/cell/ProcessPathTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/PartsLayer.h"
 #include "window/cell/RobotCellUi.h"
@@ -36,7 +36,7 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                                QKeySequence(Qt::Key_X),
                                [this] { return processTool(); },
                                "process",
-                               ProcessTool::keys()};
+                               ProcessPathTool::keys()};
   const ToolDescriptor lead{QStringLiteral("leadTool"),
                             tr("&Lead the robot by hand"),
                             tr("Lead the robot's tool by hand; the arm follows without collisions"),
@@ -62,7 +62,7 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                              QKeySequence(Qt::SHIFT | Qt::Key_W),
                              [this] { return placeTool(); },
                              "place",
-                             PlaceTool::keys()};
+                             PlaceBodyTool::keys()};
   const ToolDescriptor snap{QStringLiteral("faceSnapTool"),
                             tr("Lay a body &face to face"),
                             tr("Lay a body with one of its faces on a face of another"),
@@ -94,7 +94,7 @@ std::unique_ptr<Tool> RobotCellUi::processTool() {
     const auto surface = part ? m_surfaces.of(part) : nullptr;
     if (surface) m_paths.planProcess(values, surface);
   };
-  return std::make_unique<ProcessTool>(cell, std::move(services));
+  return std::make_unique<ProcessPathTool>(cell, std::move(services));
 }
 
 std::unique_ptr<Tool> RobotCellUi::handGuidingTool() {
@@ -160,7 +160,7 @@ void RobotCellUi::selectRobotToPlace(std::size_t number) {
 
 std::unique_ptr<Tool> RobotCellUi::placeTool() {
   auto& cell = static_cast<RobotCellDocument&>(document()->document);
-  return std::make_unique<PlaceTool>(cell, m_bodies.selection(), placeServices());
+  return std::make_unique<PlaceBodyTool>(cell, m_bodies.selection(), placeServices());
 }
 
 std::unique_ptr<Tool> RobotCellUi::faceMateTool() {

@@ -8,9 +8,9 @@
 #include "document/cell/CellDisplay.h"
 #include "document/cell/CellImport.h"
 #include "document/cell/CellProperties.h"
-#include "document/cell/PlaceProperties.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/cell/RobotCellKind.h"
+#include "document/cell/WaypointProperties.h"
 #include "document/scene/BodyDisplay.h"
 #include "document/scene/BodyProperties.h"
 #include "fidelity/Cases.h"
@@ -355,7 +355,7 @@ std::vector<Property> RobotCellUi::panelProperties(const Document& document) con
   std::vector<Property> first = m_paths.resultProperties();
   for (Property& each : m_paths.processProperties()) first.push_back(std::move(each));
   if (const RobotPath* const path = cell.plans()->path(entry.name); entry.kind == PlanTree::Entry::Kind::Place && path)
-    first = placeProperties(*path, entry.place);
+    first = waypointProperties(*path, entry.place);
   std::vector<Property> all = cellProperties(cell.robot(), m_paths.seenJoints(cell), *cell.plans());
   const std::string base = "robot." + selectedRobot() + '.';
   std::erase_if(all, [&](const Property& each) {

@@ -4,7 +4,7 @@
 
 #include "tools/cell/HandGuidingTool.h"
 #include "tools/cell/JointDragTool.h"
-#include "tools/cell/PlaceTool.h"
+#include "tools/cell/PlaceBodyTool.h"
 #include "window/cell/CellBodies.h"
 #include "window/cell/CellCollisions.h"
 #include "window/cell/CellContactMarks.h"

@@ -9,8 +9,8 @@
 #include "document/exercise/ShippedExercises.h"
 #include "panels/ActionButton.h"
 #include "window/documents/DocumentProperties.h"
-#include "window/exercise/ClassView.h"
 #include "window/exercise/InstructionEditor.h"
+#include "window/exercise/SubmissionsView.h"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -120,7 +120,7 @@ ExerciseEditor::ExerciseEditor(QWidget* parent)
   makeInstructionEditor();
   connectMoves(m_criteria, tr("Move a criterion"), withMovedCriterion);
   connectMoves(m_steps, tr("Move a step"), withMovedStep);
-  m_class = new ClassView(this);
+  m_class = new SubmissionsView(this);
   addTab(m_taskPage, tr("Task"));
   addTab(m_criteria.page, tr("Criteria"));
   addTab(m_steps.page, tr("Steps"));

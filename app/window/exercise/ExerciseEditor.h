@@ -15,7 +15,7 @@ class QToolButton;
 
 namespace handwheel {
 
-class ClassView;
+class SubmissionsView;
 class PropertyList;
 class InstructionEditor;
 
@@ -30,7 +30,7 @@ class ExerciseEditor : public QTabWidget {
   // Null: none. Shows it anew after each change.
   void setDocument(ExerciseDocument* document);
   void refresh();
-  ClassView* classView() const { return m_class; }
+  SubmissionsView* classView() const { return m_class; }
   // Buttons below the task for what makes the target.
   void showTargetActions(const QList<QAction*>& actions);
 
@@ -66,7 +66,7 @@ class ExerciseEditor : public QTabWidget {
   QWidget* m_taskPage;
   Rows m_criteria, m_steps;
   InstructionEditor* m_step;
-  ClassView* m_class;
+  SubmissionsView* m_class;
 };
 
 }  // namespace handwheel

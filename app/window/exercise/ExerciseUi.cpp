@@ -14,10 +14,10 @@
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
-#include "window/exercise/ClassView.h"
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseLesson.h"
 #include "window/exercise/RunningAttempt.h"
+#include "window/exercise/SubmissionsView.h"
 #include "window/kinds/KindPanel.h"
 #include "window/kinds/SuggestedName.h"
 
@@ -52,16 +52,16 @@ ExerciseUi::ExerciseUi(const WindowContext& window)
   connect(m_attempt, &RunningAttempt::message, this, &KindUi::message);
   connect(m_attempt, &RunningAttempt::changed, this, &ExerciseUi::refresh);
   connect(m_student, &ExerciseLesson::begun, m_begin, &QAction::trigger);
-  ClassView* const table = m_editor->classView();
-  connect(table, &ClassView::markingRequested, m_mark, &QAction::trigger);
-  connect(table, &ClassView::reportRequested, this, [this] { writeClass(ClassFile::Report); });
-  connect(table, &ClassView::tableRequested, this, [this] { writeClass(ClassFile::Table); });
-  connect(table, &ClassView::comparisonRequested, this, [this] { writeClass(ClassFile::Comparison); });
-  connect(table, &ClassView::openRequested, this, [this](std::size_t work) {
+  SubmissionsView* const table = m_editor->classView();
+  connect(table, &SubmissionsView::markingRequested, m_mark, &QAction::trigger);
+  connect(table, &SubmissionsView::reportRequested, this, [this] { writeClass(ClassFile::Report); });
+  connect(table, &SubmissionsView::tableRequested, this, [this] { writeClass(ClassFile::Table); });
+  connect(table, &SubmissionsView::comparisonRequested, this, [this] { writeClass(ClassFile::Comparison); });
+  connect(table, &SubmissionsView::openRequested, this, [this](std::size_t work) {
     if (m_shownClass && work < m_shownClass->size())
       parts().openFile(QFile::decodeName(QByteArray::fromStdString((*m_shownClass)[work]->path)));
   });
-  connect(table, &ClassView::removalRequested, this, &ExerciseUi::removeWorks);
+  connect(table, &SubmissionsView::removalRequested, this, &ExerciseUi::removeWorks);
   refresh();
 }
 

@@ -11,7 +11,7 @@ class QStackedWidget;
 
 namespace handwheel {
 
-class ClassView;
+class SubmissionsView;
 class ExerciseDocument;
 class ExerciseEditor;
 class ExerciseLesson;
@@ -82,7 +82,7 @@ class ExerciseUi : public RigidPartsUi {
   ExerciseLesson* m_student;
   RunningAttempt* m_attempt;
   // The class that is shown, and what else of the exercise is in its table and report.
-  std::shared_ptr<const MarkedClass> m_shownClass;
+  std::shared_ptr<const MarkedSubmissions> m_shownClass;
   std::string m_shownScheme;
   TaskPointer m_shownTask;
   // What is shown, and what it was made from.

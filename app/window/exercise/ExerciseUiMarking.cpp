@@ -13,9 +13,9 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
-#include "window/exercise/ClassView.h"
 #include "window/exercise/ExerciseEditor.h"
 #include "window/exercise/ExerciseUi.h"
+#include "window/exercise/SubmissionsView.h"
 #include "window/kinds/KindPanel.h"
 #include "window/kinds/SuggestedName.h"
 
@@ -70,8 +70,8 @@ void ExerciseUi::takeMarked(DocumentTab* owner, std::vector<ReportedWork> works)
   if (!parts().tabs.contains(owner) || works.empty()) return;
   auto& exercise = static_cast<ExerciseDocument&>(owner->document);
   ExerciseSnapshot changed = exercise.exercise();
-  changed.marked =
-      std::make_shared<const MarkedClass>(withMarked(changed.marked ? *changed.marked : MarkedClass(), works));
+  changed.marked = std::make_shared<const MarkedSubmissions>(
+      withMarked(changed.marked ? *changed.marked : MarkedSubmissions(), works));
   exercise.change(tr("Mark"), std::move(changed));
   if (owner != document()) return;
   m_editor->setCurrentWidget(m_editor->classView());
@@ -82,11 +82,11 @@ void ExerciseUi::takeMarked(DocumentTab* owner, std::vector<ReportedWork> works)
 
 void ExerciseUi::removeWorks(const std::vector<std::size_t>& works) {
   if (!current() || !m_shownClass) return;
-  MarkedClass left;
+  MarkedSubmissions left;
   for (std::size_t i = 0; i < m_shownClass->size(); ++i)
     if (std::find(works.begin(), works.end(), i) == works.end()) left.push_back((*m_shownClass)[i]);
   ExerciseSnapshot changed = current()->exercise();
-  changed.marked = left.empty() ? nullptr : std::make_shared<const MarkedClass>(std::move(left));
+  changed.marked = left.empty() ? nullptr : std::make_shared<const MarkedSubmissions>(std::move(left));
   current()->change(tr("Remove from the class"), std::move(changed));
 }
 
@@ -101,7 +101,7 @@ void ExerciseUi::showClass() {
   m_shownClass = exercise.marked;
   m_shownTask = exercise.task;
   m_shownScheme = std::move(scheme);
-  m_editor->classView()->setReport(classReportOf(exercise));
+  m_editor->classView()->setReport(submissionsReportOf(exercise));
 }
 
 // What came out in short: the table is in the panel.
@@ -114,7 +114,7 @@ void ExerciseUi::reportMarked(const std::vector<ReportedWork>& works) {
   const auto count = static_cast<int>(marked.size()), failed = static_cast<int>(works.size()) - count;
   QStringList details;
   if (count == 1) {
-    const ClassRow& row = marked.front()->row;
+    const SubmissionRow& row = marked.front()->row;
     details += tr("%1: %2 of %3.")
                    .arg(QString::fromStdString(row.attempt.student), locale.toString(row.marking.points),
                         locale.toString(row.marking.of));
@@ -141,7 +141,7 @@ void ExerciseUi::chooseFile(const QString& title, const QString& filter, const Q
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(suffix);
-  beginInFolderOf(*dialog, QStringLiteral("classReports"));
+  beginInFolderOf(*dialog, QStringLiteral("submissionsReports"));
   dialog->selectFile(fileNameOf({name}, suffix));
   connect(dialog, &QFileDialog::fileSelected, this, chosen);
   dialog->open();
@@ -157,12 +157,12 @@ void ExerciseUi::startWriting(ClassFile what, const QString& path) {
     if (error.code != ErrorCode::Cancelled) report(tr("%1 could not be saved").arg(QFileInfo(path).fileName()), error);
   };
   job.failed = failed;
-  const ClassView& view = *m_editor->classView();
+  const SubmissionsView& view = *m_editor->classView();
   job.work = [this, asTable = what == ClassFile::Table, path, failed,
               marked = what == ClassFile::Comparison ? view.comparedReport()
                                                      : view.shownReport()](Progress progress) -> Job::Finish {
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
-    ClassTable table(marked.exercise);
+    SubmissionTable table(marked.exercise);
     for (const ReportedWork& work : marked.works) table.add(work.row);
     const Status written = asTable ? writeFileAtomically(file, table.csv(translatedHeading), progress)
                                    : writeReport(marked, file, progress);

@@ -12,8 +12,8 @@
 #include "window/ActionToolTip.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/HolePreview.h"
+#include "window/mesh/LoopSelection.h"
 #include "window/mesh/MeshTab.h"
-#include "window/mesh/Selection.h"
 #include "window/mesh/repair/FixPreview.h"
 #include "window/mesh/repair/RepairJobs.h"
 
@@ -71,7 +71,7 @@ const Operation* fixFor(DefectKind kind) {
 
 }  // namespace
 
-DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HolePreview& preview, FixPreview& shown,
+DefectActions::DefectActions(LoopSelection& selection, RepairJobs& jobs, const HolePreview& preview, FixPreview& shown,
                              const FidelityChoice& fidelity, QObject* parent)
     : QObject(parent),
       m_selection(selection),
@@ -106,7 +106,7 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   connect(&m_thickenSheet, &QAction::triggered, this, [this] { m_jobs.change(m_document, thickening()); });
   connect(&m_cutAndClose, &QAction::triggered, this, [this] { m_jobs.change(m_document, cutting()); });
   // After every change of the inspection, too.
-  connect(&m_selection, &Selection::changed, this, [this] {
+  connect(&m_selection, &LoopSelection::changed, this, [this] {
     m_pointed = nullptr;
     follow();
   });

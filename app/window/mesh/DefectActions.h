@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "theme/DefectColours.h"
+#include "theme/DefectKind.h"
 #include "tools/mesh/MeshServices.h"
 
 #include <QAction>
@@ -14,7 +14,7 @@ class FidelityChoice;
 class FixPreview;
 class HolePreview;
 class RepairJobs;
-class Selection;
+class LoopSelection;
 struct FillOptions;
 struct MeshTab;
 struct DefectRow;
@@ -27,7 +27,7 @@ class DefectActions : public QObject {
 
  public:
   // shown: gets the fix that is offered.
-  DefectActions(Selection& selection, RepairJobs& jobs, const HolePreview& preview, FixPreview& shown,
+  DefectActions(LoopSelection& selection, RepairJobs& jobs, const HolePreview& preview, FixPreview& shown,
                 const FidelityChoice& fidelity, QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);  // null: no mesh is in view
@@ -73,7 +73,7 @@ class DefectActions : public QObject {
   FillOptions options() const;
 
   MeshTab* m_document = nullptr;
-  Selection& m_selection;
+  LoopSelection& m_selection;
   RepairJobs& m_jobs;
   const HolePreview& m_preview;
   FixPreview& m_shown;

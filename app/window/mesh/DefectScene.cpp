@@ -7,8 +7,8 @@
 #include "viewport/Viewport.h"
 #include "viewport/surface/MeshLayer.h"
 #include "window/mesh/HolePicking.h"
+#include "window/mesh/LoopSelection.h"
 #include "window/mesh/MeshTab.h"
-#include "window/mesh/Selection.h"
 #include "window/mesh/UnobstructedView.h"
 
 #include <QCursor>
@@ -84,11 +84,12 @@ std::vector<Vec3> vertexPointsOf(const Inspection& inspection, DefectKind kind) 
 
 }  // namespace
 
-DefectScene::DefectScene(Viewport& viewport, MeshLayer& layer, Selection& selection, DefectModel& defects,
+DefectScene::DefectScene(Viewport& viewport, MeshLayer& layer, LoopSelection& selection, DefectModel& defects,
                          QObject* parent)
     : QObject(parent), m_viewport(viewport), m_layer(layer), m_selection(selection), m_defects(defects) {
-  connect(&m_selection, &Selection::changed, this, &DefectScene::drawLoops);
-  connect(&m_selection, &Selection::hoverChanged, this, [this] { m_layer.setHighlightedLoop(m_selection.hovered()); });
+  connect(&m_selection, &LoopSelection::changed, this, &DefectScene::drawLoops);
+  connect(&m_selection, &LoopSelection::hoverChanged, this,
+          [this] { m_layer.setHighlightedLoop(m_selection.hovered()); });
   connect(&m_defects, &DefectModel::shownChanged, this, [this] {
     drawLoops();
     drawDefects();

@@ -9,7 +9,7 @@ namespace handwheel {
 
 class DefectModel;
 class MeshLayer;
-class Selection;
+class LoopSelection;
 class Viewport;
 struct MeshTab;
 struct Pick;
@@ -20,7 +20,7 @@ class DefectScene : public QObject {
   Q_OBJECT
 
  public:
-  DefectScene(Viewport& viewport, MeshLayer& layer, Selection& selection, DefectModel& defects,
+  DefectScene(Viewport& viewport, MeshLayer& layer, LoopSelection& selection, DefectModel& defects,
               QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);         // the camera is stored with the previous document
@@ -38,7 +38,7 @@ class DefectScene : public QObject {
 
   Viewport& m_viewport;
   MeshLayer& m_layer;
-  Selection& m_selection;
+  LoopSelection& m_selection;
   DefectModel& m_defects;
   MeshTab* m_document = nullptr;
   std::vector<Face> m_chosen;  // sorted; faces of the defect that is selected in the list

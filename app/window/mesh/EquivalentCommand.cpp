@@ -99,9 +99,9 @@ void noteFile(MeshTab& open) {
   if (file.path.empty() || !file.damage.empty()) return;
   // The command line opens other formats in millimetres.
   const LengthUnit unit = file.isContainer ? document.displayUnit() : LengthUnit::Millimetre;
-  const OperationsBase now{document.path(), presentPoint(document), unit};
+  const OperationsOrigin now{document.path(), presentPoint(document), unit};
   const auto same = std::find_if(open.bases.begin(), open.bases.end(),
-                                 [&now](const OperationsBase& base) { return base.path == now.path; });
+                                 [&now](const OperationsOrigin& base) { return base.path == now.path; });
   const bool isFirst = open.bases.empty() && isUntouched;
   if (same != open.bases.end() && file.isContainer) open.bases.erase(same);
   if (file.isContainer || isFirst) {

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-struct OperationsBase;
+struct OperationsOrigin;
 struct MeshTab;
 
 // Command lines equivalent to the edits of a mesh.
@@ -25,7 +25,7 @@ QString repairCommand(const QString& path, const RepairOptions& options);
 
 // The steps from a file to the present state.
 struct OperationSequence {
-  const OperationsBase* base;
+  const OperationsOrigin* base;
   std::vector<std::string> steps;
 };
 // Finds the steps from the newest usable file to the present state. None when an edit has no step, or there is no such

@@ -7,7 +7,7 @@
 #include "tools/Tool.h"
 #include "window/JobRunner.h"
 #include "window/haptics/ClayTouch.h"
-#include "window/mesh/OperationsBase.h"
+#include "window/mesh/OperationsOrigin.h"
 
 #include <QJsonObject>
 #include <optional>
@@ -76,7 +76,7 @@ class MeshHapticsProvider : public QObject {
 
   // What a running recording of the device knows of the mesh: the file, and the steps from it.
   struct Noted {
-    OperationsBase base;
+    OperationsOrigin base;
     std::optional<std::vector<std::string>> steps;      // to the present surface; none: an edit has no step
     std::optional<std::vector<std::string>> lastNoted;  // in the last note
   };

@@ -6,7 +6,7 @@
 #include "mesh/repair/Repair.h"
 #include "panels/defects/Inspection.h"
 #include "window/documents/DocumentTab.h"
-#include "window/mesh/OperationsBase.h"
+#include "window/mesh/OperationsOrigin.h"
 
 namespace handwheel {
 
@@ -36,7 +36,7 @@ struct MeshTab : DocumentTab {
   // Number of changes of the mesh, including undo and redo; and that number when the mesh last equalled its file.
   std::uint64_t changes = 0;
   std::uint64_t changesInFile = 0;
-  std::vector<OperationsBase> bases;  // the newest last
+  std::vector<OperationsOrigin> bases;  // the newest last
   // touched: as in MeshDocument::meshChanged.
   void meshChanged(const std::vector<Face>& touched) {
     ++changes;

@@ -15,8 +15,8 @@
 #include "viewport/surface/MeshLayer.h"
 #include "window/MemoryQuestion.h"
 #include "window/mesh/HolePreview.h"
+#include "window/mesh/LoopSelection.h"
 #include "window/mesh/MeshTab.h"
-#include "window/mesh/Selection.h"
 #include "window/mesh/repair/RepairActions.h"
 #include "window/tools/ToolHost.h"
 
@@ -25,8 +25,9 @@
 
 namespace handwheel {
 
-MeshTools::MeshTools(QWidget* window, ToolHost& host, QThreadPool& pool, const MeshLayer& layer, Selection& selection,
-                     HolePreview& preview, RepairActions& actions, RepairJobs& jobs, QObject* parent)
+MeshTools::MeshTools(QWidget* window, ToolHost& host, QThreadPool& pool, const MeshLayer& layer,
+                     LoopSelection& selection, HolePreview& preview, RepairActions& actions, RepairJobs& jobs,
+                     QObject* parent)
     : QObject(parent),
       m_window(window),
       m_host(host),
@@ -37,7 +38,7 @@ MeshTools::MeshTools(QWidget* window, ToolHost& host, QThreadPool& pool, const M
       m_jobs(jobs),
       m_thinking(JobRunner::Policy::Latest, pool) {
   connect(&m_preview, &HolePreview::changed, this, &MeshTools::answer);
-  connect(&m_selection, &Selection::changed, this, &MeshTools::followSelection);
+  connect(&m_selection, &LoopSelection::changed, this, &MeshTools::followSelection);
   connect(m_actions.preview(), &QAction::toggled, this, [this] { m_host.runner().deliver([] {}); });
   connect(&m_host, &ToolHost::updated, this, &MeshTools::followTool);
   connect(&m_jobs, &RepairJobs::workingChanged, &m_host, &ToolHost::refresh);

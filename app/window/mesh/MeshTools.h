@@ -14,7 +14,7 @@ class HolePreview;
 class MeshLayer;
 class RepairActions;
 class RepairJobs;
-class Selection;
+class LoopSelection;
 class ToolHost;
 struct MeshTab;
 
@@ -24,7 +24,7 @@ class MeshTools : public QObject {
   Q_OBJECT
 
  public:
-  MeshTools(QWidget* window, ToolHost& host, QThreadPool& pool, const MeshLayer& layer, Selection& selection,
+  MeshTools(QWidget* window, ToolHost& host, QThreadPool& pool, const MeshLayer& layer, LoopSelection& selection,
             HolePreview& preview, RepairActions& actions, RepairJobs& jobs, QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);
@@ -60,7 +60,7 @@ class MeshTools : public QObject {
   QWidget* m_window;  // that asks
   ToolHost& m_host;
   const MeshLayer& m_layer;
-  Selection& m_selection;
+  LoopSelection& m_selection;
   HolePreview& m_preview;
   RepairActions& m_actions;
   RepairJobs& m_jobs;

@@ -104,13 +104,14 @@ MeshUi::~MeshUi() {
 }
 
 void MeshUi::connectSelection() {
-  connect(&m_selection, &Selection::changed, this, [this] {
+  connect(&m_selection, &LoopSelection::changed, this, [this] {
     if (m_panel) m_panel->setSelectedLoop(m_selection.loop());
     emit stateChanged();
   });
-  connect(&m_selection, &Selection::hoverChanged, this, [this] { m_panel->setHighlightedLoop(m_selection.hovered()); });
-  connect(m_panel, &DefectsPanel::loopHovered, &m_selection, &Selection::hover);
-  connect(m_panel, &DefectsPanel::loopSelected, &m_selection, &Selection::select);
+  connect(&m_selection, &LoopSelection::hoverChanged, this,
+          [this] { m_panel->setHighlightedLoop(m_selection.hovered()); });
+  connect(m_panel, &DefectsPanel::loopHovered, &m_selection, &LoopSelection::hover);
+  connect(m_panel, &DefectsPanel::loopSelected, &m_selection, &LoopSelection::select);
   connect(m_panel, &DefectsPanel::defectChosen, this, [this](const QModelIndex& index) {
     const auto kind = static_cast<DefectKind>(index.data(DefectModel::KindRole).toInt());
     m_defectActions.choose(index.isValid() ? std::optional(kind) : std::nullopt,

@@ -5,11 +5,11 @@
 #include "window/kinds/KindUi.h"
 #include "window/mesh/DefectActions.h"
 #include "window/mesh/HolePreview.h"
+#include "window/mesh/LoopSelection.h"
 #include "window/mesh/MeshHapticsProvider.h"
 #include "window/mesh/MeshTools.h"
 #include "window/mesh/ScriptExport.h"
 #include "window/mesh/SectionView.h"
-#include "window/mesh/Selection.h"
 #include "window/mesh/SelfIntersectionSearch.h"
 #include "window/mesh/ShellActions.h"
 #include "window/mesh/demo/RepairDemo.h"
@@ -79,7 +79,7 @@ class MeshUi : public KindUi {
   std::shared_ptr<MeshLayer> m_layer;
   std::shared_ptr<VolumeLayer> m_voxelLayer;  // of a tool
   std::shared_ptr<const ClayState> m_voxels;  // in it; null: nothing
-  Selection m_selection;
+  LoopSelection m_selection;
   HolePreview m_preview;
   SelfIntersectionSearch m_search;
   RepairJobs m_jobs;

@@ -5,7 +5,7 @@
 #include "panels/defects/RepairSummary.h"
 #include "panels/defects/StateCard.h"
 #include "text/RepairText.h"
-#include "theme/DefectColours.h"
+#include "theme/DefectKind.h"
 #include "theme/Theme.h"
 #include "window/mesh/MeshTab.h"
 

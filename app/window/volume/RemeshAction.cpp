@@ -9,7 +9,7 @@
 #include "text/ErrorText.h"
 #include "tools/OperationSettings.h"
 #include "tools/ToolProperty.h"
-#include "tools/volume/VolumeOperations.h"
+#include "tools/volume/VoxelizeOperations.h"
 #include "window/ActionToolTip.h"
 #include "window/documents/DocumentTab.h"
 

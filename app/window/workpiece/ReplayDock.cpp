@@ -151,7 +151,7 @@ void addPath(TimeLineRecording& recording, const PassesReplay& replay) {
   recording.curves = {std::move(across), std::move(along)};
 }
 
-TimeLineRecording recordingOf(const QString& name, const ReplayTrack& track) {
+TimeLineRecording recordingOf(const QString& name, const ReplayCurves& track) {
   constexpr std::size_t kMostPoints = 2000;
   TimeLineRecording recording;
   recording.name = name;
@@ -173,7 +173,7 @@ TimeLineRecording recordingOf(const QString& name, const ReplayTrack& track) {
     recording.curves.push_back(std::move(deep));
   }
   for (TimeLineCurve& curve : recording.curves) curve.points = thinnedCurve(curve.points, kMostPoints);
-  for (const ReplayTrack::Crash& crash : track.crashes)
+  for (const ReplayCurves::Crash& crash : track.crashes)
     recording.markers.push_back({crash.seconds, crashText(crash.collision), TimeLineMarker::Severity::Error});
   std::stable_sort(recording.markers.begin(), recording.markers.end(),
                    [](const auto& a, const auto& b) { return a.time < b.time; });
@@ -194,7 +194,7 @@ ReplayDock::PlayedPointer ReplayDock::playedOf(const QString& name, const Workpi
   if (!track) return nullptr;
   TimeLineRecording recording = recordingOf(name, *track);
   return std::make_shared<const Played>(
-      Played{work, std::make_shared<const ReplayTrack>(std::move(*track)), std::move(recording)});
+      Played{work, std::make_shared<const ReplayCurves>(std::move(*track)), std::move(recording)});
 }
 
 void ReplayDock::prepare() {

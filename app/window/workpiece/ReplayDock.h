@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/workpiece/LatheDisplay.h"
-#include "document/workpiece/ReplayTrack.h"
+#include "document/workpiece/ReplayCurves.h"
 #include "panels/time/TimeLine.h"
 #include "window/JobRunner.h"
 #include "window/kinds/KindUi.h"
@@ -48,7 +48,7 @@ class ReplayDock : public QObject {
   // A workpiece with its recording.
   struct Played {
     WorkpieceSnapshot work;
-    std::shared_ptr<const ReplayTrack> track;
+    std::shared_ptr<const ReplayCurves> track;
     TimeLineRecording recording;
   };
   using PlayedPointer = std::shared_ptr<const Played>;

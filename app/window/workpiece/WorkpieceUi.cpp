@@ -74,8 +74,8 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
       m_panel(makePanel()),
       m_loads(JobRunner::Policy::Latest, window.pool) {
   layer().setFaintGroup(kPartedGroup);
-  connect(&m_target, &TargetView::message, this, &KindUi::message);
-  connect(&m_target, &TargetView::shownChanged, this, [this] {
+  connect(&m_target, &TargetActions::message, this, &KindUi::message);
+  connect(&m_target, &TargetActions::shownChanged, this, [this] {
     if (this->document()) show();
   });
   connect(&m_lathe, &LatheView::message, this, &KindUi::message);

@@ -8,8 +8,8 @@
 #include "window/workpiece/DimensionsView.h"
 #include "window/workpiece/LatheView.h"
 #include "window/workpiece/ReplayDock.h"
-#include "window/workpiece/TargetView.h"
-#include "window/workpiece/ThreadView.h"
+#include "window/workpiece/TargetActions.h"
+#include "window/workpiece/ThreadAction.h"
 #include "window/workpiece/program/ProgramDock.h"
 
 namespace handwheel {
@@ -70,10 +70,10 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   void tellParted();
   void explainLocks();
 
-  TargetView m_target;
+  TargetActions m_target;
   DimensionsView m_dimensions;
   LatheView m_lathe;
-  ThreadView m_thread;
+  ThreadAction m_thread;
   ProgramDock m_program;
   ReplayDock m_replay;
   QPointer<QWidget> m_panel;

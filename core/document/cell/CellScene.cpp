@@ -5,7 +5,7 @@
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellArms.h"
 #include "document/scene/BodyDisplay.h"
-#include "planning/PlanningSet.h"
+#include "planning/problems/PlanningSet.h"
 #include "robot/Kinematics.h"
 #include "scene/PrimitiveGeometry.h"
 

@@ -7,10 +7,10 @@
 #include "document/cell/CellProperties.h"
 #include "document/cell/CellReach.h"
 #include "document/cell/JointEdit.h"
-#include "document/cell/PlaceProperties.h"
 #include "document/cell/PlansEdit.h"
 #include "document/cell/RobotChanges.h"
 #include "document/cell/RobotsEdit.h"
+#include "document/cell/WaypointProperties.h"
 #include "document/scene/BodyProperties.h"
 #include "scene/RigidPose.h"
 
@@ -104,8 +104,8 @@ std::vector<Property> RobotCellDocument::propertiesOfBody(const Body& body) cons
 
 std::optional<Property> RobotCellDocument::property(const std::string& id) const {
   if (const RobotPath* const path = pathOfClearance(*m_plans, id)) return clearanceProperty(*path, *m_plans);
-  if (const auto place = placeOfProperty(*m_plans, id)) {
-    for (const Property& each : placeProperties(*m_plans->path(place->path), place->place)) {
+  if (const auto place = waypointOfProperty(*m_plans, id)) {
+    for (const Property& each : waypointProperties(*m_plans->path(place->path), place->place)) {
       if (each.id == id) return each;
     }
   }
@@ -148,8 +148,8 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
     if (!changed) return changed.error();
     return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }
-  if (const auto place = placeOfProperty(*m_plans, id)) {
-    Result<CellPlans> changed = changedPlace(*m_plans, *place, value);
+  if (const auto place = waypointOfProperty(*m_plans, id)) {
+    Result<CellPlans> changed = changedWaypoint(*m_plans, *place, value);
     if (!changed) return changed.error();
     return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }

@@ -184,8 +184,8 @@ Result<SnapshotPointer> ExerciseKind::load(const Container& container, std::vect
   // A copy for students has none, whoever wrote it.
   const auto marked = document->find(kClass);
   if (marked != document->end() && !exercise.isForStudents) {
-    MarkedClass works = markedClassFrom(*marked, damage);
-    if (!works.empty()) exercise.marked = std::make_shared<const MarkedClass>(std::move(works));
+    MarkedSubmissions works = markedClassFrom(*marked, damage);
+    if (!works.empty()) exercise.marked = std::make_shared<const MarkedSubmissions>(std::move(works));
   }
   Result<SnapshotPointer> solution =
       readInner(container, kSolution, exercise.subject->kind(), damage, progress.part(0.0, 0.5));

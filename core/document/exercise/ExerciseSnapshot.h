@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/Snapshot.h"
-#include "document/exercise/MarkedClass.h"
+#include "document/exercise/MarkedSubmissions.h"
 #include "exercise/Attempt.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,13 +15,13 @@ namespace handwheel {
 struct ExerciseSnapshot : Snapshot {
   std::string key;  // the same in the teacher's file, the students' and what they hand in
   Exercise exercise;
-  const ExerciseSubject* subject = nullptr;   // never null in a document
-  TaskPointer task;                           // never null in a document
-  SnapshotPointer solution;                   // the model solution; null: none
-  SnapshotPointer work;                       // of the student, as far as it is; null: nothing yet
-  std::optional<Attempt> attempt;             // present since the student has begun
-  bool isForStudents = false;                 // it has no answers, and cannot be changed
-  std::shared_ptr<const MarkedClass> marked;  // what was handed in, as it was marked; null: nothing yet
+  const ExerciseSubject* subject = nullptr;         // never null in a document
+  TaskPointer task;                                 // never null in a document
+  SnapshotPointer solution;                         // the model solution; null: none
+  SnapshotPointer work;                             // of the student, as far as it is; null: nothing yet
+  std::optional<Attempt> attempt;                   // present since the student has begun
+  bool isForStudents = false;                       // it has no answers, and cannot be changed
+  std::shared_ptr<const MarkedSubmissions> marked;  // what was handed in, as it was marked; null: nothing yet
   // What the file that it was read from has beside what this program knows: it is written back into files. What rows
   // have is in them. Null: nothing.
   std::shared_ptr<const nlohmann::json> others;

@@ -38,8 +38,8 @@ Result<ExerciseSnapshot> handedIn(ExerciseSnapshot exercise, SnapshotPointer wor
   return submission;
 }
 
-Result<ClassRow> markSubmission(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submission, std::string file,
-                                Progress progress) {
+Result<SubmissionRow> markSubmission(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submission,
+                                     std::string file, Progress progress) {
   if (scheme.isForStudents) return Error{ExerciseError::WithoutScheme, {}, {}, {}};
   if (!submission.work || !submission.attempt) return Error{ExerciseError::NotHandedIn, {}, {}, file};
   if (submission.key != scheme.key) return Error{ExerciseError::OtherExercise, {submission.exercise.title}, {}, file};
@@ -49,7 +49,7 @@ Result<ClassRow> markSubmission(const ExerciseSnapshot& scheme, const ExerciseSn
     error.subject = file;
     return error;
   }
-  ClassRow row;
+  SubmissionRow row;
   row.file = std::move(file);
   row.attempt = *submission.attempt;
   if (!isSameScheme(scheme, submission))

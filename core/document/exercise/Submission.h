@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/exercise/ExerciseSnapshot.h"
-#include "exercise/ClassTable.h"
+#include "exercise/SubmissionTable.h"
 
 namespace handwheel {
 
@@ -13,8 +13,8 @@ Result<ExerciseSnapshot> handedIn(ExerciseSnapshot exercise, SnapshotPointer wor
 
 // Marks what was handed in by the teacher's exercise. file: its name, for the row. Errors: WithoutScheme, NotHandedIn,
 // OtherExercise {title}, OtherWork, Cancelled.
-Result<ClassRow> markSubmission(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submission, std::string file,
-                                Progress progress = {});
+Result<SubmissionRow> markSubmission(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submission,
+                                     std::string file, Progress progress = {});
 
 // The present time as attempts have it: UTC, ISO 8601.
 std::string presentTime();

@@ -4,9 +4,9 @@
 
 #include "document/DocumentErrors.h"
 #include "document/formats/MeshFileErrors.h"
+#include "document/formats/MeshTextValues.h"
 #include "document/formats/MeshWriter.h"
 #include "document/formats/ObjReader.h"
-#include "document/formats/TextNumber.h"
 #include "document/formats/off/OffHeader.h"
 #include "document/formats/off/OffReader.h"
 #include "document/formats/ply/PlyReader.h"

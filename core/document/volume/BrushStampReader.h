@@ -4,7 +4,7 @@
 
 #include "base/Result.h"
 #include "document/DocumentKind.h"
-#include "volume/ClayStamp.h"
+#include "volume/clay/ClayStamp.h"
 
 #include <filesystem>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/Container.h"
-#include "volume/ClayLayers.h"
+#include "volume/clay/ClayLayers.h"
 
 namespace handwheel {
 

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The image that a volume was made from. It never changes, so no step of the history holds it.
+// The CT or MR image that a volume was made from. It never changes, so no step of the history holds it.
 struct Scan {
   ImageVolume image;
   ImageHistogram histogram;

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// Writes the image that a volume was made from, and its segment, into a container. Grid and range go into the object
+// Writes the CT or MR image of a volume, and its segment, into a container. Grid and range go into the object
 // manifest["document"]["scan"], samples and bricks into blobs of their own ("scan/samples/0000", "scan/segment/0000").
 // They are not in the folder of the kind, so that a program that knows neither keeps both.
 void writeScan(const ImageVolume& image, const Segment& segment, Container& container);

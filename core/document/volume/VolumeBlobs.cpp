@@ -3,7 +3,7 @@
 #include "document/volume/VolumeBlobs.h"
 
 #include "document/volume/VolumeChunks.h"
-#include "volume/VolumeRegions.h"
+#include "volume/VolumeSerialization.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "document/Container.h"
-#include "volume/ClayMask.h"
 #include "volume/SparseVolume.h"
+#include "volume/clay/ClayMask.h"
 
 namespace handwheel {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/volume/VolumeChunks.h"
 
-#include "volume/VolumeRegions.h"
+#include "volume/VolumeSerialization.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 
 #include "document/AtomicFile.h"
 #include "document/formats/MeshExport.h"
-#include "document/formats/TextNumber.h"
+#include "document/formats/MeshTextValues.h"
 #include "document/volume/HoleBlobs.h"
 #include "document/volume/ImageFiles.h"
 #include "document/volume/LayerBlobs.h"

@@ -4,9 +4,9 @@
 
 #include "document/Snapshot.h"
 #include "document/volume/Scan.h"
-#include "volume/ClayLayers.h"
-#include "volume/ClayMask.h"
 #include "volume/SparseVolume.h"
+#include "volume/clay/ClayLayers.h"
+#include "volume/clay/ClayMask.h"
 #include "volume/drilling/DrillTries.h"
 #include "volume/segment/Segment.h"
 #include "volume/surface/VolumeSurface.h"

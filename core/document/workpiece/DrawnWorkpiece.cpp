@@ -6,8 +6,8 @@
 #include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/target/TargetImport.h"
 #include "document/workpiece/target/TargetPlace.h"
-#include "machining/target/DxfReader.h"
-#include "machining/target/SvgReader.h"
+#include "machining/target/files/DxfReader.h"
+#include "machining/target/files/SvgReader.h"
 
 #include <QtGlobal>
 #include <cmath>

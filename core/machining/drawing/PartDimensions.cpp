@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/drawing/Dimensions.h"
 #include "machining/refit/SampledProfile.h"
-#include "machining/target/DrawingWriter.h"
+#include "machining/target/files/DrawingWriter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -82,7 +82,7 @@ class ProgramRun {
   ProgramOutline m_outline;
   ProgramVariables m_variables;
   ProgramMachine m_machine;
-  CycleWork m_cycleWork;
+  CycleBudget m_cycleWork;
   std::vector<Frame> m_frames;
   std::uint32_t m_next = 0;  // line
   bool m_isDone = false;

@@ -144,7 +144,7 @@ Result<std::optional<ProfilePoint>> ownCrossing(const Segments& segments, bool i
   constexpr std::size_t kPairsOfEach = 100, kLeastPairs = 1'000'000;  // whose boxes meet: a second or two
   const std::size_t most = std::max(kLeastPairs, kPairsOfEach * segments.size());
   std::size_t pairs = 0;
-  const SegmentTree tree(segments);
+  const ProfileHierarchy tree(segments);
   const std::size_t n = segments.size();
   const ProfilePoint slack(kJoin, kJoin);
   std::optional<ProfilePoint> found;

@@ -87,7 +87,7 @@ void extendAt(const ProfileSegment& segment, double z, double& least, double& la
 TargetProfile::TargetProfile(std::vector<ProfileSegment> sound, bool isClosed) {
   const double volume = volumeInside(sound);
   const ProfileBox box = boxOf(sound);
-  SegmentTree tree(sound);
+  ProfileHierarchy tree(sound);
   m_outline = std::make_shared<const Outline>(Outline{std::move(sound), isClosed, box, volume, std::move(tree)});
 }
 
@@ -116,7 +116,7 @@ bool TargetProfile::isOutsideOfCorner(std::size_t segment, bool atEnd, const Pro
 
 double TargetProfile::distance(const ProfilePoint& p) const {
   if (!p.allFinite()) return std::numeric_limits<double>::quiet_NaN();
-  const SegmentTree::Nearest near = m_outline->tree.nearest(m_outline->segments, p);
+  const ProfileHierarchy::Nearest near = m_outline->tree.nearest(m_outline->segments, p);
   const ProfileSegment& segment = m_outline->segments[near.segment];
   bool isOutside = false;
   if (near.point == segment.from || near.point == segment.to) {

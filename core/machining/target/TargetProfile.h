@@ -4,7 +4,7 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
-#include "machining/target/SegmentTree.h"
+#include "machining/target/ProfileHierarchy.h"
 
 #include <memory>
 #include <optional>
@@ -62,7 +62,7 @@ class TargetProfile {
     bool isClosed;
     ProfileBox box;
     double volume;
-    SegmentTree tree;
+    ProfileHierarchy tree;
   };
   explicit TargetProfile(std::vector<ProfileSegment> sound, bool isClosed);
   bool isOutsideOfCorner(std::size_t segment, bool atEnd, const ProfilePoint& p) const;

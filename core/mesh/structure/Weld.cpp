@@ -21,9 +21,9 @@ std::uint32_t hash(const Vec3& p) {
 
 // Open addressing at a load of at most one half. A slot keeps the hash beside the class, so that most misses are seen
 // without a look at the points, and the table grows with the classes, not with the points.
-class ClassTable {
+class SubmissionTable {
  public:
-  explicit ClassTable(std::span<const Vec3> points) : m_points(points), m_slots(kSmallest) {}
+  explicit SubmissionTable(std::span<const Vec3> points) : m_points(points), m_slots(kSmallest) {}
 
   // The class of a point; representatives grows when it is a new one.
   std::uint32_t classify(std::uint32_t point, std::vector<std::uint32_t>& representatives) {
@@ -68,7 +68,7 @@ class ClassTable {
 PointClasses classifyPoints(std::span<const Vec3> points, Progress progress) {
   PointClasses result;
   result.classOf.resize(points.size());
-  ClassTable table(points);
+  SubmissionTable table(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!pollProgress(i, points.size(), progress)) break;
     result.classOf[i] = table.classify(static_cast<std::uint32_t>(i), result.representative);

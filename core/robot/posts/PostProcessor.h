@@ -29,7 +29,8 @@ struct ReadMotion {
   std::string name = {};                 // of its place, as the program calls it; empty: it does not
   // In which way the arm comes to the pose of a joint motion depends on where the controller takes it from.
   bool isWayOpen = false;
-  // Pose and frame count from the base of the controller (ControllerBase.h), which may be turned against the program's.
+  // Pose and frame count from the base of the controller (ControllerBaseFrame.h), which may be turned against the
+  // program's.
   bool isInControllersBase = false;
   // The tool's centre point that it is of, in the flange; none: the program does not say.
   std::optional<Pose> tool = {};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/clay/ClayContact.h"
 
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ double resistanceTo(const Vec3& hand, const Vec3& tool, const SparseVolume& volu
                     const DrillingLoad* load) {
   constexpr double kBeyond = 0.25;  // voxels
   if (load && load->resistance > 0.0 && (hand - tool).dot(load->way) > 0.0) return load->resistance;
-  const VolumeReader reader(volume);
+  const VolumeSampler reader(volume);
   const double depth = reader.depthAt(hand).depth;
   const bool isInside = load ? depth > kBeyond * volume.voxel() : depth > 0.0 || reader.depthAt(tool).depth > 0.0;
   return isInside ? feel.resistance : 0.0;
@@ -33,13 +33,13 @@ void ClayContact::place(const Vec3& hand) {
 bool ClayContact::follow(const SparseVolume& volume, const ClayFeel& feel, const Vec3& hand, bool isWorking, double dt,
                          const DrillingLoad* load) {
   const bool isFree = isWorking && feel.isFree;
-  const bool isInside = VolumeReader(volume).depthAt(hand).depth > 0.0;
+  const bool isInside = VolumeSampler(volume).depthAt(hand).depth > 0.0;
   if (isWorking && feel.isCutting && !isFree) {
     m_isBuried = false;
     return cut(feel.stiffness, resistanceTo(hand, m_tool, volume, feel, load), hand, dt);
   }
   // Deeper than a tool that slid can be: the material has come to it.
-  if (VolumeReader(volume).depthAt(m_tool).depth > volume.voxel()) m_isBuried = true;
+  if (VolumeSampler(volume).depthAt(m_tool).depth > volume.voxel()) m_isBuried = true;
   if (isFree || m_isBuried) {
     m_tool = hand;
     m_isBuried = isInside;
@@ -50,12 +50,12 @@ bool ClayContact::follow(const SparseVolume& volume, const ClayFeel& feel, const
 
 // Towards the hand in steps that do not go through a surface, and back to it along its normal where one has.
 bool ClayContact::slide(const SparseVolume& volume, const Vec3& hand) {
-  const VolumeReader reader(volume);
+  const VolumeSampler reader(volume);
   const double voxel = volume.voxel();
   bool isTouching = false;
   for (int i = 0; i < kMostSteps; ++i) {
     Vec3 way = hand - m_tool;
-    const VolumeReader::Depth here = reader.depthAt(m_tool);
+    const VolumeSampler::Depth here = reader.depthAt(m_tool);
     // On the surface only what goes along it or away is left of the way.
     if (here.depth > -0.05 * voxel && here.gradient.norm() > 0.1) {
       const Vec3 inwards = here.gradient.normalized();
@@ -71,7 +71,7 @@ bool ClayContact::slide(const SparseVolume& volume, const Vec3& hand) {
     const double step = std::min(length, std::max(0.25 * voxel, -here.depth));
     m_tool += step / length * way;
     for (int k = 0; k < 3; ++k) {
-      const VolumeReader::Depth there = reader.depthAt(m_tool);
+      const VolumeSampler::Depth there = reader.depthAt(m_tool);
       if (!(there.depth > 0.0)) break;
       isTouching = true;
       if (!(there.gradient.norm() > 0.1)) break;

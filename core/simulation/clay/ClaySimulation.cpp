@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/clay/ClaySimulation.h"
 
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 
 #include <limits>
 
@@ -39,7 +39,7 @@ ClaySimulation::ClaySimulation(std::shared_ptr<const ClayState> begin, const Cla
     : m_state(std::move(begin)), m_stroke(brush), m_channel(std::move(channel)) {}
 
 void ClaySimulation::step(double, std::span<const SimulationInput> inputs) {
-  const VolumeReader reader(m_state->volume);
+  const VolumeSampler reader(m_state->volume);
   for (const SimulationInput& input : inputs) {
     if (input.gesture == 0) continue;
     if (input.isEnd) {

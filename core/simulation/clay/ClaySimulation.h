@@ -5,7 +5,7 @@
 #include "simulation/Simulation.h"
 #include "simulation/clay/ClayContact.h"
 #include "simulation/clay/ClayStroke.h"
-#include "volume/ClayMask.h"
+#include "volume/clay/ClayMask.h"
 #include "volume/surface/VolumeSurface.h"
 
 #include <set>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "volume/ClayDab.h"
+#include "volume/clay/ClayDab.h"
 
 #include <array>
 #include <optional>

@@ -23,21 +23,21 @@ constexpr const char* kHeads[] = {QT_TRANSLATE_NOOP("Property", "Ball"), QT_TRAN
                                   QT_TRANSLATE_NOOP("Property", "Circular saw")};
 
 Limits diameterLimits(double voxel) {
-  const Limits all{DrillTool::kLeastDiameter, DrillTool::kLargestDiameter};
+  const Limits all{DrillBit::kLeastDiameter, DrillBit::kLargestDiameter};
   if (!(voxel > 0.0)) return all;
   const Limits ofVoxels{kFinestDrill * voxel, kWidestDrill * voxel};
   const Limits both{std::max(ofVoxels.least, all.least), std::min(ofVoxels.largest, all.largest)};
   return both.least < both.largest ? both : ofVoxels;
 }
 
-Limits widthLimits(double voxel, const DrillTool& head) {
-  const double least = std::max(kThinnestSaw * voxel, DrillTool::kLeastWidth);
+Limits widthLimits(double voxel, const DrillBit& head) {
+  const double least = std::max(kThinnestSaw * voxel, DrillBit::kLeastWidth);
   return {least, std::max(least, 0.5 * head.diameter)};
 }
 
 // The axis of a head that is fed out of the surface by `out`: that of a saw lies along the surface, so that it cuts
 // upright.
-Vec3 axisOf(const DrillTool& head, const Vec3& out) {
+Vec3 axisOf(const DrillBit& head, const Vec3& out) {
   if (head.shape != DrillShape::Saw) return out;
   const Vec3 across = out.cross(Vec3::UnitZ());
   return across.norm() > 0.1 ? Vec3(across.normalized()) : Vec3(Vec3::UnitX());
@@ -56,14 +56,14 @@ std::vector<Vec3> circleAt(const Vec3& centre, const Vec3& axis, double radius) 
 
 }  // namespace
 
-DrillSettings::DrillSettings(const DrillTool& head, std::string_view material, double spindle, double feed)
+DrillSettings::DrillSettings(const DrillBit& head, std::string_view material, double spindle, double feed)
     : m_head(head), m_rpm(spindle), m_speed(feed) {
   const std::vector<DrillMaterial>& all = drillMaterials();
   while (all[m_material].id != material) ++m_material;
 }
 
 void DrillSettings::setHead(std::size_t type, double voxel) {
-  m_head = drillTools()[type].tool;
+  m_head = drillBits()[type].tool;
   const double usual = m_head.diameter;
   m_head.diameter = diameterLimits(voxel).bring(usual);
   m_head.length *= m_head.diameter / usual;
@@ -81,7 +81,7 @@ DrillFeed DrillSettings::feedOutOf(const Vec3& out) const {
 std::vector<Property> DrillSettings::properties(double voxel) const {
   std::vector<std::string> materials, heads;
   int head = 0;
-  for (const DrillToolType& type : drillTools()) {
+  for (const DrillBitType& type : drillBits()) {
     if (type.tool.shape == m_head.shape) head = static_cast<int>(heads.size());
     heads.push_back(kHeads[static_cast<std::size_t>(type.tool.shape)]);
   }
@@ -105,7 +105,7 @@ std::vector<Property> DrillSettings::properties(double voxel) const {
 bool DrillSettings::set(std::string_view id, const PropertyValue& value, double voxel) {
   if (id == "head") {
     int type = 0;
-    const bool isSet = assignChoice(type, value, static_cast<int>(drillTools().size()));
+    const bool isSet = assignChoice(type, value, static_cast<int>(drillBits().size()));
     if (isSet) setHead(static_cast<std::size_t>(type), voxel);
     return isSet;
   }

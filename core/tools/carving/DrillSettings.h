@@ -4,7 +4,7 @@
 
 #include "simulation/drilling/DrillSimulation.h"
 #include "tools/ToolProperty.h"
-#include "volume/drilling/DrillTools.h"
+#include "volume/drilling/DrillBits.h"
 
 #include <string_view>
 #include <vector>
@@ -17,9 +17,9 @@ class DrillSettings {
  public:
   explicit DrillSettings(double voxel) { setHead(0, voxel); }
   // As an exercise has them. material: id of a DrillMaterial; spindle: r/min; feed: mm/s.
-  DrillSettings(const DrillTool& head, std::string_view material, double spindle, double feed);
+  DrillSettings(const DrillBit& head, std::string_view material, double spindle, double feed);
 
-  const DrillTool& head() const { return m_head; }
+  const DrillBit& head() const { return m_head; }
   DrillSetup setup() const;
   // Of a drill that is fed by the program, out of a surface by `out`, of length 1.
   DrillFeed feedOutOf(const Vec3& out) const;
@@ -34,7 +34,7 @@ class DrillSettings {
  private:
   void setHead(std::size_t type, double voxel);
 
-  DrillTool m_head = drillTools().front().tool;
+  DrillBit m_head = drillBits().front().tool;
   std::size_t m_material = 0;  // of drillMaterials()
   double m_rpm = 1000.0;       // r/min
   double m_speed = 1.0;        // mm/s, of the feed

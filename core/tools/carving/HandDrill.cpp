@@ -88,7 +88,7 @@ void HandDrill::restart() {
 std::optional<HandDrill::Start> HandDrill::continued(const Vec3& place) const {
   const DrillRecord* const before = holeBefore();
   if (!before || before->poses.empty()) return std::nullopt;
-  const DrillTool &made = before->setup.tool, &head = m_settings.head();
+  const DrillBit &made = before->setup.tool, &head = m_settings.head();
   if (head.shape == DrillShape::Saw || made.shape == DrillShape::Saw || made.radius() < head.radius())
     return std::nullopt;
   // The deepest: a drill that pecks may have ended on its way out.
@@ -108,7 +108,7 @@ std::optional<HandDrill::Start> HandDrill::startOfFeed(const PointerEvent& event
   if (!event.modifiers.shift)
     if (const auto hole = continued(surface->point)) return hole;
   const Vec3 out = event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : surface->normal;
-  const DrillTool& head = m_settings.head();
+  const DrillBit& head = m_settings.head();
   const Start start{m_settings.feedOutOf(out), surface->point + head.edge() * out, false};
   m_isBlocked = head.shape == DrillShape::Twist && isMaterialAlong(start.place, head.length * start.feed.axis);
   return m_isBlocked ? std::nullopt : std::optional(start);

@@ -4,7 +4,7 @@
 
 #include "document/cell/RobotCellDocument.h"
 #include "tools/cell/FlatFace.h"
-#include "tools/cell/PlaceTool.h"
+#include "tools/cell/PlaceBodyTool.h"
 
 namespace handwheel {
 

@@ -8,7 +8,8 @@
 
 namespace handwheel {
 
-// The contact surface of a mesh. Its triangles are known by the numbers of the faces. Empty if cancelled. O(n log n).
+// The haptic contact surface of a mesh. Its triangles are known by the numbers of the faces. Empty if cancelled. O(n
+// log n).
 ContactSurface contactSurfaceOf(const HalfEdgeMesh& mesh, Progress progress = {});
 
 // Whether an edit of so many faces is better brought into a surface than that surface built anew: on the window thread

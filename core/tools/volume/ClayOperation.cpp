@@ -6,7 +6,7 @@
 #include "document/volume/LayerSteps.h"
 #include "simulation/clay/ClaySimulation.h"
 #include "tools/volume/ClayTool.h"
-#include "tools/volume/VolumeOperations.h"
+#include "tools/volume/VoxelizeOperations.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeMemory.h"
 

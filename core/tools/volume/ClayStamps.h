@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "volume/ClayStamp.h"
+#include "volume/clay/ClayStamp.h"
 
 #include <array>
 #include <string>

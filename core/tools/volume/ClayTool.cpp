@@ -6,7 +6,7 @@
 #include "tools/ToolProperty.h"
 #include "tools/volume/ClayOperation.h"
 #include "tools/volume/ShapingObstacle.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -6,7 +6,7 @@
 #include "tools/ToolProperty.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeMemory.h"
-#include "volume/drilling/DrillTools.h"
+#include "volume/drilling/DrillBits.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -110,7 +110,7 @@ const Operation& drillOperation() {
 }
 
 Result<DrillSetup> drillSetupOf(const OperationValues& values) {
-  const std::optional<DrillTool> tool = drillToolOf(values.text("tool"));
+  const std::optional<DrillBit> tool = drillToolOf(values.text("tool"));
   if (!tool) return Error{VolumeErrors::NoSuchDrill, {values.text("tool")}, {}, {}};
   const DrillMaterial* material = drillMaterial(values.text("material"));
   if (!material) return Error{VolumeErrors::NoSuchDrillMaterial, {values.text("material")}, {}, {}};

@@ -4,7 +4,7 @@
 
 #include "document/volume/VolumeEdit.h"
 #include "tools/ToolProperty.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 
 #include <algorithm>
 #include <utility>
@@ -37,7 +37,7 @@ std::optional<HandDrill::SurfacePlace> DrillingTool::placeAt(const Ray& ray) con
 }
 
 bool DrillingTool::isMaterialAlong(const Vec3& from, const Vec3& way) const {
-  const VolumeReader material(m_document.volume()->volume);
+  const VolumeSampler material(m_document.volume()->volume);
   const double length = way.norm(), step = std::max(voxelOfPart(), 0.01 * length);
   for (double gone = step; gone < length; gone += step)
     if (material.depthAt(from + gone / length * way).depth > 0.0) return true;

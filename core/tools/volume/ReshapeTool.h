@@ -5,7 +5,7 @@
 #include "document/volume/VolumeDocument.h"
 #include "tools/ToolKey.h"
 #include "tools/carving/VolumeTool.h"
-#include "tools/volume/VolumeChanges.h"
+#include "tools/volume/ReshapeOperations.h"
 
 #include <functional>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "tools/volume/VoxelizeSettings.h"
 
 #include "tools/OperationSettings.h"
-#include "tools/volume/VolumeOperations.h"
+#include "tools/volume/VoxelizeOperations.h"
 #include "volume/drilling/DrillForce.h"
 
 #include <cmath>

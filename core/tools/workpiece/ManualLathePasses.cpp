@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What ManualLatheTool commits to its document, and how it follows that.
 #include "tools/workpiece/ManualLatheTool.h"
-#include "tools/workpiece/PassWords.h"
+#include "tools/workpiece/PassNames.h"
 
 #include <QCoreApplication>
 #include <QLocale>

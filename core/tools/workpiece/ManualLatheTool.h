@@ -13,7 +13,7 @@
 #include "simulation/turning/LatheSimulation.h"
 #include "tools/ToolKey.h"
 #include "tools/UnfinishedGesture.h"
-#include "tools/workpiece/LathePlaces.h"
+#include "tools/workpiece/LatheStates.h"
 
 namespace handwheel {
 
@@ -144,7 +144,7 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   std::shared_ptr<const LatheMaterial> m_material;
   std::shared_ptr<LatheChannel> m_channel = std::make_shared<LatheChannel>();
   std::shared_ptr<const TurnedPart> m_part;  // of the document; null: nothing was cut yet
-  LathePlaces m_places;
+  LatheStates m_places;
   std::optional<LatheState> m_machine;  // with which the next simulation begins; none: at the beginning
   bool m_isWhereLeft;
   std::vector<LatheCollision> m_collisions;  // of simulations before

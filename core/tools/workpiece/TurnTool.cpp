@@ -6,7 +6,7 @@
 #include "document/workpiece/target/TargetPlace.h"
 #include "tools/ToolProperty.h"
 #include "tools/workpiece/AxisPlane.h"
-#include "tools/workpiece/PassWords.h"
+#include "tools/workpiece/PassNames.h"
 
 #include <QCoreApplication>
 #include <QLocale>

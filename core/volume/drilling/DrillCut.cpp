@@ -36,7 +36,7 @@ struct BlockCut {
 };
 
 // Lengths of a tool in voxels.
-DrillTool inVoxels(DrillTool tool, double voxel) {
+DrillBit inVoxels(DrillBit tool, double voxel) {
   tool.diameter /= voxel;
   tool.length /= voxel;
   tool.width /= voxel;
@@ -46,7 +46,7 @@ DrillTool inVoxels(DrillTool tool, double voxel) {
 // A move in voxels.
 class HeadSweep {
  public:
-  HeadSweep(const SparseVolume& volume, const DrillTool& tool, const DrillMove& move)
+  HeadSweep(const SparseVolume& volume, const DrillBit& tool, const DrillMove& move)
       : m_from((move.from - volume.origin()) / volume.voxel()),
         m_to((move.to - volume.origin()) / volume.voxel()),
         m_axis(move.axis),
@@ -87,7 +87,7 @@ class HeadSweep {
 
  private:
   Vec3 m_from, m_to, m_axis;
-  DrillTool m_tool;
+  DrillBit m_tool;
   DrillHead m_head;
   double m_along, m_across;  // of the move, voxels
   double m_erosion;          // voxels
@@ -139,7 +139,7 @@ BlockCut cutBlock(const SparseVolume& volume, const VoxelIndex& block, const Hea
   return cut;
 }
 
-bool isSound(const SparseVolume& volume, const DrillTool& tool, const DrillMove& move) {
+bool isSound(const SparseVolume& volume, const DrillBit& tool, const DrillMove& move) {
   const double limit = SparseVolume::kMostVoxels * volume.voxel();
   const auto isPlace = [&](const Vec3& p) {
     return p.allFinite() && (p - volume.origin()).cwiseAbs().maxCoeff() < limit;
@@ -151,7 +151,7 @@ bool isSound(const SparseVolume& volume, const DrillTool& tool, const DrillMove&
 
 }  // namespace
 
-DrillCut drill(SparseVolume& volume, const DrillTool& tool, const DrillMove& move) {
+DrillCut drill(SparseVolume& volume, const DrillBit& tool, const DrillMove& move) {
   DrillCut done;
   if (!isSound(volume, tool, move)) return done;
   const HeadSweep head(volume, tool, move);
@@ -182,7 +182,7 @@ DrillCut drill(SparseVolume& volume, const DrillTool& tool, const DrillMove& mov
   return done;
 }
 
-std::vector<VoxelIndex> cubesOfMove(const SparseVolume& grid, const Box& within, int edge, const DrillTool& tool,
+std::vector<VoxelIndex> cubesOfMove(const SparseVolume& grid, const Box& within, int edge, const DrillBit& tool,
                                     const DrillMove& move) {
   if (!isSound(grid, tool, move)) return {};
   const HeadSweep head(grid, tool, move);

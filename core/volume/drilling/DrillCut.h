@@ -3,7 +3,7 @@
 #pragma once
 
 #include "volume/SparseVolume.h"
-#include "volume/drilling/DrillTool.h"
+#include "volume/drilling/DrillBit.h"
 
 #include <limits>
 #include <vector>
@@ -30,11 +30,11 @@ struct DrillMove {
 // below the surface, which is exact on average over flat surfaces of any direction. Nothing happens where the way is
 // not finite, or longer than kMostDrillWay times the diameter. On all threads of the arena; O(voxels of the head's
 // surface).
-DrillCut drill(SparseVolume& volume, const DrillTool& tool, const DrillMove& move);
+DrillCut drill(SparseVolume& volume, const DrillBit& tool, const DrillMove& move);
 
 // The cubes of `edge` voxels, whole blocks, that drill() reads and changes on a move, as far as they meet a box, in
 // voxels; by their numbers along the axes. Empty where nothing happens.
-std::vector<VoxelIndex> cubesOfMove(const SparseVolume& grid, const Box& within, int edge, const DrillTool& tool,
+std::vector<VoxelIndex> cubesOfMove(const SparseVolume& grid, const Box& within, int edge, const DrillBit& tool,
                                     const DrillMove& move);
 
 // How far a head may go in one call, in its diameters.

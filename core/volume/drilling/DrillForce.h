@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "volume/drilling/DrillBit.h"
 #include "volume/drilling/DrillMaterials.h"
-#include "volume/drilling/DrillTool.h"
 
 namespace handwheel {
 
@@ -16,17 +16,17 @@ struct DrillLoad {
 // By the balance of energy: what the feed and the spindle do is what the chips take (He 2008, A-6 and A-7, with the ktc
 // that the printed A-7 lacks). removed: mm³ in the time dt, s. feed: mm/s, of the head. spindle: rad/s. Nothing
 // removed, or a drill that neither goes nor turns: nothing.
-DrillLoad drillLoad(const DrillMaterial& material, const DrillTool& tool, double removed, double dt, double feed,
+DrillLoad drillLoad(const DrillMaterial& material, const DrillBit& tool, double removed, double dt, double feed,
                     double spindle);
 
 // The reference of Allotta (1996), (3-22) and (3-23): strength Ks and specific cutting pressure Ru of the material,
 // N/mm²; feed: mm per revolution. Of a ball its angle is that of a hemisphere, π; of a saw
 // it says nothing.
-DrillLoad referenceLoad(const DrillTool& tool, double strength, double pressure, double feed);
+DrillLoad referenceLoad(const DrillBit& tool, double strength, double pressure, double feed);
 
 // The same with the constants by which both laws agree on a ball deep in the material: Ks = kp / (2 ktc), Ru = kp / 5.
 // feed: mm/s; spindle: rad/s. Nothing where it does not turn.
-DrillLoad agreeingReference(const DrillMaterial& material, const DrillTool& tool, double feed, double spindle);
+DrillLoad agreeingReference(const DrillMaterial& material, const DrillBit& tool, double feed, double spindle);
 
 // The voxel at which a head at this feed, mm/s, takes whole steps of density in each cycle of the servo loop, rate in
 // Hz: (3-20). levels: s, of density; step: Δs.

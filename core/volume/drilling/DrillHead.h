@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "volume/drilling/DrillTool.h"
+#include "volume/drilling/DrillBit.h"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace handwheel {
 // The shape of a drill, for many places: sines and radii are computed once.
 class DrillHead {
  public:
-  explicit DrillHead(const DrillTool& tool)
+  explicit DrillHead(const DrillBit& tool)
       : m_shape(tool.shape),
         m_isBall(tool.shape == DrillShape::Ball || tool.shape == DrillShape::Burr),
         m_radius(tool.radius()),

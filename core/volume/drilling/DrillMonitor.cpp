@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-double DrillHeat::volume(const DrillTool& tool) {
+double DrillHeat::volume(const DrillBit& tool) {
   if (tool.shape == DrillShape::Saw)
     return 0.5 * M_PI * tool.width * (std::pow(tool.radius() + kLayer, 2) - std::pow(tool.radius(), 2));
   return 2.0 * M_PI / 3.0 * (std::pow(tool.radius() + kLayer, 3) - std::pow(tool.radius(), 3));

@@ -53,11 +53,11 @@ struct DrillStatistics {
 // head, and the warmth leaves the layer as it spreads through it: dT/dt = share · P / (heat · V) − T / time. It tells
 // hot drilling from cool, and is no temperature of a patient.
 struct DrillHeat {
-  static constexpr double kShare = 0.15;        // of the power that stays in the bone; an assumption
-  static constexpr double kHeat = 2.4e-3;       // J/(mm³·K): 1.9 g/cm³ times 1.26 J/(g·K), of cortical bone
-  static constexpr double kLayer = 1.0;         // mm
-  static constexpr double kTime = 4.4;          // s: layer² / 0.23 mm²/s, the diffusivity of cortical bone
-  static double volume(const DrillTool& tool);  // mm³, of the layer in front of the head
+  static constexpr double kShare = 0.15;       // of the power that stays in the bone; an assumption
+  static constexpr double kHeat = 2.4e-3;      // J/(mm³·K): 1.9 g/cm³ times 1.26 J/(g·K), of cortical bone
+  static constexpr double kLayer = 1.0;        // mm
+  static constexpr double kTime = 4.4;         // s: layer² / 0.23 mm²/s, the diffusivity of cortical bone
+  static double volume(const DrillBit& tool);  // mm³, of the layer in front of the head
 };
 
 // Judges drilling by a plan, cycle by cycle.

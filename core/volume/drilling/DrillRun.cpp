@@ -3,7 +3,7 @@
 #include "volume/drilling/DrillRun.h"
 
 #include "volume/HybridPart.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ DrillCut DrillRun::cut(const DrillMove& move) {
 }
 
 double DrillRun::depthBefore(const Vec3& place) const {
-  return m_part ? m_part->depthBefore(place) : VolumeReader(m_before).depthAt(place).depth;
+  return m_part ? m_part->depthBefore(place) : VolumeSampler(m_before).depthAt(place).depth;
 }
 
 DrillTick DrillRun::move(const Vec3& place, const Vec3& axis, double time) {

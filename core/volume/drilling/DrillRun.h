@@ -15,7 +15,7 @@ class HybridPart;
 
 // How a volume is drilled.
 struct DrillSetup {
-  DrillTool tool;
+  DrillBit tool;
   DrillMaterial material = drillMaterials().front();
   double spindle = 2.0 * 3.14159265358979323846 * 1000.0 / 60.0;  // rad/s
   double erosion = std::numeric_limits<double>::infinity();       // as in DrillMove

@@ -9,7 +9,7 @@
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeMemory.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/repair/WindingNumberFill.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Vec3 originBefore(const Vec3& first, double voxel, const std::optional<Vec3>& al
   return *alignedTo + block * ((first - *alignedTo) / block).array().floor().matrix();
 }
 
-bool isNearSurface(const VolumeReader& reader, const Vec3& place) {
+bool isNearSurface(const VolumeSampler& reader, const Vec3& place) {
   const VoxelIndex first = place.array().floor().matrix().cast<int>() - VoxelIndex::Ones();
   bool isInside = false, isOutside = false;
   for (int i = 0; i < 64 && !(isInside && isOutside); ++i)
@@ -39,7 +39,7 @@ bool isNearSurface(const VolumeReader& reader, const Vec3& place) {
 // has its own volume wherever its faces lie; a count of samples has 27 of 64 for one of four voxels with faces on
 // samples. What has no sample inside has nothing.
 double materialToSurface(const SparseVolume& volume) {
-  const VolumeReader reader(volume);
+  const VolumeSampler reader(volume);
   double voxels = 0.0;
   volume.forEach([&](const VoxelIndex& block, const SparseVolume::Content& content) {
     if (!content.block) {
@@ -83,7 +83,7 @@ double ClosedSurfaceInVoxels::nearShare(const SparseVolume& volume, const std::v
   constexpr double kApart = 4.0;                 // voxels between places, about
   constexpr int kMost = 64;                      // parts of an edge
   constexpr std::size_t kTrianglesPerPoll = 64;  // each with up to kMost² places
-  const VolumeReader reader(volume);
+  const VolumeSampler reader(volume);
   double near = 0.0, all = 0.0;
   for (std::size_t i = 0; i < closed.triangles.size(); ++i) {
     if (!pollProgress(i, closed.triangles.size(), progress, kTrianglesPerPoll)) return 0.0;
@@ -106,7 +106,7 @@ double ClosedSurfaceInVoxels::nearShare(const SparseVolume& volume, const std::v
 }
 
 double nearShare(const SparseVolume& volume, const std::vector<Vec3>& places, const Progress& progress) {
-  const VolumeReader reader(volume);
+  const VolumeSampler reader(volume);
   std::size_t near = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!pollProgress(i, places.size(), progress, kSearchesPerPoll)) return 0.0;

@@ -10,7 +10,7 @@
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeOffset.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <tbb/blocked_range.h>
@@ -116,7 +116,7 @@ Result<double> fillGaps(SurfaceVolume& made, double radius, Progress progress) {
   if (radius == 0.0) return 0.0;
   Result<SparseVolume> closed = withoutGaps(made.volume, radius, progress);
   if (!closed) return closed.error();
-  const VolumeReader reader(*closed);
+  const VolumeSampler reader(*closed);
   std::erase_if(made.kept, [&](const Vec3& p) { return reader.depthAt(p).depth > 0.5 * closed->voxel(); });
   const double filled = closed->material() - made.volume.material();
   made.volume = std::move(*closed);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/surface/BlockTriangles.h"
 
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/surface/MarchingCubesTable.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class CellCube {
       copyBlocks();
       return;
     }
-    const VolumeReader reader(volume);
+    const VolumeSampler reader(volume);
     std::size_t i = 0;
     for (int z = -1; z < m_side - 1; ++z)
       for (int y = -1; y < m_side - 1; ++y)

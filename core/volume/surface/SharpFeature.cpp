@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/surface/SharpFeature.h"
 
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -26,7 +26,7 @@ constexpr double kLeastShare = 0.1;  // of the largest eigenvalue, that counts a
 // The nearest places of the surface that a sample knows: those of the planes that explain its depth and those of the
 // samples towards one of the eight sides. Beside an edge these are on one side of it only, and half way between two
 // planes there are two.
-std::vector<SharpFeature::Plane> planesAt(const VolumeReader& reader, const VoxelIndex& at) {
+std::vector<SharpFeature::Plane> planesAt(const VolumeSampler& reader, const VoxelIndex& at) {
   std::vector<SharpFeature::Plane> planes;
   const auto depthAt = [&](const VoxelIndex& voxel) { return reader.sample(voxel) / VolumeBlock::kUnit; };
   const double depth = depthAt(at);
@@ -51,7 +51,7 @@ std::vector<SharpFeature::Plane> planesAt(const VolumeReader& reader, const Voxe
 }
 
 // Whether the samples of a cell show a smooth surface: by the means of the slopes on either side.
-bool isSmooth(const VolumeReader& reader, const VoxelIndex& cell) {
+bool isSmooth(const VolumeSampler& reader, const VoxelIndex& cell) {
   std::array<Vec3, 8> slopes;
   for (std::size_t c = 0; c < 8; ++c) {
     const auto corner = static_cast<int>(c);
@@ -136,7 +136,7 @@ std::optional<double> SharpFeature::crossing(const VoxelIndex& from, int axis, b
 }
 
 std::optional<SharpFeature> featureOf(const SparseVolume& volume, const VoxelIndex& cell) {
-  const VolumeReader reader(volume);
+  const VolumeSampler reader(volume);
   if (isSmooth(reader, cell)) return std::nullopt;
   const Vec3 centre = cell.cast<double>() + Vec3::Constant(0.5);
   std::vector<SharpFeature::Plane> all;

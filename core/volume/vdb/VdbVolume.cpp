@@ -3,7 +3,7 @@
 #include "volume/vdb/VdbVolume.h"
 
 #include "base/NumberText.h"
-#include "volume/VolumeRegions.h"
+#include "volume/VolumeSerialization.h"
 #include "volume/image/ImageHeader.h"
 
 #include <algorithm>

@@ -11,7 +11,8 @@
 namespace handwheel {
 
 // A volume as it is exchanged with the process for VDB files. It is a line of its voxel and origin (mm), whether it was
-// a fog, and how many grids there are beside it; then its regions (VolumeRegions.h), in the byte order of this machine.
+// a fog, and how many grids there are beside it; then its regions (VolumeSerialization.h), in the byte order of this
+// machine.
 struct VdbVolume {
   SparseVolume volume;
   bool isFog = false;

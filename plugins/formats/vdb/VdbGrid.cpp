@@ -3,7 +3,7 @@
 #include "vdb/VdbGrid.h"
 
 #include "volume/VolumeFilters.h"
-#include "volume/VolumeRegions.h"
+#include "volume/VolumeSerialization.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "planning/Teleoperation.h"
 
 #include "TestClass.h"
-#include "planning/PlanningSet.h"
+#include "planning/problems/PlanningSet.h"
 #include "robot/Kinematics.h"
 #include "robot/dh/DhTable.h"
 

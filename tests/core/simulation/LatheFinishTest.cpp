@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "LatheBench.h"
+#include "LatheFixture.h"
 #include "TestClass.h"
 #include "machining/finish/FinishMeter.h"
 
@@ -18,7 +18,7 @@ class LatheFinishTest : public QObject {
   // The feed of the lever and the nose of the tool in the post, then paper on a part of it; and whoever repeats the
   // passes finds the same, bit for bit.
   void theFinishIsKept() {
-    LatheBench bench;
+    LatheFixture bench;
     LatheSetup setup = bench.setup;
     for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
     setup.stations[0].tool = "right-finishing";
@@ -70,7 +70,7 @@ class LatheFinishTest : public QObject {
   // the material: a pass whose first move cuts what its first point would. Whoever repeats the passes finds the same.
   void aPassThatBeginsInTheWork() {
     constexpr StockCylinder kSlender{14.0, 100.0, 0.0};
-    LatheBench bench;
+    LatheFixture bench;
     bench.setup = defaultLatheSetup(kSlender);
     for (LatheSlot& slot : bench.setup.stations) slot.place = slot.offset = {0.0, 0.0};
     const TurnedProfile rod(kSlender, 0.05);

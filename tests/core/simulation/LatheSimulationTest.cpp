@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/turning/LatheSimulation.h"
 
-#include "LatheBench.h"
+#include "LatheFixture.h"
 #include "TestClass.h"
 #include "haptics/scene/SceneForces.h"
 #include "simulation/turning/LatheForce.h"
@@ -22,7 +22,7 @@ class LatheSimulationTest : public QObject {
   // The part after the live run, after its passes, and after the same commands at another lathe is the same, bit for
   // bit.
   void repeatedBitForBit() {
-    LatheBench bench, other;
+    LatheFixture bench, other;
     const auto taken = bench.workWithTwoTools(), again = other.workWithTwoTools();
     const auto& lathe = static_cast<const LatheSimulation&>(*taken);
     const auto& last = static_cast<const LatheMoment&>(*lathe.state());
@@ -46,7 +46,7 @@ class LatheSimulationTest : public QObject {
   // was asked for. A motor that holds its speed leaves nothing to tell.
   void whatASlowedSpindleWasAskedFor() {
     for (const double power : {1.0, 0.0}) {
-      LatheBench bench;
+      LatheFixture bench;
       LatheSetup setup = bench.setup;
       for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
       setup.spindle.power = power;
@@ -73,7 +73,7 @@ class LatheSimulationTest : public QObject {
   }
 
   void saysWhatIsCut() {
-    LatheBench bench;
+    LatheFixture bench;
     bench.turnDown();
     const LatheMoment& now = bench.moment();
     const LatheLoad& load = now.load;
@@ -95,7 +95,7 @@ class LatheSimulationTest : public QObject {
   }
 
   void crashesAreHandedOver() {
-    LatheBench bench;
+    LatheFixture bench;
     bench.send(LatheDo::Place, 19.0, 102.0);
     bench.run(2.0);
     bench.send(LatheDo::Turn, -10.0);
@@ -107,7 +107,7 @@ class LatheSimulationTest : public QObject {
 
   // A device that acts places the tool; the plane attracts it within its reach, without a step at the border.
   void aDeviceHoldsTheTool() {
-    LatheBench bench;
+    LatheFixture bench;
     LatheTouch touch;
     ForceSources sources;
     sources.push_back(std::make_unique<LatheForce>(bench.channel, materialWith(PlainLaw()), touch, kLower));
@@ -155,7 +155,7 @@ class LatheSimulationTest : public QObject {
   // What grinds pushes back along the normal, harder the deeper it is pressed, and along the way of the surface while
   // that turns (He 2008, 5-3, 5-4).
   void whatGrindsPushesBack() {
-    LatheBench bench;
+    LatheFixture bench;
     LatheSetup setup = bench.setup;
     setup.stations[0].tool = "disk-100";
     for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
@@ -209,7 +209,7 @@ class LatheSimulationTest : public QObject {
     QFETCH(int, axis);
     QFETCH(ProfilePoint, way);
     QFETCH(ProfilePoint, passive);
-    LatheBench bench;
+    LatheFixture bench;
     LatheSetup setup = bench.setup;
     setup.stations[0].tool = tool.toStdString();
     for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
@@ -249,7 +249,7 @@ class LatheSimulationTest : public QObject {
 
   // A free slide resists by friction and drag, against the hand; the work plane has none.
   void slidesResist() {
-    LatheBench bench;
+    LatheFixture bench;
     bench.loop.setGesture(1);
     bench.channel->inputs->setDeviceGesture(1);
     LatheTouch touch;
@@ -277,7 +277,7 @@ class LatheSimulationTest : public QObject {
   // helix; and never more than the envelope pushes it. Of a part that turns it feels the envelope.
   void threadsAreFelt() {
     constexpr double kPitch = 2.5, kIn = 0.1;  // mm: so deep is the finger in the envelope
-    LatheBench bench;
+    LatheFixture bench;
     TurningPass pass;
     pass.noseRadius = isoMetricNose(kPitch);
     pass.thread = ThreadCut{.pitch = kPitch};
@@ -325,7 +325,7 @@ class LatheSimulationTest : public QObject {
 
   // The bar of the tick with the network that ships: 20 µs, here with room for a slow machine.
   void theTickIsShort() {
-    LatheBench bench;
+    LatheFixture bench;
     bench.turnDown();
     bench.loop.setGesture(1);
     bench.channel->inputs->setDeviceGesture(1);

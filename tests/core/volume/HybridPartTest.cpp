@@ -7,9 +7,9 @@
 #include "mesh/structure/MeshErrors.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
+#include "volume/drilling/DrillBits.h"
 #include "volume/drilling/DrillRun.h"
-#include "volume/drilling/DrillTools.h"
 
 #include <QtTest>
 #include <cmath>
@@ -182,7 +182,7 @@ class HybridPartTest : public QObject {
   void depths() {
     const TriangleSoup soup = turnedBlock();
     const SparseVolume whole = volumeOfSurface(soup, 0.3)->volume;
-    const VolumeReader reader(whole);
+    const VolumeSampler reader(whole);
     HybridPart part = *HybridPart::of(soup, 0.3);
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     for (int i = 0; i < 343; ++i) {

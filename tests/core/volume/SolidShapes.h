@@ -3,8 +3,8 @@
 #pragma once
 
 #include "MeshShapes.h"
-#include "volume/ClayDab.h"
 #include "volume/SurfaceToVolume.h"
+#include "volume/clay/ClayDab.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include "ClosedSurface.h"
 #include "TestClass.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/VolumeShapes.h"
 #include "volume/surface/VolumeToSurface.h"
 
@@ -36,7 +36,7 @@ class VolumeFiltersTest : public QObject {
     const double material = ball.material();
     makeDistances(ball, ball.blocks(), DepthWindow::Beside::Corrected);
     QCOMPARE(ball.material(), material);
-    const VolumeReader reader(ball);
+    const VolumeSampler reader(ball);
     for (int i = 0; i < 100; ++i) {
       const Vec3 out = Vec3(std::sin(i), std::cos(3.0 * i), std::sin(2.0 * i + 1.0)).normalized();
       const double radius = 5.0 + 0.4 * std::sin(5.0 * i);

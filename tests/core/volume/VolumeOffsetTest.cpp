@@ -7,7 +7,7 @@
 #include "TestClass.h"
 #include "volume/VolumeBoolean.h"
 #include "volume/VolumeErrors.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/VolumeShapes.h"
 #include "volume/surface/VolumeToSurface.h"
 
@@ -52,7 +52,7 @@ class VolumeOffsetTest : public QObject {
     for (const Vec3& p : surface.points)
       QVERIFY2(std::abs(p.norm() - radius - distance) < 0.01 * voxel + bend,
                qPrintable(QString::number(p.norm() - radius - distance)));
-    const VolumeReader reader(*made);
+    const VolumeSampler reader(*made);
     QVERIFY(reader.depthAt(Vec3::Zero()).depth > 0.0);
     for (const double beside : {-2.0, -1.0, 1.0, 2.0}) {
       if (beside * voxel > 0.5 * (radius + distance)) continue;  // the middle, where distances have a corner
@@ -113,10 +113,10 @@ class VolumeOffsetTest : public QObject {
     compareVolume(closed, 2.0 * 144.0 + filled, 0.01);
     const TriangleSoup surface = surfaceOf(*closed);
     QCOMPARE(surface.points.size(), surface.triangles.size() / 2 + 2);
-    QVERIFY(VolumeReader(*closed).depthAt(Vec3(4.5, 3.0, 3.0)).depth > 0.0);
+    QVERIFY(VolumeSampler(*closed).depthAt(Vec3(4.5, 3.0, 3.0)).depth > 0.0);
     const Result<SparseVolume> open = withoutGaps(both, 0.4);
     compareVolume(open, 2.0 * 144.0, 0.01);
-    QVERIFY(VolumeReader(*open).depthAt(Vec3(4.5, 3.0, 3.0)).depth < 0.0);
+    QVERIFY(VolumeSampler(*open).depthAt(Vec3(4.5, 3.0, 3.0)).depth < 0.0);
   }
 
   // A bridge between two blocks that holds no ball of 0.6 goes, and the blocks stay but for their edges.
@@ -127,7 +127,7 @@ class VolumeOffsetTest : public QObject {
          {std::pair{Vec3(5.0, 5.0, 5.0), Vec3(10.0, 0.0, 0.0)}, std::pair{Vec3(6.0, 1.0, 1.0), Vec3(4.5, 2.0, 2.0)}})
       part = *combined(part, boxOfVoxels(size, corner, voxel), VolumeBoolean::Unite);
     const Result<SparseVolume> opened = withoutThinParts(part, 0.6);
-    QVERIFY(VolumeReader(*opened).depthAt(Vec3(7.5, 2.5, 2.5)).depth < 0.0);
+    QVERIFY(VolumeSampler(*opened).depthAt(Vec3(7.5, 2.5, 2.5)).depth < 0.0);
     // A cube that a ball rolls through: the rounded one whose inner cube is smaller by its diameter.
     compareVolume(opened, 2.0 * roundedCubeVolume(5.0 - 1.2, 0.6), 0.01);
     const TriangleSoup surface = surfaceOf(*opened);
@@ -142,9 +142,9 @@ class VolumeOffsetTest : public QObject {
       part = *combined(
           part, boxOfVoxels(Vec3(0.7 + 0.4 * i, 3.0, 1.1), Vec3(2.0 * std::sin(i), 0.5 * i, std::cos(2.0 * i)), voxel),
           i % 3 == 2 ? VolumeBoolean::Subtract : VolumeBoolean::Unite);
-    const VolumeReader before(part);
+    const VolumeSampler before(part);
     const SparseVolume closed = *withoutGaps(part, 0.8), opened = *withoutThinParts(part, 0.8);
-    const VolumeReader afterClosing(closed), afterOpening(opened);
+    const VolumeSampler afterClosing(closed), afterOpening(opened);
     for (int z = -25; z < 25; ++z)
       for (int y = -25; y < 25; ++y)
         for (int x = -25; x < 25; ++x) {

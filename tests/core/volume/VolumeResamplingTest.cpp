@@ -5,9 +5,9 @@
 #include "ClosedSurface.h"
 #include "TestClass.h"
 #include "volume/VolumeFilters.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/VolumeShapes.h"
-#include "volume/surface/HalvedVolume.h"
+#include "volume/surface/DownsampledVolume.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <QtTest>
@@ -80,7 +80,7 @@ class VolumeResamplingTest : public QObject {
     const double coarsest = std::max(voxel, from), most = 0.5 * coarsest * coarsest / radius + 0.01 * voxel;
     for (const Vec3& p : surface.points)
       QVERIFY2(std::abs(p.norm() - radius) < most, qPrintable(QString::number(p.norm() - radius)));
-    const VolumeReader reader(*made);
+    const VolumeSampler reader(*made);
     for (int i = 0; i < 200; ++i) {
       const Vec3 out = Vec3(std::sin(i), std::cos(3.0 * i), std::sin(2.0 * i + 1.0)).normalized();
       const double depth = 2.5 * voxel * std::sin(5.0 * i);
@@ -97,7 +97,7 @@ class VolumeResamplingTest : public QObject {
   // to outside, neither through voxels nor through the surface, which is two spheres.
   void halvedWallsStayClosed() {
     const double wall = 1.0 / 3.0;
-    const SparseVolume once = halvedVolume(thinShell(wall)), made = halvedVolume(once);
+    const SparseVolume once = downsampledVolume(thinShell(wall)), made = downsampledVolume(once);
     QCOMPARE(once.voxel(), 0.5);
     QCOMPARE(made.voxel(), 1.0);
     QCOMPARE(made.origin(), Vec3(0.04, -0.07, 0.11));
@@ -122,14 +122,14 @@ class VolumeResamplingTest : public QObject {
   // A ball grows by no more than a voxel of what is halved along each axis, and its depths are distances.
   void halvedBall() {
     const double radius = 10.0, voxel = 0.2;
-    const SparseVolume made = halvedVolume(ballOfVoxels(radius, voxel));
+    const SparseVolume made = downsampledVolume(ballOfVoxels(radius, voxel));
     const TriangleSoup surface = surfaceOf(made);
     QVERIFY(isClosedManifold(surface));
     QCOMPARE(surface.points.size(), surface.triangles.size() / 2 + 2);
     for (const Vec3& p : surface.points)
       QVERIFY(p.norm() > radius - 0.05 && p.norm() < radius + std::sqrt(3.0) * voxel + 0.05);
     QVERIFY(made.sample(VoxelIndex::Zero()) == VolumeBlock::kFull);
-    QVERIFY(halvedVolume(SparseVolume(Vec3::Zero(), 1.0)).isEmpty());
+    QVERIFY(downsampledVolume(SparseVolume(Vec3::Zero(), 1.0)).isEmpty());
   }
 
   void sharedWhereItCan() {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ControlsTestMain.h"
-#include "DevicePanelBench.h"
+#include "DevicePanelFixture.h"
 #include "panels/device/AxisBars.h"
 #include "panels/device/ForcePlot.h"
 
@@ -41,7 +41,7 @@ struct PaintCount : QObject {
 }  // namespace
 
 void DeviceLiveTest::forceIsAskedFor() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   QSignalSpy force(&bench.panel, &DevicePanel::forceOnChanged), test(&bench.panel, &DevicePanel::forceTestRequested);
   auto* on = bench.part<QCheckBox>("forceOn");
   auto* button = bench.part<QPushButton>("forceTest");
@@ -62,7 +62,7 @@ void DeviceLiveTest::forceIsAskedFor() {
 }
 
 void DeviceLiveTest::withoutMotors() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   bench.panel.showDevice(spaceMouseView());
   QVERIFY(!bench.part<QCheckBox>("forceOn")->isVisible());
   QVERIFY(!bench.part<QPushButton>("forceTest")->isVisible());
@@ -72,7 +72,7 @@ void DeviceLiveTest::withoutMotors() {
 
 // What was sent, for devices that have motors for it; the others have no such line.
 void DeviceLiveTest::torque() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   bench.panel.showDevice(falconView());
   QVERIFY(!bench.part<QLabel>("deviceTorque")->isVisible());
   DeviceInUse view = falconView();
@@ -90,7 +90,7 @@ void DeviceLiveTest::torque() {
 
 // Force as a length, the scene's with the gain of the mapping, against the time before now.
 void DeviceLiveTest::samples() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   bench.panel.showDevice(falconView());
   WorkspaceMapping mapping;
   mapping.forceGain = 0.5;
@@ -111,7 +111,7 @@ void DeviceLiveTest::samples() {
 }
 
 void DeviceLiveTest::plotHoldsStillWhileItIsRead() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   bench.panel.showDevice(falconView());
   bench.panel.showSample(sampleAt(1.0, {2, 0, 0}, {1, 0, 0}));
   auto* plot = bench.part<ForcePlot>("forcePlot");
@@ -127,7 +127,7 @@ void DeviceLiveTest::plotHoldsStillWhileItIsRead() {
 
 // Each picture of a part is one of the whole window where the graphics are software.
 void DeviceLiveTest::aHandAtRestPaintsNothing() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   bench.panel.showDevice(falconView());
   const auto rest = [&bench](double from, double to) {
     for (double time = from; time < to; time += 0.016) bench.panel.showSample(sampleAt(time, {1, 0, 0}, {1, 0, 0}));
@@ -156,7 +156,7 @@ void DeviceLiveTest::hiddenPanelLetsSamplesPass() {
 }
 
 void DeviceLiveTest::safetyInWords() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   bench.panel.showDevice(falconView());
   ServoSample sample = sampleAt(1.0, Vec3::Zero(), Vec3::Zero());
   sample.actions.add(SafetyAction::Passivity);
@@ -172,7 +172,7 @@ void DeviceLiveTest::safetyInWords() {
 
 // A surface of 0.5 N/mm at the hand, which is 0.25 in a scene of twice the size, of which the loop can carry 0.2.
 void DeviceLiveTest::softeningInWords() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   DeviceInUse view = falconView();
   view.capabilities.latency = 0.0022;
   bench.panel.showDevice(view);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Accessibility.h"
 #include "ControlsTestMain.h"
-#include "DevicePanelBench.h"
+#include "DevicePanelFixture.h"
 #include "plot/PlotWidget.h"
 
 #include <QCheckBox>
@@ -40,7 +40,7 @@ class DevicePanelTest : public QObject {
 };
 
 void DevicePanelTest::choosing() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   QSignalSpy chosen(&bench.panel, &DevicePanel::deviceChosen), left(&bench.panel, &DevicePanel::deviceLeft);
   QSignalSpy rescan(&bench.panel, &DevicePanel::rescanRequested);
   auto* list = bench.part<QComboBox>("deviceChoice");
@@ -68,7 +68,7 @@ void DevicePanelTest::choosing() {
 }
 
 void DevicePanelTest::unpluggedDeviceStaysInTheList() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   DeviceInUse view = falconView();
   view.found = {spaceMouse()};
   view.status = DeviceStatus::Absent;
@@ -99,7 +99,7 @@ void DevicePanelTest::whatToDo() {
   QFETCH(QString, driver);
   QFETCH(int, status);
   QFETCH(QString, words);
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   DeviceInUse view = falconView();
   view.chosen->driver = driver.toStdString();
   view.found = {*view.chosen};
@@ -115,7 +115,7 @@ void DevicePanelTest::whatToDo() {
 }
 
 void DevicePanelTest::mouseInThePlaceOfADevice() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   DeviceInUse view = spaceMouseView();
   view.isPointer = true;
   view.status = DeviceStatus::Absent;
@@ -125,7 +125,7 @@ void DevicePanelTest::mouseInThePlaceOfADevice() {
 }
 
 void DevicePanelTest::notRealTime() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   bench.panel.showDevice(falconView());
   bench.panel.showLoop({998.4, 7, RealTimeState::RealTime});
   auto* warning = bench.part<QToolButton>("notRealTime");
@@ -140,7 +140,7 @@ void DevicePanelTest::notRealTime() {
 }
 
 void DevicePanelTest::mappingIsEdited() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   bench.panel.showDevice(falconView());
   WorkspaceMapping mapping;
   mapping.scale = 3.0;
@@ -163,7 +163,7 @@ void DevicePanelTest::mappingIsEdited() {
 }
 
 void DevicePanelTest::timings() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   const DeviceInUse view = falconView();
   bench.panel.showDevice(view);
   ServoStatistics measure(view.capabilities, 0.002, 1e-3);
@@ -188,7 +188,7 @@ void DevicePanelTest::pictures_data() {
 }
 
 void DevicePanelTest::picturesOfTrouble() {
-  DevicePanelBench bench;
+  DevicePanelFixture bench;
   bench.panel.showDevice(falconView());
   bench.panel.showLoop({998.4, 7, RealTimeState::NotPermitted});
   playTouches(bench.panel);
@@ -207,7 +207,7 @@ void DevicePanelTest::pictures() {
   QFETCH(int, page);
   QFETCH(QSize, size);
   for (const DeviceInUse& view : {falconView(), spaceMouseView()}) {
-    DevicePanelBench bench;
+    DevicePanelFixture bench;
     bench.panel.resize(size);
     bench.turnTo(page);
     bench.panel.showDevice(view);

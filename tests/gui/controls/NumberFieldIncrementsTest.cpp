@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ControlsTestMain.h"
-#include "NumberFieldBench.h"
+#include "NumberFieldFixture.h"
 
 using namespace handwheel;
 using namespace handwheel::test;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../window/WindowTestMain.h"
 #include "RandomUser.h"
-#include "registration/Registration.h"
+#include "builtin/BuiltInKinds.h"
 #include "window/MainWindow.h"
 
 #include <QDeadlineTimer>
@@ -65,7 +65,7 @@ class RandomUseTest : public QObject {
 
  private:
   void round(std::uint32_t seed, int seconds, HangWatch& watch) {
-    const RegisteredKinds kinds(registeredKinds());
+    const BuiltInKinds kinds(builtInKinds());
     QThreadPool workers;
     useWindow(workers, kinds.set, seed, seconds, watch);
     if (QTest::currentTestFailed()) return;

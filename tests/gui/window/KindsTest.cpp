@@ -48,7 +48,7 @@ class KindsTest : public QObject {
 
   // Files have the drawing of the kind that reads them; what none reads, of the one that writes it.
   void filesAreDrawnByTheirEndings() {
-    const RegisteredKinds registered(registeredKinds());
+    const BuiltInKinds registered(builtInKinds());
     const DocumentKinds& kinds = registered.set.documents;
     for (const auto& [name, drawing] : {std::pair{"a.STL", "kind-mesh"},
                                         {"a.3mf", "kind-mesh"},

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ToolKeysBench.h"
+#include "ToolKeysFixture.h"
 #include "WindowTestMain.h"
 #include "controls/CommandModel.h"
 #include "tools/MeasureTool.h"

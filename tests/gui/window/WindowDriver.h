@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "builtin/BuiltInKinds.h"
 #include "panels/defects/DefectModel.h"
-#include "registration/Registration.h"
 #include "viewport/Viewport.h"
 #include "window/MainWindow.h"
 
@@ -35,7 +35,7 @@ constexpr int kPatienceMs = 20000;
 
 class WindowDriver {
  public:
-  explicit WindowDriver(std::vector<KindRegistration> kinds = registeredKinds(), MainWindow::Drivers drivers = {})
+  explicit WindowDriver(std::vector<KindRegistration> kinds = builtInKinds(), MainWindow::Drivers drivers = {})
       : m_kinds(std::move(kinds)), m_window(m_workers, m_kinds.set, std::move(drivers)) {
     m_window.resize(1280, 800);
     m_window.show();
@@ -127,7 +127,7 @@ class WindowDriver {
   QSemaphore m_gate;
   int m_held = 0;
   QThreadPool m_workers;
-  RegisteredKinds m_kinds;
+  BuiltInKinds m_kinds;
   MainWindow m_window;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "theme/DefectColours.h"
+#include "theme/DefectKind.h"
 
 #include <QString>
 

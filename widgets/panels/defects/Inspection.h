@@ -6,7 +6,7 @@
 #include "mesh/boundary/LoopNumbers.h"
 #include "mesh/repair/OutcomeCounts.h"
 #include "mesh/structure/PositionKey.h"
-#include "theme/DefectColours.h"
+#include "theme/DefectKind.h"
 
 #include <QObject>
 #include <QStringList>

@@ -6,7 +6,7 @@
 #include "viewport/LayerProps.h"
 #include "viewport/surface/PolyData.h"
 #include "viewport/surface/SurfaceStyle.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 
 #include <vtkActor.h>
 #include <vtkNew.h>
@@ -244,7 +244,7 @@ std::optional<LayerHit> VolumeLayer::firstHit(const Vec3& origin, const Vec3& di
 }
 
 Vec3 VolumeLayer::normalNear(const Vec3& p) const {
-  return VolumeReader(d->volume).normalAt(p);
+  return VolumeSampler(d->volume).normalAt(p);
 }
 
 }  // namespace handwheel

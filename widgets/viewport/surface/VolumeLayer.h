@@ -3,7 +3,7 @@
 #pragma once
 
 #include "viewport/ViewLayer.h"
-#include "volume/ClayMask.h"
+#include "volume/clay/ClayMask.h"
 #include "volume/surface/VolumeSurface.h"
 
 namespace handwheel {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Service.h"
-#include "theme/DefectColours.h"
+#include "theme/DefectKind.h"
 #include "tools/mesh/repair/ChangePreview.h"
 #include "window/JobRunner.h"
 

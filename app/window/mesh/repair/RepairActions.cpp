@@ -4,8 +4,8 @@
 
 #include "window/ActionToolTip.h"
 #include "window/fidelity/FidelityChoice.h"
+#include "window/mesh/LoopSelection.h"
 #include "window/mesh/MeshTab.h"
-#include "window/mesh/Selection.h"
 
 #include <QSettings>
 #include <QTimer>
@@ -27,7 +27,7 @@ void prepare(QAction& action, const char* name, const char* iconName, const QLis
 
 }  // namespace
 
-RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview,
+RepairActions::RepairActions(LoopSelection& selection, RepairJobs& jobs, HolePreview& preview,
                              const FidelityChoice& fidelity, QObject* parent)
     : QObject(parent),
       m_selection(selection),
@@ -95,7 +95,7 @@ void RepairActions::connectActions() {
     follow();
   });
   connect(&m_preview, &HolePreview::changed, this, &RepairActions::followPreview);
-  connect(&m_selection, &Selection::changed, this, &RepairActions::follow);
+  connect(&m_selection, &LoopSelection::changed, this, &RepairActions::follow);
   connect(&m_jobs, &RepairJobs::filled, this,
           [this](MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench) {
             if (document != m_document) return;

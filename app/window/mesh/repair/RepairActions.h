@@ -9,14 +9,14 @@
 namespace handwheel {
 
 class FidelityChoice;
-class Selection;
+class LoopSelection;
 
 // The actions of the Repair menu. They are also used by keys, buttons and cards.
 class RepairActions : public QObject {
   Q_OBJECT
 
  public:
-  RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, const FidelityChoice& fidelity,
+  RepairActions(LoopSelection& selection, RepairJobs& jobs, HolePreview& preview, const FidelityChoice& fidelity,
                 QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);  // null: no mesh is in view
@@ -50,7 +50,7 @@ class RepairActions : public QObject {
   void goOnAfter(MeshTab* document, Vertex key);
 
   MeshTab* m_document = nullptr;
-  Selection& m_selection;
+  LoopSelection& m_selection;
   RepairJobs& m_jobs;
   HolePreview& m_preview;
   const FidelityChoice& m_fidelity;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/off/OffHeader.h"
 
-#include "document/formats/TextNumber.h"
+#include "document/formats/MeshTextValues.h"
 
 namespace handwheel {
 

@@ -4,7 +4,7 @@
 
 #include "document/formats/MeshAssembly.h"
 #include "document/formats/MeshFileErrors.h"
-#include "document/formats/TextNumber.h"
+#include "document/formats/MeshTextValues.h"
 #include "document/formats/off/OffBinaryReader.h"
 #include "document/formats/off/OffHeader.h"
 

@@ -3,7 +3,7 @@
 #include "document/formats/ply/PlyHeader.h"
 
 #include "document/formats/MeshFileErrors.h"
-#include "document/formats/TextNumber.h"
+#include "document/formats/MeshTextValues.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include "base/ByteOrder.h"
 #include "document/formats/MeshFileErrors.h"
-#include "document/formats/TextNumber.h"
+#include "document/formats/MeshTextValues.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/stl/StlReader.h"
 
-#include "document/formats/TextNumber.h"
+#include "document/formats/MeshTextValues.h"
 #include "document/formats/stl/StlBinaryReader.h"
 #include "document/formats/stl/StlTextReader.h"
 

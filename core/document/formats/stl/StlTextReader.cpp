@@ -3,7 +3,7 @@
 #include "document/formats/stl/StlTextReader.h"
 
 #include "document/formats/MeshAssembly.h"
-#include "document/formats/TextNumber.h"
+#include "document/formats/MeshTextValues.h"
 
 namespace handwheel {
 

@@ -3,7 +3,7 @@
 #include "document/formats/threemf/ThreeMfModelReader.h"
 
 #include "document/formats/MeshFileErrors.h"
-#include "document/formats/TextNumber.h"
+#include "document/formats/MeshTextValues.h"
 #include "document/formats/threemf/ThreeMfVocabulary.h"
 #include "document/formats/threemf/XmlText.h"
 

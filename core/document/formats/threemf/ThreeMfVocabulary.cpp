@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/threemf/ThreeMfVocabulary.h"
 
-#include "document/formats/TextNumber.h"
+#include "document/formats/MeshTextValues.h"
 
 namespace handwheel::threemf {
 

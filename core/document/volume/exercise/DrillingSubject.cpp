@@ -12,9 +12,9 @@
 #include "document/volume/exercise/DescribedHoles.h"
 #include "document/volume/exercise/DrillingDetails.h"
 #include "document/volume/exercise/DrillingMeasurements.h"
-#include "volume/Skull.h"
 #include "volume/VolumeErrors.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
+#include "volume/drilling/Skull.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <QCoreApplication>
@@ -37,7 +37,7 @@ TaskPointer pointerTo(DrillingTask task) {
   return std::make_shared<const DrillingTask>(std::move(task));
 }
 
-const char* wordFor(const DrillTool& tool) {
+const char* wordFor(const DrillBit& tool) {
   return tool.shape == DrillShape::Twist  ? QT_TRANSLATE_NOOP("Note", "Twist drill ⌀%1 mm, %2 r/min")
          : tool.shape == DrillShape::Burr ? QT_TRANSLATE_NOOP("Note", "Burr ⌀%1 mm, %2 r/min")
                                           : QT_TRANSLATE_NOOP("Note", "Ball head ⌀%1 mm, %2 r/min");
@@ -214,7 +214,7 @@ Result<TaskPointer> DrillingSubject::withTarget(const ExerciseTask& task, const 
   const DrilledHoles& holes = workOf(work).holes;
   for (auto hole = holes.rbegin(); hole != holes.rend(); ++hole) {
     if ((*hole)->setup.tool.shape == DrillShape::Saw) continue;  // its slot does not go along the axis
-    const VolumeReader reader(changed.volume());
+    const VolumeSampler reader(changed.volume());
     const PagedArray<DrillPose>& poses = (*hole)->poses;
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const Vec3 axis = poses[i].direction(), tip = poses[i].place() - (*hole)->setup.tool.reach() * axis;

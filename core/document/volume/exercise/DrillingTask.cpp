@@ -4,9 +4,9 @@
 
 #include "base/JsonText.h"
 #include "base/NumberText.h"
-#include "document/volume/exercise/StockText.h"
-#include "volume/Skull.h"
-#include "volume/drilling/DrillTools.h"
+#include "document/volume/exercise/DrillingStock.h"
+#include "volume/drilling/DrillBits.h"
+#include "volume/drilling/Skull.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -60,8 +60,8 @@ Json numbersOf(const Vec3& v) {
 }
 
 // A saw goes across its axis, which no planned path tells.
-std::optional<DrillTool> drillIn(const std::string& word) {
-  const std::optional<DrillTool> tool = drillToolOf(word);
+std::optional<DrillBit> drillIn(const std::string& word) {
+  const std::optional<DrillBit> tool = drillToolOf(word);
   return tool && tool->shape != DrillShape::Saw ? tool : std::nullopt;
 }
 
@@ -141,7 +141,7 @@ Error outOfRange(const TaskNumber& number, double value) {
 
 Result<DrillingTask> withText(DrillingTask task, const std::string& id, const std::string& text) {
   if (id == kDrill) {
-    const std::optional<DrillTool> tool = drillIn(text);
+    const std::optional<DrillBit> tool = drillIn(text);
     if (!tool) return malformedTask(id, "a drill was expected, such as ball:6, burr:4 or twist:3");
     task.tool = *tool;
     return task;

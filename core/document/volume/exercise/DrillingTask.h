@@ -5,7 +5,7 @@
 #include "document/AssignedExercise.h"
 #include "document/exercise/ExerciseSubject.h"
 #include "document/volume/VolumeSnapshot.h"
-#include "document/volume/exercise/StockText.h"
+#include "document/volume/exercise/DrillingStock.h"
 #include "volume/drilling/DrillMonitor.h"
 
 namespace handwheel {
@@ -23,7 +23,7 @@ struct DrillingTask : ExerciseTask {
 
   std::shared_ptr<const DrillingStock> stock;  // null: the skull that ships
   DrillPlan plan;
-  DrillTool tool;
+  DrillBit tool;
   std::string material = "cortical-bone";  // id of a DrillMaterial
   double spindle = 1000.0;                 // r/min
   double feed = 1.0;                       // mm/s, with the mouse

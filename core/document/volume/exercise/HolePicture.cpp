@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/volume/exercise/HolePicture.h"
 
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 
 #include <QPainter>
 #include <QPolygonF>
@@ -28,7 +28,7 @@ struct HoleSection {
 
 // Where the head was in a cycle: its centre, and its foremost point. A saw goes across its axis: its centre is both.
 struct HeadPlace {
-  HeadPlace(const DrillTool& tool, const DrillPose& pose)
+  HeadPlace(const DrillBit& tool, const DrillPose& pose)
       : centre(pose.place()),
         tip(tool.shape == DrillShape::Saw ? centre : Vec3(centre - tool.reach() * pose.direction())) {}
   Vec3 centre, tip;
@@ -101,7 +101,7 @@ std::vector<HoleCircle> circlesOf(const DrillPlan& plan, const HoleSection& sect
 // False: cancelled.
 bool paintMaterial(QImage& picture, const DrillingTask& task, const HoleSection& section, const QRectF& shown,
                    const DrillReview& review, Progress progress) {
-  const VolumeReader before(task.volume()), after(review.left);
+  const VolumeSampler before(task.volume()), after(review.left);
   const std::vector<HoleCircle> circles = circlesOf(task.plan, section);
   const double planned = task.tool.radius() + task.plan.tolerance, pixel = shown.width() / kHoleWidth;
   for (int row = 0; row < kHoleHeight; ++row) {

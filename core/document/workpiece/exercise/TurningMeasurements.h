@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/exercise/ExerciseSnapshot.h"
-#include "document/workpiece/ReplayTrack.h"
+#include "document/workpiece/ReplayCurves.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/exercise/TurningTask.h"
 #include "machining/finish/FinishReading.h"

@@ -5,9 +5,9 @@
 #include "document/AtomicFile.h"
 #include "document/DocumentErrors.h"
 #include "document/workpiece/target/SheetPdf.h"
-#include "machining/target/DrawingWriter.h"
-#include "machining/target/DxfReader.h"
-#include "machining/target/SvgReader.h"
+#include "machining/target/files/DrawingWriter.h"
+#include "machining/target/files/DxfReader.h"
+#include "machining/target/files/SvgReader.h"
 
 #include <QtGlobal>
 

@@ -12,9 +12,9 @@
 #include "document/workpiece/WorkpieceKind.h"
 #include "document/workpiece/target/TargetPlace.h"
 #include "machining/refit/SampledProfile.h"
-#include "machining/target/DxfReader.h"
-#include "machining/target/SvgReader.h"
-#include "machining/target/TurnedMesh.h"
+#include "machining/target/ProfileFromMesh.h"
+#include "machining/target/files/DxfReader.h"
+#include "machining/target/files/SvgReader.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -42,7 +42,7 @@ Result<ImportedTarget> fromDrawing(const Result<Drawing>& drawing, Progress prog
 }
 
 Result<ImportedTarget> fromStep(std::string_view bytes, UnturnedFaces others, Progress progress) {
-  Result<TurnedStep> read = readTurnedStep(bytes, others, progress);
+  Result<ProfileFromStep> read = readProfileFromStep(bytes, others, progress);
   if (!read) return read.error();
   ImportedTarget imported{std::move(read->target), {}, {}};
   if (read->ignoredFaces > 0)
@@ -72,7 +72,7 @@ bool isMesh(std::string_view head, const std::string& name) {
 Result<ImportedTarget> fromMesh(std::string_view bytes, const std::string& name, Progress progress) {
   const Result<MeshFile> mesh = readMesh(bytes, name, {}, progress.part(0.0, 0.5));
   if (!mesh) return mesh.error();
-  Result<TurnedMesh> turned = turnedMeshIn(mesh->soup, progress.part(0.5, 1.0));
+  Result<ProfileFromMesh> turned = profileFromMesh(mesh->soup, progress.part(0.5, 1.0));
   if (!turned) return turned.error();
   ImportedTarget imported{std::move(turned->target), {}, {}};
   imported.notes.push_back({QT_TRANSLATE_NOOP("Note", "The rings of the mesh leave their circles by up to %1 mm."),

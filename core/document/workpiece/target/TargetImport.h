@@ -6,7 +6,7 @@
 #include "base/Result.h"
 #include "document/Note.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
-#include "machining/target/TurnedStep.h"
+#include "machining/target/ProfileFromStep.h"
 
 #include <filesystem>
 #include <optional>

@@ -21,7 +21,7 @@ constexpr const char* kContourRemedy =
 
 }  // namespace
 
-ContourCycle::ContourCycle(std::vector<ContourSegment> contour, const ProgramPlace& place, CycleWork& work)
+ContourCycle::ContourCycle(std::vector<ContourSegment> contour, const ProgramPlace& place, CycleBudget& work)
     : m_work(work), m_segments(std::move(contour)), m_place(place) {}
 
 void ContourCycle::rotate() {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "machining/program/cycles/ContourSegment.h"
-#include "machining/program/cycles/CycleWork.h"
+#include "machining/program/cycles/CycleBudget.h"
 
 namespace handwheel {
 
@@ -33,7 +33,7 @@ class ContourCycle {
 
   // place: of the cycle, for refusals (ProgramRefusal): a contour that goes back, or in which the allowance does not
   // fit. work: of all cycles of the program; must outlive it.
-  ContourCycle(std::vector<ContourSegment> contour, const ProgramPlace& place, CycleWork& work);
+  ContourCycle(std::vector<ContourSegment> contour, const ProgramPlace& place, CycleBudget& work);
 
   void rough(const Roughing& how, const CycleOutput& out);
   void finish(const Finishing& how, const CycleOutput& out);
@@ -50,7 +50,7 @@ class ContourCycle {
   void offsetBy(double distance);
   void offsetStep(double step, bool isOutward);
 
-  CycleWork& m_work;
+  CycleBudget& m_work;
   Segments m_segments;
   ProgramPlace m_place;
   int m_turned = 0;  // bits: 1 z mirrored, 2 r mirrored, 4 turned by a quarter

@@ -16,7 +16,7 @@ constexpr int kMostLevelSteps = 4'000'000;
 }  // namespace
 
 ContourLevels::ContourLevels(const std::vector<ContourSegment>& contour, double depth, double retract,
-                             const ProgramPlace& place, CycleWork& work)
+                             const ProgramPlace& place, CycleBudget& work)
     : m_contour(contour),
       m_depth(std::max(depth, 2.0 * kSameLevel)),
       m_retract(retract),

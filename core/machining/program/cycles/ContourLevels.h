@@ -3,7 +3,7 @@
 #pragma once
 
 #include "machining/program/cycles/ContourSegment.h"
-#include "machining/program/cycles/CycleWork.h"
+#include "machining/program/cycles/CycleBudget.h"
 
 namespace handwheel {
 
@@ -14,7 +14,7 @@ class ContourLevels {
  public:
   // depth: of a level; retract: of the escape of 45 degrees at its end. Refuses too many levels (ProgramRefusal).
   ContourLevels(const std::vector<ContourSegment>& contour, double depth, double retract, const ProgramPlace& place,
-                CycleWork& work);
+                CycleBudget& work);
 
   // mode: 0 all; 1 no pockets; 2 only the pockets, and what 1 leaves.
   void cut(int mode, const CycleOutput& out);
@@ -39,7 +39,7 @@ class ContourLevels {
   const std::vector<ContourSegment>& m_contour;
   double m_depth, m_retract;
   ProgramPlace m_place;
-  CycleWork& m_work;
+  CycleBudget& m_work;
   const CycleOutput* m_out = nullptr;
   PlanePoint m_at;
   std::vector<PlanePoint> m_pockets;  // where the levels of each begin

@@ -11,7 +11,7 @@
 #include "document/cell/CellFrames.h"
 #include "document/scene/BodyChanges.h"
 #include "planning/CartesianLine.h"
-#include "robot/ControllerBase.h"
+#include "robot/ControllerBaseFrame.h"
 #include "robot/arm/NumericalIk.h"
 #include "robot/dh/DhTable.h"
 #include "robot/posts/ControllerConfiguration.h"

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/operations/MeshOperations.h"
 
+#include "tools/mesh/operations/BoundaryEditOperations.h"
 #include "tools/mesh/operations/DecimateOperation.h"
 #include "tools/mesh/operations/DefectFixOperations.h"
-#include "tools/mesh/operations/EdgeOperations.h"
 #include "tools/mesh/operations/FillOperation.h"
-#include "tools/mesh/operations/PlaceOperation.h"
 #include "tools/mesh/operations/RepairOperation.h"
 #include "tools/mesh/operations/SculptOperations.h"
 #include "tools/mesh/operations/SubdivideOperation.h"
+#include "tools/mesh/operations/TransformOperations.h"
 #include "tools/mesh/voxels/VolumeRepairOperation.h"
 
 #include <QtGlobal>
@@ -50,12 +50,12 @@ std::vector<Operation> allOperations() {
   const auto add = [&all](std::vector<Operation> some) {
     all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
   };
-  add(placeOperations());
+  add(transformOperations());
   add({fillOperation(), repairOperation()});
   add(defectFixOperations());
   add({volumeRepairOperation()});
   add({decimateOperation(), subdivideMeshOperation()});
-  add(edgeOperations());
+  add(boundaryEditOperations());
   add(sculptOperations());
   add(plainOperations());
   return all;

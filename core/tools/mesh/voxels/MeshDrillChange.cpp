@@ -84,7 +84,7 @@ class HoleInMesh {
   std::vector<Face> m_gone;
 };
 
-bool isSameHead(const DrillTool& a, const DrillTool& b) {
+bool isSameHead(const DrillBit& a, const DrillBit& b) {
   return a.shape == b.shape && a.diameter == b.diameter && a.pointAngle == b.pointAngle && a.length == b.length &&
          a.width == b.width;
 }

@@ -23,16 +23,16 @@ constexpr double kFewestAcross = 6.0;       // to a diameter,
 constexpr double kFewestAcrossSaw = 2.0;    // and to that width
 constexpr double kMostAcrossDrill = 200.0;  // to a diameter: more are too slow for the hand
 
-bool isSaw(const DrillTool& head) {
+bool isSaw(const DrillBit& head) {
   return head.shape == DrillShape::Saw;
 }
 
-double usualVoxelFor(const DrillTool& head) {
+double usualVoxelFor(const DrillBit& head) {
   const double voxel = head.diameter / kUsualAcross;
   return isSaw(head) ? std::min(voxel, head.width / kUsualAcrossSaw) : voxel;
 }
 
-Limits voxelLimits(const DrillTool& head) {
+Limits voxelLimits(const DrillBit& head) {
   const double least = head.diameter / kMostAcrossDrill, largest = head.diameter / kFewestAcross;
   if (!isSaw(head)) return {least, largest};
   const double ofWidth = std::min(largest, head.width / kFewestAcrossSaw);

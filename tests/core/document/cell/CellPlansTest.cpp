@@ -3,8 +3,8 @@
 #include "Cells.h"
 #include "TestClass.h"
 #include "document/cell/CellErrors.h"
-#include "document/cell/PlaceProperties.h"
 #include "document/cell/PlansEdit.h"
+#include "document/cell/WaypointProperties.h"
 #include "scene/RigidPose.h"
 
 #include <rapidcheck.h>
@@ -100,10 +100,10 @@ class CellPlansTest : public QObject {
     for (const auto& [id, same, other] : {std::tuple{"path.way.2.speed", 50.0, 60.0},
                                           {"path.way.2.blend", 0.0, 3.0},
                                           {"path.way.2.motion", 1.0, 0.0}}) {
-      const auto field = placeOfProperty(plans, id);
+      const auto field = waypointOfProperty(plans, id);
       QVERIFY(field);
-      QVERIFY(*changedPlace(plans, *field, same) == plans);
-      const Result<CellPlans> changed = changedPlace(plans, *field, other);
+      QVERIFY(*changedWaypoint(plans, *field, same) == plans);
+      const Result<CellPlans> changed = changedWaypoint(plans, *field, other);
       QVERIFY(changed && !changed->paths[0].process && !(changed->paths[0].places == plans.paths[0].places));
     }
   }

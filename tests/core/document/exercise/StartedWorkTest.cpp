@@ -177,7 +177,8 @@ class StartedWorkTest : public QObject {
     QCOMPARE(closed->subject->conditions(*closed->task).size(), open->subject->conditions(*open->task).size() + 1);
     const auto remarksOn = [](const ExerciseSnapshot& scheme, SnapshotPointer work) {
       const auto submission = handedIn(scheme, std::move(work), kHalfDone);
-      const auto row = submission ? markSubmission(scheme, *submission, "x") : Result<ClassRow>(submission.error());
+      const auto row =
+          submission ? markSubmission(scheme, *submission, "x") : Result<SubmissionRow>(submission.error());
       return row ? row->remarks.size() : std::size_t{99};
     };
     const auto byProgram =

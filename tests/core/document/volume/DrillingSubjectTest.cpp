@@ -209,7 +209,7 @@ class DrillingSubjectTest : public QObject {
     QVERIFY(opened.hasValue());
     QVERIFY(opened->file.damage.empty());
     const auto& submission = static_cast<const ExerciseSnapshot&>(*opened->content);
-    const Result<ClassRow> row = markSubmission(*plate(), submission, "work.handwheel");
+    const Result<SubmissionRow> row = markSubmission(*plate(), submission, "work.handwheel");
     QVERIFY(row.hasValue());
     const Marking before = marked(work);
     for (const Mark& mark : row->marking.marks) QCOMPARE(mark.value, before.find(mark.criterion)->value);

@@ -5,9 +5,9 @@
 #include "TestClass.h"
 #include "document/volume/VolumeDocument.h"
 #include "document/volume/VolumeKind.h"
-#include "volume/ClayDab.h"
 #include "volume/VolumeDifference.h"
 #include "volume/VolumeShapes.h"
+#include "volume/clay/ClayDab.h"
 
 #include <QtTest>
 #include <cmath>

@@ -9,9 +9,9 @@
 #include "document/volume/VolumeBlobs.h"
 #include "document/volume/VolumeDocument.h"
 #include "mesh/structure/Weld.h"
-#include "volume/ClayDab.h"
 #include "volume/SurfaceToVolume.h"
-#include "volume/drilling/DrillTools.h"
+#include "volume/clay/ClayDab.h"
+#include "volume/drilling/DrillBits.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <rapidcheck.h>

@@ -13,8 +13,8 @@
 #include "document/workpiece/target/TargetEdit.h"
 #include "document/workpiece/target/TargetPlace.h"
 #include "document/workpiece/target/TargetReport.h"
-#include "machining/target/DrawingWriter.h"
 #include "machining/target/TargetErrors.h"
+#include "machining/target/files/DrawingWriter.h"
 
 #include <QFile>
 #include <QGuiApplication>

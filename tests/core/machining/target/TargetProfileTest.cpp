@@ -4,8 +4,8 @@
 
 #include "AnyProfile.h"
 #include "TestClass.h"
-#include "machining/target/Drawing.h"
 #include "machining/target/TargetErrors.h"
+#include "machining/target/files/Drawing.h"
 
 #include <QtTest>
 #include <limits>

@@ -3,7 +3,7 @@
 #include "simulation/clay/ClayForce.h"
 
 #include "TestClass.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/VolumeShapes.h"
 
 #include <QtTest>

@@ -3,7 +3,7 @@
 #include "simulation/clay/ClaySimulation.h"
 
 #include "TestClass.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/VolumeShapes.h"
 
 #include <QtTest>
@@ -54,7 +54,7 @@ class ClaySimulationTest : public QObject {
     }
     simulation.finish();
     const auto state = std::static_pointer_cast<const ClayState>(simulation.state());
-    const VolumeReader reader(state->volume);
+    const VolumeSampler reader(state->volume);
     for (int i = 0; i < 2000; ++i) {
       const Vec3 p(8.0 * std::sin(i), 3.0 * std::sin(2.0 * i + 1.0), 4.0 + 3.0 * std::cos(3.0 * i));
       const double share = std::clamp((p - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
@@ -131,7 +131,7 @@ class ClaySimulationTest : public QObject {
       carved.step(1.0 / 60.0, {&input, 1});
     }
     carved.finish();
-    const VolumeReader reader(std::static_pointer_cast<const ClayState>(carved.state())->volume);
+    const VolumeSampler reader(std::static_pointer_cast<const ClayState>(carved.state())->volume);
     QVERIFY(reader.depthAt({0.0, 0.0, 5.5}).depth > 0.0);
     for (const double y : {-2.5, 2.5}) QVERIFY(reader.depthAt({0.0, y, 5.2}).depth < 0.0);
   }
@@ -144,7 +144,7 @@ class ClaySimulationTest : public QObject {
     const SimulationInput input = at({4.0, 1.0, 4.0}, 0.0);
     simulation.step(1.0 / 60.0, {&input, 1});
     simulation.finish();
-    const VolumeReader reader(std::static_pointer_cast<const ClayState>(simulation.state())->volume);
+    const VolumeSampler reader(std::static_pointer_cast<const ClayState>(simulation.state())->volume);
     for (const double x : {-4.0, 4.0})
       for (const double z : {-4.0, 4.0}) {
         QVERIFY(reader.depthAt({x, 1.0, z}).depth < 0.0);

@@ -3,7 +3,7 @@
 #include "simulation/clay/ClayStroke.h"
 
 #include "TestClass.h"
-#include "volume/ClayStamp.h"
+#include "volume/clay/ClayStamp.h"
 
 #include <QtTest>
 #include <cmath>

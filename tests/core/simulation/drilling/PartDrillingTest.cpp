@@ -5,7 +5,7 @@
 #include "TestClass.h"
 #include "simulation/drilling/DrillSimulation.h"
 #include "volume/SurfaceToVolume.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 
 #include <QtTest>
 #include <cmath>
@@ -122,8 +122,8 @@ class PartDrillingTest : public QObject {
     QVERIFY(at({0.0, 0.0, 60.0})->volume.isEmpty());
     const auto near = at({1.0, 2.0, 0.2});
     for (const Vec3& place : {Vec3(1.0, 2.0, 0.2), Vec3(1.3, 2.1, -0.4), Vec3(0.2, 1.7, -3.0)})
-      QCOMPARE(VolumeReader(near->volume).depthAt(place).depth, VolumeReader(whole).depthAt(place).depth);
-    QVERIFY(VolumeReader(near->volume).depthAt({1.0, 2.0, -1.0}).depth > 0.0);
+      QCOMPARE(VolumeSampler(near->volume).depthAt(place).depth, VolumeSampler(whole).depthAt(place).depth);
+    QVERIFY(VolumeSampler(near->volume).depthAt({1.0, 2.0, -1.0}).depth > 0.0);
     QCOMPARE(near->changedBlocks, std::size_t{0});
     QVERIFY(near->tiles.empty());
     QCOMPARE(channel->patch.read().state.get(), static_cast<const ClayState*>(near.get()));
@@ -151,7 +151,7 @@ class PartDrillingTest : public QObject {
     const SimulationInput away = test::handAt({0.0, 0.0, 90.0}, 1.0, 0);
     simulation.step(kPartStep, {&away, 1});
     QVERIFY(simulation.part()->cutBlocks() == part.cutBlocks());
-    QVERIFY(VolumeReader(test::stateOf(simulation)->volume).depthAt({0.3, -0.2, -1.0}).depth < 0.0);
+    QVERIFY(VolumeSampler(test::stateOf(simulation)->volume).depthAt({0.3, -0.2, -1.0}).depth < 0.0);
   }
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/CellTool.h"
 
-#include "DragBench.h"
+#include "DragFixture.h"
 #include "TestClass.h"
 #include "document/cell/BodyCarriers.h"
 #include "document/scene/BodyChanges.h"

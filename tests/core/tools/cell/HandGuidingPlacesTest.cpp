@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "HandGuidingBench.h"
+#include "HandGuidingFixture.h"
 #include "TestClass.h"
 
 #include <QTest>
@@ -17,7 +17,7 @@ class HandGuidingPlacesTest : public QObject {
   // A place is taken near the tool's centre point at it, by a device or the mouse, and moves as the hand does: one
   // step, in which the robot stays. The other place stays, too.
   void aPlaceIsPulled() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     bench.addTurn(-0.6);
     HandGuidingTool tool = bench.tool();
     tool.setSetting("way", PropertyValue(2.0));
@@ -37,8 +37,8 @@ class HandGuidingPlacesTest : public QObject {
       QCOMPARE(bench.steps(), steps + 1);
       QVERIFY((bench.poseAt(1).translation() - before.translation() - way).norm() < 0.05);
       QVERIFY((bench.poseAt(1).linear() - before.linear()).norm() < 1e-3);
-      QVERIFY(bench.place(0).joints == HandGuidingBench::start());
-      QVERIFY(bench.document().joints() == HandGuidingBench::start());
+      QVERIFY(bench.place(0).joints == HandGuidingFixture::start());
+      QVERIFY(bench.document().joints() == HandGuidingFixture::start());
       bench.document().history()->undo();
       tool.documentChanged();
       QVERIFY(bench.poseAt(1).isApprox(before, 1e-12));
@@ -48,7 +48,7 @@ class HandGuidingPlacesTest : public QObject {
   // It is one that planning again has to pass, also where the path was planned along a curve, or the place by a
   // planner.
   void aPulledPlaceIsKept() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     bench.addTurn(-0.6);
     CellPlans plans = *bench.document().plans();
     plans.paths[0].process = PathProcess();
@@ -65,7 +65,7 @@ class HandGuidingPlacesTest : public QObject {
 
   // Beside all places, at a click, with the second button, after a change below, and with nothing prepared.
   void nothingIsPulled() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     bench.addTurn(-0.6);
     HandGuidingTool tool = bench.tool();
     tool.setSetting("way", PropertyValue(2.0));
@@ -96,7 +96,7 @@ class HandGuidingPlacesTest : public QObject {
 
   // The nearest of two, and of the path that is chosen only.
   void theNearestPlaceIsPulled() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     bench.addTurn(-0.02);  // some 6 mm
     CellPlans plans = *bench.document().plans();
     plans.paths.push_back({"other", {{.joints = bench.place(1).joints}}});
@@ -115,7 +115,7 @@ class HandGuidingPlacesTest : public QObject {
 
   // However far the hand pulls, the place stays before the wall.
   void noPlaceIsPulledIntoAWall() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     bench.addTurn(-0.1);
     HandGuidingTool tool = bench.tool();
     tool.setSetting("way", PropertyValue(2.0));
@@ -131,7 +131,7 @@ class HandGuidingPlacesTest : public QObject {
   // Before it is pressed a device is drawn to the place, the less the nearer it is to the edge of where that takes
   // hold.
   void aPlaceDrawsTheDevice() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     bench.addTurn(-0.6);
     HandGuidingTool tool = bench.tool();
     tool.setSetting("way", PropertyValue(2.0));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/HandGuidingTool.h"
 
-#include "HandGuidingBench.h"
+#include "HandGuidingFixture.h"
 #include "TestClass.h"
 
 #include <QTest>
@@ -13,16 +13,16 @@ using namespace handwheel::test;
 
 namespace {
 
-// Turns the tool along the path of HandGuidingBench::addTurn(), beside it by a wave of so many mm, with a device; a
+// Turns the tool along the path of HandGuidingFixture::addTurn(), beside it by a wave of so many mm, with a device; a
 // step is 20 ms.
-void followTurn(HandGuidingBench& bench, HandGuidingTool& tool, double angle, double wave) {
+void followTurn(HandGuidingFixture& bench, HandGuidingTool& tool, double angle, double wave) {
   constexpr int kSteps = 50;
   const Pose begin = bench.toolPose();
   const Pose hand = moved({7, 8, 9});
   tool.pointer(byHand(Kind::Press, hand));
   for (int i = 1; i <= kSteps; ++i) {
     bench.time += 0.02;
-    JointValues joints = HandGuidingBench::start();
+    JointValues joints = HandGuidingFixture::start();
     joints[0] += angle * i / kSteps;
     Vec3 way = bench.toolPose(joints).translation() - begin.translation();
     way.z() += wave * std::sin(M_PI * i / 5.0);
@@ -42,7 +42,7 @@ class HandGuidingToolTest : public QObject {
  private slots:
   // In the plane of the view, as far as the pointer: the tool keeps its turn, and undo brings the joints back.
   void theMouseMovesTheTool() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingTool tool = bench.tool();
     const Pose before = bench.toolPose();
     const Vec3 at = before.translation();
@@ -58,11 +58,11 @@ class HandGuidingToolTest : public QObject {
     QVERIFY((bench.toolPose().translation() - at - Vec3(-30.0, 50.0, 0.0)).norm() < 0.05);
     QVERIFY((bench.toolPose().linear() - before.linear()).norm() < 1e-3);
     bench.document().history()->undo();
-    QVERIFY(bench.document().joints() == HandGuidingBench::start());
+    QVERIFY(bench.document().joints() == HandGuidingFixture::start());
   }
 
   void aClickChangesNothing() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingTool tool = bench.tool();
     const int steps = bench.steps();
     tool.pointer(above(Kind::Press, 300, 50));
@@ -72,13 +72,13 @@ class HandGuidingToolTest : public QObject {
     tool.pointer(above(Kind::Drag, 290, 50));
     QCOMPARE(tool.perform("revert"), ToolReply::Used);
     QCOMPARE(bench.steps(), steps);
-    QVERIFY(tool.joints() == HandGuidingBench::start());
+    QVERIFY(tool.joints() == HandGuidingFixture::start());
     QCOMPARE(tool.perform("revert"), ToolReply::Finished);
   }
 
   // With Shift the tool turns, and stays where it is.
   void shiftTurns() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingTool tool = bench.tool();
     const Pose before = bench.toolPose();
     tool.pointer(above(Kind::Press, 300, 50, kShift));
@@ -92,7 +92,7 @@ class HandGuidingToolTest : public QObject {
 
   // However far the hand goes, the robot stays before the wall, and the settings say why.
   void neverThroughAWall() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingTool tool = bench.tool();
     const Vec3 at = bench.toolPose().translation();
     tool.pointer(above(Kind::Press, at.x(), at.y()));
@@ -107,7 +107,7 @@ class HandGuidingToolTest : public QObject {
 
   // A device leads from where it is, by its own way times the scale, and turns the tool. Nothing holds it in the open.
   void aDeviceMovesAndTurns() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingTool tool = bench.tool();
     tool.setSetting("scale", PropertyValue(2.0));
     const Pose before = bench.toolPose();
@@ -131,7 +131,7 @@ class HandGuidingToolTest : public QObject {
 
   // Where the robot is held back, the spring draws the hand back to where it would be.
   void aDeviceFeelsTheWall() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingTool tool = bench.tool();
     Pose hand = moved({0, 0, 0});
     tool.pointer(byHand(Kind::Press, hand));
@@ -146,7 +146,7 @@ class HandGuidingToolTest : public QObject {
 
   // The second button of a device adds a place and goes on leading.
   void aDeviceAddsPlaces() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingTool tool = bench.tool();
     tool.pointer(byHand(Kind::Press, moved({0, 0, 0})));
     tool.pointer(byHand(Kind::Drag, moved({-10, 0, 0})));
@@ -162,7 +162,7 @@ class HandGuidingToolTest : public QObject {
   // Joint by joint: 100 mm of the hand are half of a joint's range.
   // Whoever stores, saves or goes to another tool meanwhile has the robot where the hand has led it.
   void settlesWhereItIs() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingTool tool = bench.tool();
     const Pose before = bench.toolPose(), hand = moved({7, 8, 9});
     const int steps = bench.steps();
@@ -179,19 +179,19 @@ class HandGuidingToolTest : public QObject {
   }
 
   void jointByJoint() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingTool tool = bench.tool();
     tool.setSetting("way", PropertyValue(1.0));
     tool.pointer(byHand(Kind::Press, moved({0, 0, 0})));
     tool.pointer(byHand(Kind::Release, moved({-10, 0, 0})));
     const double range = 330.0 / 180.0 * M_PI;  // of the first joint of an IRB 120
     QVERIFY(std::abs(bench.document().joints()[0] - (0.2 - 0.1 * 0.5 * range)) < 1e-6);
-    QVERIFY((bench.document().joints().tail(5) - HandGuidingBench::start().tail(5)).norm() < 1e-12);
+    QVERIFY((bench.document().joints().tail(5) - HandGuidingFixture::start().tail(5)).norm() < 1e-12);
   }
 
   // What changes below the tool ends the move: nothing of it stays.
   void anUndoInBetween() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingTool tool = bench.tool();
     tool.pointer(above(Kind::Press, 300, 50));
     tool.pointer(above(Kind::Drag, 280, 50));
@@ -199,11 +199,11 @@ class HandGuidingToolTest : public QObject {
     tool.documentChanged();
     QVERIFY(!tool.isLeading());
     QCOMPARE(tool.pointer(above(Kind::Release, 280, 50)), ToolReply::Ignored);
-    QVERIFY(bench.document().joints() == HandGuidingBench::start());
+    QVERIFY(bench.document().joints() == HandGuidingFixture::start());
   }
 
   void whileTheCellIsPrepared() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingServices services;
     services.scene = [] { return std::shared_ptr<const CellScene>(); };
     HandGuidingTool tool(bench.document(), std::move(services));
@@ -215,7 +215,7 @@ class HandGuidingToolTest : public QObject {
   // A hand that waves by 6 mm beside a path: with the fixture the tool is nearer to it, by the cube of the share of the
   // snap distance; each try is kept with its help.
   void aPathIsFollowed() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     bench.addTurn(-0.6);
     HandGuidingTool tool = bench.tool();
     const auto settings = tool.settings();
@@ -244,7 +244,7 @@ class HandGuidingToolTest : public QObject {
 
   // A path that was chosen is followed also when the cell has been prepared anew since.
   void thePathOutlivesThePreparation() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     bench.addTurn(-0.6);
     HandGuidingTool tool = bench.tool();
     tool.setSetting("path", PropertyValue(1.0));
@@ -257,7 +257,7 @@ class HandGuidingToolTest : public QObject {
 
   // A hand that presses before the way along the path has been found is drawn to it from then on.
   void theGuideComesWhileLeading() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     bench.addTurn(-0.6);
     HandGuidingTool tool = bench.tool();
     tool.setSetting("path", PropertyValue(1.0));
@@ -271,7 +271,7 @@ class HandGuidingToolTest : public QObject {
 
   // NaN and leaps from a device.
   void anyHand() {
-    HandGuidingBench bench;
+    HandGuidingFixture bench;
     HandGuidingTool tool = bench.tool();
     tool.pointer(byHand(Kind::Press, moved({0, 0, 0})));
     for (const double value : {std::nan(""), 1e300, -1e9, std::numeric_limits<double>::infinity(), 0.0}) {

@@ -5,7 +5,7 @@
 #include "document/cell/CellArms.h"
 #include "document/cell/RobotChanges.h"
 #include "document/scene/BodyEdit.h"
-#include "tools/cell/ProcessOperation.h"
+#include "tools/cell/ProcessPathOperation.h"
 
 #include <QTest>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "BoundaryBench.h"
+#include "BoundaryFixture.h"
 #include "TestClass.h"
 #include "tools/mesh/MeshPreview.h"
 
@@ -10,7 +10,7 @@ using namespace handwheel;
 using test::Kind;
 
 // What BoundaryTool makes of the pointer.
-class BoundaryToolTest : public QObject, private test::BoundaryBench {
+class BoundaryToolTest : public QObject, private test::BoundaryFixture {
   Q_OBJECT
 
  private slots:

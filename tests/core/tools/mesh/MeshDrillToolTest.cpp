@@ -256,7 +256,7 @@ class MeshDrillToolTest : public QObject {
     QVERIFY(bench.drill(0.0, 0.0, 1.0) && bench.tool->hole());
     QCOMPARE(bench.tool->hole()->volume.voxel(), 0.3);
     bench.runner.setSetting("head", PropertyValue(3.0));  // a saw, which is thin
-    const DrillTool saw = bench.tool->setup().tool;
+    const DrillBit saw = bench.tool->setup().tool;
     QVERIFY(saw.shape == DrillShape::Saw);
     QCOMPARE(bench.setting("voxel"), std::optional(std::min(saw.diameter / 16.0, saw.width / 4.0)));
   }

@@ -9,8 +9,8 @@
 #include "tools/mesh/MeshScript.h"
 #include "tools/mesh/Placement.h"
 #include "tools/mesh/ScriptLine.h"
+#include "tools/mesh/operations/BoundaryEditOperations.h"
 #include "tools/mesh/operations/DecimateOperation.h"
-#include "tools/mesh/operations/EdgeOperations.h"
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/RepairOperation.h"
 

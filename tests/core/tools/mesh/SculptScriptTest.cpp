@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ScriptReplay.h"
-#include "SculptBench.h"
+#include "SculptFixture.h"
 #include "TestClass.h"
 #include "tools/mesh/ScriptErrors.h"
 
@@ -21,7 +21,7 @@ class SculptScriptTest : public QObject {
   void levelsThatWereForgotten();
 
  private:
-  static std::string stepOf(const test::SculptBench& bench, std::size_t i) {
+  static std::string stepOf(const test::SculptFixture& bench, std::size_t i) {
     return scriptLinesSince(*bench.document).value().at(i);
   }
 };
@@ -39,7 +39,7 @@ void SculptScriptTest::brushes_data() {
 void SculptScriptTest::brushes() {
   QFETCH(double, brush);
   QFETCH(bool, onPatch);
-  test::SculptBench bench(onPatch ? test::middle() : FaceSelection());
+  test::SculptFixture bench(onPatch ? test::middle() : FaceSelection());
   bench.lift(1.25);  // else there is nothing to smooth or flatten
   bench.runner.setSetting("brush", brush);
   bench.runner.setSetting("moves_border", true);
@@ -52,7 +52,7 @@ void SculptScriptTest::brushes() {
 }
 
 void SculptScriptTest::levels() {
-  test::SculptBench bench(test::middle());
+  test::SculptFixture bench(test::middle());
   bench.runner.perform("subdivide");
   QVERIFY2(stepOf(bench, 0).starts_with("subdivide --patch "), stepOf(bench, 0).c_str());
   bench.lift(0.5);
@@ -75,7 +75,7 @@ void SculptScriptTest::levels() {
 
 void SculptScriptTest::noise() {
   for (const FaceSelection& patch : {FaceSelection(), test::middle()}) {
-    test::SculptBench bench(patch);
+    test::SculptFixture bench(patch);
     for (const double x : {3.0, 6.0, 9.0}) bench.lift(0.05, x);
     bench.runner.setSetting("noise_angle", 0.7);
     bench.runner.setSetting("moves_border", true);
@@ -86,7 +86,7 @@ void SculptScriptTest::noise() {
 
 // A step on levels that nobody has is an error, not a stroke elsewhere.
 void SculptScriptTest::levelsThatWereForgotten() {
-  test::SculptBench bench(test::middle());
+  test::SculptFixture bench(test::middle());
   bench.runner.perform("subdivide");
   bench.lift(0.5);
   const auto document = test::meshDocument(test::sheet());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ScriptReplay.h"
-#include "SculptBench.h"
+#include "SculptFixture.h"
 #include "TestClass.h"
 #include "WaitingServices.h"
 
@@ -31,7 +31,7 @@ class SculptToolActionsTest : public QObject {
 };
 
 void SculptToolActionsTest::levels() {
-  SculptBench b(middle());
+  SculptFixture b(middle());
   QVERIFY(!isEnabled(*b.tool, "back") && !isEnabled(*b.tool, "coarser"));
   QCOMPARE(b.runner.perform("subdivide"), ToolReply::Used);
   QCOMPARE(b.tool->levels().finest(), std::size_t(1));
@@ -56,7 +56,7 @@ void SculptToolActionsTest::levels() {
 
 // A small bump at the finest level rides on a hill raised at the coarsest one.
 void SculptToolActionsTest::aCoarseLevelTakesTheDetailAlong() {
-  SculptBench b(middle());
+  SculptFixture b(middle());
   b.runner.perform("subdivide");
   b.runner.perform("subdivide");
   b.runner.setSetting("radius", 0.8);
@@ -68,7 +68,7 @@ void SculptToolActionsTest::aCoarseLevelTakesTheDetailAlong() {
   b.lift(1.0);
   QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.99);
   // The hill at the finest level, as it would be without the bump.
-  SculptBench plain(middle());
+  SculptFixture plain(middle());
   plain.runner.perform("subdivide");
   plain.runner.perform("subdivide");
   plain.runner.setSetting("level", 0.0);
@@ -85,7 +85,7 @@ void SculptToolActionsTest::aCoarseLevelTakesTheDetailAlong() {
 }
 
 void SculptToolActionsTest::undoFindsTheLevels() {
-  SculptBench b(middle());
+  SculptFixture b(middle());
   b.runner.perform("subdivide");
   b.runner.setSetting("level", 0.0);
   b.lift(1.0);
@@ -107,7 +107,7 @@ void SculptToolActionsTest::anEditElsewhereKeepsTheLevels() {
   TriangleSoup soup = sheet();
   const auto square = soup.triangles.begin() + 2 * (20 * 17 + 17);
   soup.triangles.erase(square, square + 2);
-  SculptBench b(middle(), soup);
+  SculptFixture b(middle(), soup);
   b.runner.perform("subdivide");
   b.runner.perform("subdivide");
   b.lift(0.3);
@@ -139,7 +139,7 @@ void SculptToolActionsTest::anEditElsewhereKeepsTheLevels() {
 
 // Who wants to sculpt the whole surface goes on doing so, whatever has levels.
 void SculptToolActionsTest::theWholeSurfaceStaysWhole() {
-  SculptBench b(middle());
+  SculptFixture b(middle());
   b.runner.perform("subdivide");
   b.runner.perform("whole");
   b.lift(0.5, 2.0);
@@ -150,7 +150,7 @@ void SculptToolActionsTest::theWholeSurfaceStaysWhole() {
 }
 
 void SculptToolActionsTest::rememberedForTheNextTime() {
-  SculptBench b(middle());
+  SculptFixture b(middle());
   b.runner.perform("subdivide");
   b.start();
   QCOMPARE(b.tool->levels().finest(), std::size_t(1));
@@ -164,7 +164,7 @@ void SculptToolActionsTest::rememberedForTheNextTime() {
 
 // A quadrilateral of two triangles of 8 mm in a plate of 1 mm.
 void SculptToolActionsTest::rememberedInTheFile() {
-  SculptBench b(middle());
+  SculptFixture b(middle());
   b.runner.perform("subdivide");
   b.runner.perform("subdivide");
   b.lift(0.3);
@@ -195,7 +195,7 @@ void SculptToolActionsTest::refinesToTheSurroundings() {
     patch.add(static_cast<Face>(soup.triangles.size()));
     soup.triangles.push_back({centre, j, (j + 1) % 24});
   }
-  SculptBench b(patch, soup);
+  SculptFixture b(patch, soup);
   b.runner.perform("refine");
   QCOMPARE(b.tool->levels().finest(), std::size_t(2));
   QCOMPARE(b.steps(), 1);
@@ -206,7 +206,7 @@ void SculptToolActionsTest::refinesToTheSurroundings() {
 }
 
 void SculptToolActionsTest::warnsOfSlimTriangles() {
-  SculptBench b({2 * (20 * 10 + 10), 2 * (20 * 10 + 10) + 1});
+  SculptFixture b({2 * (20 * 10 + 10), 2 * (20 * 10 + 10) + 1});
   for (int level = 1; level <= 4; ++level) {
     b.runner.perform("subdivide");
     const std::vector<Property> settings = b.tool->settings();
@@ -228,7 +228,7 @@ void SculptToolActionsTest::smoothsNoise() {
     }
     return std::sqrt(sum);
   };
-  SculptBench b(middle(), soup);
+  SculptFixture b(middle(), soup);
   const double before = roughness(b.document->mesh());
   b.runner.perform("noise");
   QCOMPARE(b.steps(), 1);
@@ -241,11 +241,11 @@ void SculptToolActionsTest::smoothsNoise() {
 }
 
 void SculptToolActionsTest::tellsWhyNot() {
-  SculptBench b({7});
+  SculptFixture b({7});
   b.runner.perform("subdivide");
   QCOMPARE(b.steps(), 0);
   QVERIFY(!propertyNamed(b.tool->settings(), "patch")->problem.empty());
-  SculptBench whole;
+  SculptFixture whole;
   QVERIFY(!isEnabled(*whole.tool, "subdivide") && !isEnabled(*whole.tool, "refine") && isEnabled(*whole.tool, "noise"));
 }
 
@@ -267,7 +267,7 @@ void SculptToolActionsTest::jobsThatComeTooLate() {
 }
 
 void SculptToolActionsTest::radiusByKey() {
-  SculptBench b;
+  SculptFixture b;
   b.runner.perform("larger");
   QCOMPARE(std::get<double>(propertyNamed(b.tool->settings(), "radius")->value), 3.75);
   b.runner.perform("smaller");
@@ -283,7 +283,7 @@ void SculptToolActionsTest::radiusByKey() {
 }
 
 void SculptToolActionsTest::oddSettings() {
-  SculptBench b(middle());
+  SculptFixture b(middle());
   for (const PropertyValue& value : {PropertyValue(std::numeric_limits<double>::quiet_NaN()), PropertyValue(-7.0),
                                      PropertyValue(1e300), PropertyValue(true), PropertyValue(std::string("?"))}) {
     for (const char* id : {"brush", "radius", "strength", "moves_border", "noise_angle", "level", "patch", "nothing"})

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "SculptBench.h"
+#include "SculptFixture.h"
 #include "TestClass.h"
 #include "WaitingServices.h"
 #include "tools/mesh/MeshPreview.h"
@@ -29,7 +29,7 @@ class SculptToolTest : public QObject {
 };
 
 void SculptToolTest::dragsInThePlaneOfTheView() {
-  SculptBench b;
+  SculptFixture b;
   const PointerEvent press = above(Kind::Press, 10, 10);
   QCOMPARE(b.runner.pointer(press), ToolReply::Used);
   b.runner.pointer(above(Kind::Drag, 10.4, 10.2));
@@ -49,7 +49,7 @@ void SculptToolTest::dragsInThePlaneOfTheView() {
 }
 
 void SculptToolTest::dragsWithADevice() {
-  SculptBench b;
+  SculptFixture b;
   b.lift(1.5);
   QVERIFY(std::abs(b.height() - 1.5) < 1e-6);
   QVERIFY(b.height(10, 11) > 0.5 && b.height(10, 11) < 1.5);
@@ -62,14 +62,14 @@ void SculptToolTest::dragsWithADevice() {
 }
 
 void SculptToolTest::aDragAndBackIsNoStep() {
-  SculptBench b;
+  SculptFixture b;
   b.stroke({{10, 10}, {11, 10}, {10, 10}});
   QCOMPARE(b.steps(), 0);
   QVERIFY(!meshPreviewOf(b.tool->preview()).previewMesh);
 }
 
 void SculptToolTest::brushes() {
-  SculptBench b;
+  SculptFixture b;
   b.runner.setSetting("strength", 1.0);
   b.runner.setSetting("brush", kInflate);
   b.stroke({{8, 10}, {12, 10}});
@@ -88,7 +88,7 @@ void SculptToolTest::brushes() {
 }
 
 void SculptToolTest::shiftSmoothsAndControlInverts() {
-  SculptBench b;
+  SculptFixture b;
   b.runner.setSetting("brush", kInflate);
   b.stroke({{10, 10}}, kControl);
   const double pressed = b.height();
@@ -98,7 +98,7 @@ void SculptToolTest::shiftSmoothsAndControlInverts() {
 }
 
 void SculptToolTest::escapeGivesTheStrokeUp() {
-  SculptBench b;
+  SculptFixture b;
   b.runner.pointer(above(Kind::Press, 10, 10));
   b.runner.pointer(above(Kind::Drag, 12, 10));
   QVERIFY(meshPreviewOf(b.tool->preview()).previewMesh);
@@ -110,7 +110,7 @@ void SculptToolTest::escapeGivesTheStrokeUp() {
 }
 
 void SculptToolTest::besideTheModel() {
-  SculptBench b;
+  SculptFixture b;
   QCOMPARE(b.runner.pointer(above(Kind::Press, 40, 10)), ToolReply::Ignored);  // the camera may turn
   QCOMPARE(b.runner.pointer(above(Kind::Drag, 10, 10)), ToolReply::Ignored);
   b.runner.pointer(above(Kind::Hover, 10, 10));
@@ -120,7 +120,7 @@ void SculptToolTest::besideTheModel() {
 }
 
 void SculptToolTest::onlyThePatch() {
-  SculptBench b(middle());
+  SculptFixture b(middle());
   QCOMPARE(b.tool->preview().lines.size(), std::size_t(1));
   b.runner.setSetting("radius", 8.0);
   b.lift(2.0);
@@ -142,7 +142,7 @@ void SculptToolTest::saysThatTheSurfaceCrossesItself() {
   TriangleSoup lower = sheet();
   for (Vec3& p : lower.points) p.z() -= 1.0;
   append(soup, lower);
-  SculptBench b({}, soup);
+  SculptFixture b({}, soup);
   b.lift(-0.7);
   QVERIFY(!propertyNamed(b.tool->settings(), "crossings"));
   const std::size_t offered = b.tool->actions().size();

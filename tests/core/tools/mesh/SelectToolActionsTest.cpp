@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshChecks.h"
-#include "SelectBench.h"
+#include "SelectFixture.h"
 #include "TestClass.h"
 #include "WaitingServices.h"
 #include "mesh/structure/MeshValidator.h"
@@ -28,7 +28,7 @@ class SelectToolActionsTest : public QObject {
 };
 
 void SelectToolActionsTest::actionsOnTheSelection() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   for (const char* id : {"grow", "shrink", "delete", "previous", "next"}) QVERIFY(!isEnabled(b.tool, id));
   b.tool.perform("all");
   QCOMPARE(b.count(), std::size_t(400));
@@ -45,7 +45,7 @@ void SelectToolActionsTest::actionsOnTheSelection() {
 }
 
 void SelectToolActionsTest::previousAndNext() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   b.click(3.2, 4.8);
   const MeshSelection one = b.tool.selection();
   b.tool.perform("grow");
@@ -60,7 +60,7 @@ void SelectToolActionsTest::previousAndNext() {
 }
 
 void SelectToolActionsTest::deleteIsOneEdit() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   QObject::connect(b.document.get(), &Document::changed, [&] { b.tool.documentChanged(); });
   const HalfEdgeMesh before = b.document->mesh();
   b.click(5.3, 5.7);
@@ -80,7 +80,7 @@ void SelectToolActionsTest::deleteIsOneEdit() {
 }
 
 void SelectToolActionsTest::selectingIsNoEdit() {
-  SelectBench b(plates(), kBrush);
+  SelectFixture b(plates(), kBrush);
   const auto revision = b.document->revision();
   b.stroke({{5, 5}, {8, 5}});
   for (const char* id : {"all", "invert", "grow", "shrink", "previous", "next", "revert"}) b.tool.perform(id);
@@ -89,7 +89,7 @@ void SelectToolActionsTest::selectingIsNoEdit() {
 }
 
 void SelectToolActionsTest::escLeavesStepByStep() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   b.click(3.2, 4.8);
   b.tool.pointer(above(Kind::Press, 5.2, 5.8));
   QCOMPARE(b.tool.perform("revert"), ToolReply::Used);
@@ -104,7 +104,7 @@ void SelectToolActionsTest::escLeavesStepByStep() {
 }
 
 void SelectToolActionsTest::selectFromAList() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   int updates = 0;
   b.tool.whenUpdated([&] { ++updates; });
   b.tool.select({{1, 2, 7777}, {55}});
@@ -115,7 +115,7 @@ void SelectToolActionsTest::selectFromAList() {
 }
 
 void SelectToolActionsTest::jobsComeLater() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   WaitingServices waiting;
   waiting.faces = std::make_shared<FaceHierarchy>(b.document->mesh());
   SelectTool tool(*b.document, waiting.services());
@@ -142,7 +142,7 @@ void SelectToolActionsTest::jobsComeLater() {
 }
 
 void SelectToolActionsTest::lateJobsAreDropped() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   WaitingServices waiting;
   waiting.faces = std::make_shared<FaceHierarchy>(b.document->mesh());
   auto tool = std::make_unique<SelectTool>(*b.document, waiting.services());
@@ -176,7 +176,7 @@ void SelectToolActionsTest::lateJobsAreDropped() {
 
 // Until a hierarchy of the present mesh is there, one cannot select what is gone.
 void SelectToolActionsTest::oldHierarchy() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   WaitingServices waiting;
   waiting.faces = std::make_shared<FaceHierarchy>(b.document->mesh());
   SelectTool tool(*b.document, waiting.services());
@@ -196,7 +196,7 @@ void SelectToolActionsTest::oldHierarchy() {
 }
 
 void SelectToolActionsTest::noHierarchy() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   WaitingServices waiting;
   SelectTool tool(*b.document, waiting.services());
   for (const double mode : {kClick, kBrush, kLasso, kConnected, kAngle}) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "SelectBench.h"
+#include "SelectFixture.h"
 #include "TestClass.h"
 #include "proximity/ClosestPoint.h"
 #include "tools/mesh/MeshPreview.h"
@@ -30,7 +30,7 @@ class SelectToolTest : public QObject {
 };
 
 void SelectToolTest::clicks() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   const Face first = upper(3, 4) + 1, second = upper(7, 2);  // above the diagonal, below it
   b.click(3.2, 4.8);
   QCOMPARE(b.faces(), std::vector<Face>{first});
@@ -48,7 +48,7 @@ void SelectToolTest::clicks() {
 }
 
 void SelectToolTest::clickOnNothingClears() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   b.click(3.2, 4.8);
   QCOMPARE(b.tool.pointer(above(Kind::Press, 20, 20)), ToolReply::Ignored);  // the camera may turn
   QCOMPARE(b.tool.pointer(above(Kind::Release, 20, 20)), ToolReply::Used);
@@ -56,7 +56,7 @@ void SelectToolTest::clickOnNothingClears() {
 }
 
 void SelectToolTest::turningTheCameraDoesNotClear() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   b.click(3.2, 4.8);
   b.tool.pointer(above(Kind::Press, 20, 20));
   QCOMPARE(b.tool.pointer(above(Kind::Drag, 22, 20)), ToolReply::Ignored);
@@ -65,7 +65,7 @@ void SelectToolTest::turningTheCameraDoesNotClear() {
 }
 
 void SelectToolTest::clicksAtAHole() {
-  SelectBench b(sphereWithoutCap(3));
+  SelectFixture b(sphereWithoutCap(3));
   const Vertex key = keyOf(b.document->mesh(), b.document->defects().loops.at(0));
   b.click(0, 0);
   QVERIFY(b.tool.selection() == (MeshSelection{{}, {key}}));
@@ -81,7 +81,7 @@ void SelectToolTest::clicksAtAHole() {
 }
 
 void SelectToolTest::doubleClickTakesThePart() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   b.click(3.2, 4.8);
   b.tool.pointer(above(Kind::DoubleClick, 3.2, 4.8));
   b.tool.pointer(above(Kind::Release, 3.2, 4.8));
@@ -90,7 +90,7 @@ void SelectToolTest::doubleClickTakesThePart() {
 }
 
 void SelectToolTest::brushCoversADisc() {
-  SelectBench b(plates(), kBrush);
+  SelectFixture b(plates(), kBrush);
   b.tool.setSetting("brush_unit", 0.0);
   b.tool.setSetting("brush_length", 2.3);
   QCOMPARE(b.tool.pointer(above(Kind::Press, 20, 20)), ToolReply::Ignored);
@@ -105,7 +105,7 @@ void SelectToolTest::brushCoversADisc() {
 }
 
 void SelectToolTest::brushAddsAndRemoves() {
-  SelectBench b(plates(), kBrush);
+  SelectFixture b(plates(), kBrush);
   b.tool.setSetting("brush_unit", 0.0);
   b.tool.setSetting("brush_length", 1e-3);
   b.stroke({{0.5, 0.2}, {9.5, 0.2}});
@@ -121,7 +121,7 @@ void SelectToolTest::brushAddsAndRemoves() {
 }
 
 void SelectToolTest::brushStrokeIsOneStep() {
-  SelectBench b(plates(), kBrush);
+  SelectFixture b(plates(), kBrush);
   b.stroke({{1, 1}});
   const MeshSelection before = b.tool.selection();
   b.tool.pointer(above(Kind::Press, 5, 5));
@@ -137,7 +137,7 @@ void SelectToolTest::brushStrokeIsOneStep() {
 }
 
 void SelectToolTest::brushInPixels() {
-  SelectBench b(plates(), kBrush);
+  SelectFixture b(plates(), kBrush);
   b.tool.setSetting("brush_pixels", 100.0);
   b.tool.pointer(above(Kind::Hover, 5, 5));
   QCOMPARE(b.tool.preview().circle->second, 1.0);
@@ -159,7 +159,7 @@ void SelectToolTest::brushInPixels() {
 }
 
 void SelectToolTest::lassoSeesOrGoesThrough() {
-  SelectBench b(plates(), kLasso);
+  SelectFixture b(plates(), kLasso);
   const std::vector<Eigen::Vector2d> around = {{1.5, 1.5}, {6.5, 1.5}, {6.5, 4.5}, {1.5, 4.5}};
   b.stroke(around);
   std::vector<Face> expected;
@@ -179,10 +179,10 @@ void SelectToolTest::lassoSeesOrGoesThrough() {
 }
 
 void SelectToolTest::connectedAndAngle() {
-  SelectBench b(plates(), kConnected);
+  SelectFixture b(plates(), kConnected);
   b.click(3.2, 4.8);
   QCOMPARE(b.count(), std::size_t(200));
-  SelectBench sides(cube(), kAngle);
+  SelectFixture sides(cube(), kAngle);
   sides.click(0.5, 0.4);
   QCOMPARE(sides.count(), std::size_t(2));
   sides.tool.setSetting("angle", 1.58);
@@ -191,7 +191,7 @@ void SelectToolTest::connectedAndAngle() {
 }
 
 void SelectToolTest::hoverShowsWhatAClickWouldSelect() {
-  SelectBench b(plates(), kClick);
+  SelectFixture b(plates(), kClick);
   b.tool.pointer(above(Kind::Hover, 3.2, 4.8));
   QVERIFY(meshPreviewOf(b.tool.preview()).highlighted == FaceSelection{upper(3, 4) + 1});
   b.tool.setSetting("mode", kConnected);
@@ -201,13 +201,13 @@ void SelectToolTest::hoverShowsWhatAClickWouldSelect() {
   b.tool.pointer(above(Kind::Hover, 20, 20));
   QVERIFY(meshPreviewOf(b.tool.preview()).highlighted.empty());
   QCOMPARE(b.count(), std::size_t(0));
-  SelectBench large(torus(200, 60), kConnected);  // 24 000 faces: too many to show on the way
+  SelectFixture large(torus(200, 60), kConnected);  // 24 000 faces: too many to show on the way
   large.tool.pointer(above(Kind::Hover, 2.0, 0.1));
   QCOMPARE(meshPreviewOf(large.tool.preview()).highlighted.count(), std::size_t(1));
 }
 
 void SelectToolTest::secondButton() {
-  SelectBench b(plates());
+  SelectFixture b(plates());
   PointerEvent event = above(Kind::Press, 5, 5);
   event.button = PointerButton::Second;
   QCOMPARE(b.tool.pointer(event), ToolReply::Ignored);  // of the mouse: the camera's, or a menu's

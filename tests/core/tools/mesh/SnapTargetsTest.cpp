@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HapticDevices.h"
-#include "SelectBench.h"
+#include "SelectFixture.h"
 #include "TestClass.h"
 #include "haptics/contact/TouchableSurface.h"
 #include "haptics/device/SimulatedDevice.h"
@@ -26,8 +26,8 @@ constexpr int kTicks = 8000;                         // the loop has measured it
 
 // Two plates as the bench has them, with squares of 10 mm: the upper one is at z = 50. A simulated hand holds a device
 // over them, whose servo loop and safety chain are those of the program.
-struct HandBench {
-  SelectBench bench{moved(plates(), Vec3::Zero(), 10.0)};
+struct HandFixture {
+  SelectFixture bench{moved(plates(), Vec3::Zero(), 10.0)};
   HalfEdgeMesh mesh = bench.document->mesh();
   ContactSurface surface;
   VirtualClock clock;
@@ -35,7 +35,7 @@ struct HandBench {
   SimulatedDevice* device = nullptr;
   std::unique_ptr<ServoLoop> loop;
 
-  explicit HandBench(const Vec3& hand) {
+  explicit HandFixture(const Vec3& hand) {
     HalfEdgeMesh::Compact all = mesh.compact();
     surface = touchableSurface(std::move(all.soup.points), std::move(all.soup.triangles), all.faceOf);
     SimulatedDeviceSettings settings = simulatedDevice();
@@ -102,7 +102,7 @@ class SnapTargetsTest : public QObject {
   // A hand beside an open edge is drawn to it by the profile's force, and its button selects that edge's loop.
   void anEdgeDrawsTheHand() {
     const Vec3 hand(35, -1, 52), onEdge(35, 0, 50);
-    HandBench b(hand);
+    HandFixture b(hand);
     b.run(1);
     b.feel(b.bench.tool, true);
     const ServoSample rest = b.run(kTicks);
@@ -120,7 +120,7 @@ class SnapTargetsTest : public QObject {
   // Above a face the nearest point of the face draws it, and its button selects that face.
   void aFaceDrawsTheHand() {
     const Vec3 hand(37, 43, 52.5), onFace(37, 43, 50);
-    HandBench b(hand);
+    HandFixture b(hand);
     b.run(1);
     b.feel(b.bench.tool, true);
     const ServoSample rest = b.run(kTicks);
@@ -135,7 +135,7 @@ class SnapTargetsTest : public QObject {
 
   // What is gathered anew where the tip is now draws it as before, from the first tick on.
   void gatheredAnewNothingLeaps() {
-    HandBench b({35, -1, 52});
+    HandFixture b({35, -1, 52});
     b.run(1);
     b.feel(b.bench.tool, true);
     const Vec3 before = b.run(kTicks).sent.force;
@@ -151,7 +151,7 @@ class SnapTargetsTest : public QObject {
 
   // A tool that is taken up where its magnet is strong: 0.59 N at 2.24 mm come by the ramp.
   void aToolThatIsTakenUpLetsNothingLeap() {
-    HandBench b({35, -1, 52});
+    HandFixture b({35, -1, 52});
     b.run(kTicks);
     b.feel(b.bench.tool, true);
     Vec3 last = Vec3::Zero();

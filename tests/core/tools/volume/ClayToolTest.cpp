@@ -6,7 +6,7 @@
 #include "document/volume/LayerSteps.h"
 #include "document/volume/VolumeKind.h"
 #include "tools/ToolRunner.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 
 #include <QtTest>
 #include <cmath>
@@ -57,7 +57,7 @@ struct ClayBench {
   }
   void set(const char* id, PropertyValue value) { runner.setSetting(id, value); }
   void choose(ClayAction action) { set("action", PropertyValue(static_cast<double>(action))); }
-  double depthAt(const Vec3& p) const { return VolumeReader(document.volume()->volume).depthAt(p).depth; }
+  double depthAt(const Vec3& p) const { return VolumeSampler(document.volume()->volume).depthAt(p).depth; }
   int steps() const { return document.history()->index(); }
 };
 
@@ -168,7 +168,7 @@ class ClayToolTest : public QObject {
     bench.set("radius", PropertyValue(2.0));
     bench.set("mirror_x", PropertyValue(true));
     bench.stroke(6.0, 9.0, 3.0);
-    const VolumeReader reader(bench.document.volume()->volume);
+    const VolumeSampler reader(bench.document.volume()->volume);
     for (const double x : {-8.0, -7.0, 7.0, 8.0}) {
       const double z = std::sqrt(400.0 - 9.0 - x * x) - 0.3;
       QVERIFY(reader.depthAt({x, 3.0, z}).depth < 0.0);

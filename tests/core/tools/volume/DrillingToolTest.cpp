@@ -5,7 +5,7 @@
 #include "TestClass.h"
 #include "document/volume/VolumeKind.h"
 #include "tools/ToolRunner.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/drilling/DrillReview.h"
 
 #include <QtTest>
@@ -50,7 +50,7 @@ struct DrillBench {
       if (property.id == id) return std::get<double>(property.value);
     return -1.0;
   }
-  double depthAt(const Vec3& p) const { return VolumeReader(document.volume()->volume).depthAt(p).depth; }
+  double depthAt(const Vec3& p) const { return VolumeSampler(document.volume()->volume).depthAt(p).depth; }
 };
 
 }  // namespace

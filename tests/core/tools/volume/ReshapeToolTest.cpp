@@ -8,7 +8,7 @@
 #include "document/volume/LayerSteps.h"
 #include "document/volume/VolumeKind.h"
 #include "tools/ToolRunner.h"
-#include "tools/volume/VolumeOperations.h"
+#include "tools/volume/VoxelizeOperations.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeShapes.h"

@@ -5,7 +5,7 @@
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "volume/SurfaceToVolume.h"
-#include "volume/drilling/DrillTools.h"
+#include "volume/drilling/DrillBits.h"
 
 #include <QtTest>
 #include <cmath>

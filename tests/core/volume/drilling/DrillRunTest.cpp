@@ -7,9 +7,9 @@
 #include "TestClass.h"
 #include "proximity/SelfIntersection.h"
 #include "volume/SurfaceToVolume.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/VolumeShapes.h"
-#include "volume/drilling/DrillTools.h"
+#include "volume/drilling/DrillBits.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <rapidcheck.h>
@@ -101,7 +101,7 @@ class DrillRunTest : public QObject {
     const double exact = kBlock * kDown * setup.tool.width;
     QVERIFY2(std::abs(run.removed() / exact - 1.0) < 0.02, qPrintable(QString::number(run.removed() / exact)));
     QVERIFY(run.energy() > 0.0);
-    const VolumeReader reader(volume);
+    const VolumeSampler reader(volume);
     QVERIFY(reader.depthAt({0.0, 0.03, -1.0}).depth < 0.0 && reader.depthAt({0.0, 1.0, -1.0}).depth > 0.0);
     QVERIFY(reader.depthAt({0.0, 0.03, -2.3}).depth > 0.0);
     QVERIFY(isClosedManifold(surfaceOf(volume)));
@@ -175,7 +175,7 @@ class DrillRunTest : public QObject {
   void balance() {
     QVERIFY(rc::check([] {
       const auto number = [](double most) { return *rc::gen::inRange(1, 1001) / 1000.0 * most; };
-      DrillTool tool;
+      DrillBit tool;
       tool.diameter = number(20.0);
       DrillMaterial material = drillMaterials().front();
       material.energy = number(1000.0);
@@ -230,14 +230,14 @@ class DrillRunTest : public QObject {
                                   "ball:3:1", "saw", "saw:20:", "saw:20:0", "saw:20:21", "saw:20:1:1", "saw:20:nan"})
       QVERIFY2(!drillToolOf(bad), bad);
     // 118° between the sides of the cone.
-    const DrillTool tool = *drillToolOf("twist:2");
+    const DrillBit tool = *drillToolOf("twist:2");
     QVERIFY(std::abs(std::atan(tool.radius() / tool.reach()) - 59.0 * M_PI / 180.0) < 1e-3);
   }
 
   // What ships has one of each shape; nothing impossible is taken, and what is wrong with which drill is said.
   void tables() {
     std::vector<DrillShape> shapes;
-    for (const DrillToolType& type : drillTools()) shapes.push_back(type.tool.shape);
+    for (const DrillBitType& type : drillBits()) shapes.push_back(type.tool.shape);
     std::sort(shapes.begin(), shapes.end());
     QVERIFY((shapes == std::vector{DrillShape::Ball, DrillShape::Burr, DrillShape::Twist, DrillShape::Saw}));
     // With ' for ", which moc does not read in all raw strings.

@@ -7,7 +7,7 @@
 #include "TestClass.h"
 #include "mesh/structure/MeshValidator.h"
 #include "proximity/SelfIntersection.h"
-#include "volume/drilling/DrillTools.h"
+#include "volume/drilling/DrillBits.h"
 
 #include <QTest>
 #include <algorithm>

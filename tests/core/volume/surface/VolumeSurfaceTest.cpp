@@ -5,9 +5,9 @@
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "base/Result.h"
-#include "volume/ClayDab.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeShapes.h"
+#include "volume/clay/ClayDab.h"
 #include "volume/surface/VolumeToSurface.h"
 
 #include <QtTest>

@@ -8,7 +8,7 @@
 #include <openvdb/tools/LevelSetUtil.h>
 
 #include "TestClass.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "volume/VolumeShapes.h"
 
 #include <QtTest>
@@ -54,7 +54,7 @@ class VdbFileTest : public QObject {
     QCOMPARE(read->otherGrids, std::size_t{1});
     const double expected = 4.0 / 3.0 * M_PI * std::pow(kRadius, 3);
     QVERIFY(std::abs(read->volume.material() / expected - 1.0) < 0.01);
-    const VolumeReader reader(read->volume);
+    const VolumeSampler reader(read->volume);
     const Vec3 centre(kCentre.x(), kCentre.y(), kCentre.z());
     for (int i = 0; i < 200; ++i) {
       const double radius = kRadius + 2.0 * kVoxel * std::sin(5.0 * i);

@@ -76,7 +76,7 @@ class GlobeKindTest : public QObject {
 
   // A drawing of its files comes with the kind.
   void bringsItsIcon() {
-    const RegisteredKinds registered(kindsWithGlobe());
+    const BuiltInKinds registered(kindsWithGlobe());
     const QString name = iconNameFor(registered.set.documents, "a.globe");
     QCOMPARE(name, QStringLiteral("kind-globe"));
     const QImage drawn = icon(name).pixmap(24, 24).toImage();
@@ -113,8 +113,8 @@ class GlobeKindTest : public QObject {
 
   // 'new', 'convert' and their help know what is registered.
   void isKnownToCommands() {
-    QVERIFY(newDetails(RegisteredKinds(registeredKinds()).set.documents).find("globe") == std::string::npos);
-    const RegisteredKinds registered(kindsWithGlobe());
+    QVERIFY(newDetails(BuiltInKinds(builtInKinds()).set.documents).find("globe") == std::string::npos);
+    const BuiltInKinds registered(kindsWithGlobe());
     const DocumentKinds& kinds = registered.set.documents;
     QVERIFY(newDetails(kinds).find("globe") != std::string::npos);
     QVERIFY(convertDetails(kinds).find("  globe: .globe .handwheel") != std::string::npos);

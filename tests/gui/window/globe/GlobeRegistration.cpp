@@ -14,7 +14,7 @@ KindRegistration globeRegistration(const QString& sample) {
 }
 
 std::vector<KindRegistration> kindsWithGlobe(const QString& sample) {
-  std::vector<KindRegistration> all = registeredKinds();
+  std::vector<KindRegistration> all = builtInKinds();
   all.insert(all.begin(), globeRegistration(sample));
   return all;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "registration/Registration.h"
+#include "builtin/BuiltInKinds.h"
 
 namespace handwheel::test {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "../cell/PlanningWindow.h"
-#include "HandBench.h"
+#include "HandFixture.h"
 
 #include <QComboBox>
 #include <QFile>

@@ -4,7 +4,7 @@
 #include "../WindowTestMain.h"
 #include "SimulatedHand.h"
 #include "document/volume/VolumeDocument.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/tools/ToolHost.h"
@@ -48,7 +48,7 @@ struct ClayWindow {
     return static_cast<VolumeDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
   }
   const ClayLayer& layer() { return document().volume()->layers->all().front(); }
-  double depthAt(const Vec3& p) { return VolumeReader(document().volume()->volume).depthAt(p).depth; }
+  double depthAt(const Vec3& p) { return VolumeSampler(document().volume()->volume).depthAt(p).depth; }
   void moveTo(const QPoint& at) {
     QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
     QApplication::sendEvent(view, &move);

@@ -4,7 +4,7 @@
 #include "TurningWindow.h"
 #include "document/exercise/ExerciseDocument.h"
 #include "document/workpiece/exercise/TurningTask.h"
-#include "exercise/ClassTable.h"
+#include "exercise/SubmissionTable.h"
 
 #include <QFile>
 #include <QMenu>
@@ -152,14 +152,14 @@ class ExerciseHandTest : public QObject {
     QVERIFY(teacher.settle());
     const QAbstractItemModel* rows = teacher.find<QAbstractItemView>("classRows")->model();
     QTRY_COMPARE(rows->rowCount(), 1);
-    QCOMPARE(rows->index(0, ClassTable::Student).data().toString(), QStringLiteral("Ada"));
+    QCOMPARE(rows->index(0, SubmissionTable::Student).data().toString(), QStringLiteral("Ada"));
     const double beyond = std::max(0.0, std::abs(diameter - kWanted) - kWithin);
     const double expected = 10.0 * std::max(0.0, 1.0 - beyond / kSlack);
-    const double marked = rows->index(0, ClassTable::FirstCriterion).data().toString().toDouble();
+    const double marked = rows->index(0, SubmissionTable::FirstCriterion).data().toString().toDouble();
     QVERIFY2(std::abs(marked - expected) < 0.02, qPrintable(QStringLiteral("%1 for %2 mm").arg(marked).arg(diameter)));
     // By hand it is near to what it was led along: 1.3 - 1 mm beside the target.
     QVERIFY2(std::abs(diameter - kWanted - 0.6) < 1.0, qPrintable(QString::number(diameter)));
-    teacher.click("classReport");
+    teacher.click("submissionsReport");
     QVERIFY(teacher.enterFileName("classFileDialog", report));
     QVERIFY(teacher.settle());
     QTRY_VERIFY(QFile::exists(report));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
-#include "HandBench.h"
+#include "HandFixture.h"
 #include "panels/device/AxisBars.h"
 
 #include <QDockWidget>
@@ -21,7 +21,7 @@ class HapticToolsTest : public QObject {
 
   // An edit is felt where it was made; undone, what was there is felt again.
   void editsAreFelt() {
-    HandBench b;
+    HandFixture b;
     QVERIFY(b.begin(ballIn(m_folder)));
     const Vec3 out = b.towardsViewer();
     b.leadTo(0.9 * kRadius * out);
@@ -43,7 +43,7 @@ class HapticToolsTest : public QObject {
 
   // The tip on the ball, the first button: what the mouse selects by a click the hand selects by its button.
   void theHandSelects() {
-    HandBench b;
+    HandFixture b;
     QVERIFY(b.begin(ballIn(m_folder)));
     b.driver.find<QAction>("selectTool")->trigger();
     QVERIFY(b.driver.settle());
@@ -57,7 +57,7 @@ class HapticToolsTest : public QObject {
 
   // While the knobs of the panel have the focus, they take the arrows, and the tool takes its keys.
   void keysWhileTheKnobsHaveTheFocus() {
-    HandBench b;
+    HandFixture b;
     QVERIFY(b.begin(ballIn(m_folder)));
     auto* const dock = b.driver.find<QDockWidget>("deviceDock");
     dock->show();
@@ -82,7 +82,7 @@ class HapticToolsTest : public QObject {
 
   // A point of an open edge draws the tip while a tool for such points is in use, and no other.
   void pointsOfOpenEdgesDrawTheTip() {
-    HandBench b;
+    HandFixture b;
     const QString path = m_folder.filePath(QStringLiteral("torus.stl"));
     writeStl(path, torusWithHole());
     QVERIFY(b.begin(path));
@@ -109,7 +109,7 @@ class HapticToolsTest : public QObject {
   // Between two points of an open edge: switched off nothing draws the tip, whatever the tool; with rims as curves it
   // is the whole rim that does, and no edge that a tool could take.
   void snappingIsSwitchedAndRimsAreCurves() {
-    HandBench b;
+    HandFixture b;
     const QString path = m_folder.filePath(QStringLiteral("torus.stl"));
     writeStl(path, torusWithHole());
     QVERIFY(b.begin(path));
@@ -145,7 +145,7 @@ class HapticToolsTest : public QObject {
   // What a tool takes by a click draws the tip: beside a cube its edge and its corner to measure from, above one of its
   // sides the side to select.
   void whatAToolTakesDrawsTheTip() {
-    HandBench b;
+    HandFixture b;
     const QString path = m_folder.filePath(QStringLiteral("cube.stl"));
     writeStl(path, cornersOf(cube(20.0)));
     QVERIFY(b.begin(path));
@@ -174,7 +174,7 @@ class HapticToolsTest : public QObject {
 
   // Only what is near the tip is looked at, and anew where the tip has gone on.
   void magnetsFollowTheTip() {
-    HandBench b;
+    HandFixture b;
     const QString path = m_folder.filePath(QStringLiteral("torus.stl"));
     writeStl(path, torusWithHole());
     QVERIFY(b.begin(path));
@@ -195,7 +195,7 @@ class HapticToolsTest : public QObject {
 
   // A drag of the hand is one step, and while it lasts the tool pulls at the hand.
   void aDragIsOneStep() {
-    HandBench b;
+    HandFixture b;
     QVERIFY(b.begin(ballIn(m_folder)));
     b.driver.find<QAction>("sculptTool")->trigger();
     QVERIFY(b.driver.settle());

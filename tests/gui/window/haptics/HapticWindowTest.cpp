@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
-#include "HandBench.h"
+#include "HandFixture.h"
 #include "window/fidelity/FidelityChoice.h"
 
 #include <QDockWidget>
@@ -29,7 +29,7 @@ class HapticWindowTest : public QObject {
 
   // Pushed into the ball the tip stays outside, and the hand is pushed back, outwards.
   void theModelIsFelt() {
-    HandBench b;
+    HandFixture b;
     QVERIFY(b.begin(ballIn(m_folder)));
     const Vec3 out = b.towardsViewer();
     b.leadTo(1.3 * kRadius * out);
@@ -46,7 +46,7 @@ class HapticWindowTest : public QObject {
 
   // With another document in view the one before is not felt any more.
   void onlyWhatIsSeenIsFelt() {
-    HandBench b;
+    HandFixture b;
     QVERIFY(b.begin(ballIn(m_folder)));
     const Vec3 out = b.towardsViewer();
     b.leadTo(0.8 * kRadius * out);
@@ -66,7 +66,7 @@ class HapticWindowTest : public QObject {
 
   // Nearer, the same motion of the hand is a finer one, and the tip stays where it is; out of view, it comes back.
   void theWorkspaceFollowsTheCamera() {
-    HandBench b;
+    HandFixture b;
     QVERIFY(b.begin(ballIn(m_folder)));
     auto* view = b.driver.find<Viewport>("viewport");
     const Vec3 place = 1.2 * kRadius * b.towardsViewer();
@@ -87,7 +87,7 @@ class HapticWindowTest : public QObject {
 
   // Stiffness is meant at the hand: in a view of half the height the scene is twice as stiff.
   void aModelFeelsAlikeFromAfarAndNear() {
-    HandBench b;
+    HandFixture b;
     QVERIFY(b.begin(ballIn(m_folder)));
     auto* view = b.driver.find<Viewport>("viewport");
     const auto stiffnessAtHand = [&] {
@@ -114,7 +114,7 @@ class HapticWindowTest : public QObject {
   // set beside the device is the same.
   void fidelityHoldsForTheOpenDevice() {
     QSettings().remove("fidelity");
-    HandBench b;
+    HandFixture b;
     auto& choice = *b.driver.window().findChild<FidelityChoice*>();
     choice.set("servo.rate", 500.0);
     QVERIFY(b.begin(ballIn(m_folder)));
@@ -136,7 +136,7 @@ class HapticWindowTest : public QObject {
   // The tip of the mouse lies on the surface; turned away from the user, the wheel pushes it in and the surface pushes
   // back, while the camera stays. With Ctrl the wheel is the camera's.
   void theMouseAsADevice() {
-    HandBench b;
+    HandFixture b;
     QVERIFY(b.driver.open(ballIn(m_folder)));
     b.session.choose("mouse", "pointer");
     auto* view = b.driver.find<Viewport>("viewport");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
-#include "HandBench.h"
+#include "HandFixture.h"
 
 using namespace handwheel;
 using namespace handwheel::test;

@@ -3,7 +3,7 @@
 #include "window/haptics/SpaceMouseNavigation.h"
 
 #include "../WindowTestMain.h"
-#include "CapBench.h"
+#include "CapFixture.h"
 #include "MeshShapes.h"
 #include "SoupCorners.h"
 
@@ -27,7 +27,7 @@ class SpaceMouseNavigationTest : public QObject {
 
   // Nobody has opened the panel of devices. The model goes where the cap is pushed: right, up, towards the user.
   void theModelFollowsTheCap() {
-    CapBench b;
+    CapFixture b;
     QVERIFY(b.begin(ball()));
     QCOMPARE(b.device.names(), std::vector<std::string>{"SpaceMouse Compact"});
     QVERIFY(!b.session.isOpen());
@@ -57,7 +57,7 @@ class SpaceMouseNavigationTest : public QObject {
   }
 
   void besideAHapticDevice() {
-    CapBench b;
+    CapFixture b;
     QVERIFY(b.begin(ball()));
     b.session.choose("simulated", "hand");
     QTRY_VERIFY_WITH_TIMEOUT(b.session.latest(), kPatienceMs);
@@ -70,7 +70,7 @@ class SpaceMouseNavigationTest : public QObject {
 
   // Chosen as the device it leads the tip, and only that.
   void chosenItLeadsTheTip() {
-    CapBench b;
+    CapFixture b;
     QVERIFY(b.begin(ball()));
     b.session.choose("spacemouse", "/dev/hidraw0");
     QVERIFY(b.device.names().empty());
@@ -86,7 +86,7 @@ class SpaceMouseNavigationTest : public QObject {
   }
 
   void unpluggedAndPluggedInAgain() {
-    CapBench b;
+    CapFixture b;
     QVERIFY(b.begin(ball()));
     b.plug(false);
     QVERIFY(b.waitForNavigation(false));
@@ -95,7 +95,7 @@ class SpaceMouseNavigationTest : public QObject {
   }
 
   void switchedOff() {
-    CapBench b;
+    CapFixture b;
     QVERIFY(b.begin(ball()));
     b.device.setMotion(false, 1.0);
     const CameraState start = b.rest();
@@ -108,7 +108,7 @@ class SpaceMouseNavigationTest : public QObject {
 
   // Without a node of a device nothing is looked for, and no plugin loaded.
   void withoutADeviceNothingIsLoaded() {
-    CapBench b;
+    CapFixture b;
     b.device.watch({b.dev.path()});
     QTest::qWait(1500);
     QVERIFY(b.session.finder().found().empty() && b.device.names().empty());

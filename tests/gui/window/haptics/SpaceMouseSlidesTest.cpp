@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
-#include "CapBench.h"
+#include "CapFixture.h"
 #include "tools/workpiece/ManualLatheTool.h"
 #include "window/tools/ToolHost.h"
 
@@ -11,7 +11,7 @@ using namespace handwheel::test;
 namespace {
 
 // The manual lathe with a new bar, seen as it begins: the axis to the right, the operator's side towards the viewer.
-struct CapAtTheLathe : CapBench {
+struct CapAtTheLathe : CapFixture {
   const ManualLatheTool* lathe() {
     return dynamic_cast<const ManualLatheTool*>(driver.window().findChild<ToolHost*>()->runner().tool());
   }

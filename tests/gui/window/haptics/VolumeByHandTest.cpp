@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
-#include "HandBench.h"
+#include "HandFixture.h"
 #include "document/volume/VolumeDocument.h"
 #include "plot/PlotWidget.h"
 #include "tools/volume/DrillingTool.h"
-#include "volume/VolumeReader.h"
+#include "volume/VolumeSampler.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/tools/ToolHost.h"
@@ -22,14 +22,14 @@ using namespace handwheel::test;
 namespace {
 
 // A window in which a mesh becomes a volume that the simulated hand works on.
-struct HandOnVolume : HandBench {
+struct HandOnVolume : HandFixture {
   Viewport* view = driver.find<Viewport>("viewport");
 
   ToolRunner& runner() { return driver.window().findChild<ToolHost*>()->runner(); }
   VolumeDocument* document() {
     return dynamic_cast<VolumeDocument*>(&driver.window().findChild<DocumentTabs*>()->current()->document);
   }
-  double depthAt(const Vec3& p) { return VolumeReader(document()->volume()->volume).depthAt(p).depth; }
+  double depthAt(const Vec3& p) { return VolumeSampler(document()->volume()->volume).depthAt(p).depth; }
   double material() { return document()->volume()->volume.material(); }
 
   // Volumes are made by jobs, which take long with sanitizers.

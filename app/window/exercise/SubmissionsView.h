@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/exercise/MarkingReport.h"
+
+#include <QWidget>
+
+class QPushButton;
+
+namespace handwheel {
+
+class ResultTable;
+class TimeLinePanel;
+
+// The submissions of a class as a table that sorts by each column. The recordings of up to two of them are on a time
+// line.
+class SubmissionsView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SubmissionsView(QWidget* parent = nullptr);
+
+  void setReport(SubmissionsReport report);
+  // The report with the works in the order in which the table shows them.
+  SubmissionsReport shownReport() const;
+  // The same with the two selected works alone.
+  SubmissionsReport comparedReport() const;
+
+ signals:
+  void markingRequested();
+  void reportRequested();
+  void comparisonRequested();
+  void tableRequested();
+  void openRequested(std::size_t work);  // of the report
+  void removalRequested(const std::vector<std::size_t>& works);
+
+ private:
+  void showRecordings();
+  std::vector<std::size_t> selected() const;        // works of the report
+  std::vector<std::size_t> selectedMarked() const;  // those that could be marked
+
+  SubmissionsReport m_report;
+  ResultTable* m_table;
+  QPushButton* m_writeReport;
+  QPushButton* m_writeTable;
+  QPushButton* m_compare;
+  QPushButton* m_remove;
+  TimeLinePanel* m_recordings;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "machining/TurningPass.h"
+#include "window/JobRunner.h"
+#include "window/kinds/KindUi.h"
+
+#include <QAction>
+
+namespace handwheel {
+
+// The command that cuts a thread into the workpiece.
+class ThreadAction : public QObject {
+  Q_OBJECT
+
+ public:
+  ThreadAction(const WindowContext& parts, QObject* parent);
+
+  void setDocument(DocumentTab* document);
+  QAction* action() { return &m_cut; }
+
+ private:
+  void ask();
+  // As a job, and one undo step.
+  void cut(DocumentTab* document, const TurningPass& pass);
+
+  WindowContext m_parts;
+  QAction m_cut;
+  DocumentTab* m_document = nullptr;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "exercise/Attempt.h"
+#include "exercise/Marking.h"
+#include "exercise/WorkOrigin.h"
+
+namespace handwheel {
+
+// One submission of a school class.
+struct SubmissionRow {
+  std::string file;  // its name
+  Attempt attempt;
+  Marking marking;
+  WorkOrigin origin = WorkOrigin::Unknown;
+  std::string problem = {};               // why it was not marked; empty: it was
+  std::vector<std::string> remarks = {};  // what the teacher is to know of the file
+  std::optional<std::size_t> tries = {};  // that the work took; none: they are not counted of its kind
+};
+
+// The submissions of a class as one table. It has a row for each, and a column for each criterion.
+class SubmissionTable {
+ public:
+  // The columns before those of the criteria; what a teacher looks for is first.
+  enum Column : std::size_t { Student, Points, Percent, Minutes, Hints, Made, Tries, HandedIn, File, FirstCriterion };
+
+  explicit SubmissionTable(const Exercise& exercise);
+
+  void add(SubmissionRow row) { m_rows.push_back(std::move(row)); }
+  const std::vector<SubmissionRow>& rows() const { return m_rows; }
+
+  std::size_t columns() const { return m_criteria.size() + FirstCriterion; }
+  // English, or the name of a criterion.
+  std::string heading(std::size_t column) const;
+  bool isNumber(std::size_t column) const {
+    return column != Student && column != Made && column != HandedIn && column != File;
+  }
+  // As a text; numbers with a decimal point, how the work was made in English. Empty where there is none.
+  std::string cell(std::size_t row, std::size_t column) const;
+
+  // Sorts by a column; numbers by value, what is empty last. Equal rows keep their order.
+  void sort(std::size_t column, bool isDescending);
+
+  // RFC 4180 in UTF-8, with the mark by which spreadsheets know that, and a header; fields that a spreadsheet would
+  // take for a formula get an apostrophe in front.
+  // translated: of the headings that are not names of criteria, and of how work was made; null: English.
+  std::string csv(std::string (*translated)(const std::string&) = nullptr) const;
+
+ private:
+  std::optional<double> number(const SubmissionRow& row, std::size_t column) const;
+  std::string cell(const SubmissionRow& row, std::size_t column) const;
+
+  std::vector<MarkingCriterion> m_criteria;
+  std::vector<SubmissionRow> m_rows;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "machining/program/ProgramErrors.h"
+
+#include <cstdint>
+
+namespace handwheel {
+
+// The budget of computation for all contour cycles of a program together. In steps from segment to segment, about 100
+// ns each: a program of a few lines can ask for any number. Looks at the cancel flag.
+class CycleBudget {
+ public:
+  static constexpr std::uint64_t kMost = 20'000'000;
+
+  explicit CycleBudget(Progress progress) : m_progress(progress) {}
+
+  // Throws ProgramRefusal when there is no more, or when the run is cancelled.
+  void spend(std::uint64_t steps, const ProgramPlace& place);
+
+ private:
+  Progress m_progress;
+  std::uint64_t m_done = 0, m_look = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/target/ProfileFromMesh.h"
+
+#include "base/NumberText.h"
+#include "machining/target/OutlineJoining.h"
+#include "machining/target/TargetErrors.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kRingWidth = 1e-4;  // mm: points nearer than this in r and z are of one ring
+constexpr double kRingGap = 1e-3;    // mm, between the ends of the outline's pieces
+
+struct Axis {
+  Vec3 point{0, 0, 0}, direction{0, 0, 1};
+};
+
+// All normals of a surface of revolution meet its axis, a line with the direction d and the moment m:
+// d · (c × n) + m · n = 0 for each point c (Pottmann and Randrup 1998). Least squares with |d| = 1.
+class NormalLines {
+ public:
+  explicit NormalLines(const TriangleSoup& soup) {
+    for (const Vec3& p : soup.points) m_centre += p / static_cast<double>(soup.points.size());
+    for (const Triangle& t : soup.triangles) {
+      const Vec3 a = soup.points[t[0]] - m_centre, b = soup.points[t[1]] - m_centre, c = soup.points[t[2]] - m_centre;
+      const Vec3 twice = (b - a).cross(c - a);
+      const double weight = twice.norm();
+      if (!(weight > 0.0)) continue;
+      const Vec3 normal = twice / weight, moment = ((a + b + c) / 3.0).cross(normal);
+      m_moments += weight * moment * moment.transpose();
+      m_mixed += weight * moment * normal.transpose();
+      m_normals += weight * normal * normal.transpose();
+    }
+    m_solve = m_normals.completeOrthogonalDecomposition().solve(m_mixed.transpose());
+  }
+
+  // The best line of a direction.
+  Axis along(const Vec3& direction) const {
+    const Vec3 moment = -m_solve * direction;
+    return {m_centre + direction.cross(moment), direction};
+  }
+  Axis best() const {
+    const Eigen::Matrix3d left = m_moments - m_mixed * m_solve;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 * (left + left.transpose()));
+    Vec3 direction = solver.eigenvectors().col(0);
+    Eigen::Index largest = 0;
+    direction.cwiseAbs().maxCoeff(&largest);
+    if (direction[largest] < 0.0) direction = -direction;
+    return along(direction);
+  }
+
+ private:
+  Vec3 m_centre{0, 0, 0};
+  Eigen::Matrix3d m_moments = Eigen::Matrix3d::Zero(), m_mixed = Eigen::Matrix3d::Zero(),
+                  m_normals = Eigen::Matrix3d::Zero(), m_solve = Eigen::Matrix3d::Zero();
+};
+
+// The points of a mesh about an axis, sorted into rings.
+class MeshRings {
+ public:
+  MeshRings(const TriangleSoup& soup, const Axis& axis) : m_ring(soup.points.size()) {
+    const Vec3 across = axis.direction.unitOrthogonal(), third = axis.direction.cross(across);
+    for (std::size_t i = 0; i < soup.points.size(); ++i) {
+      const Vec3 from = soup.points[i] - axis.point;
+      const double x = from.dot(across), y = from.dot(third);
+      m_places.push_back({std::hypot(x, y), axis.direction.dot(soup.points[i]), std::atan2(y, x), i});
+    }
+    std::sort(m_places.begin(), m_places.end(), [](const Place& a, const Place& b) { return a.z < b.z; });
+    split(0, m_places.size(), &Place::z, [this](std::size_t first, std::size_t last) {
+      std::sort(at(first), at(last), [](const Place& a, const Place& b) { return a.r < b.r; });
+      split(first, last, &Place::r, [this](std::size_t f, std::size_t l) { addRing(f, l); });
+    });
+  }
+
+  std::size_t ringOf(std::size_t point) const { return m_ring[point]; }
+  const ProfilePoint& place(std::size_t ring) const { return m_rings[ring]; }
+  // How far the widest gap of a ring leaves the circle by its chord, mm.
+  double deviation() const { return m_deviation; }
+  double largestRadius() const { return m_largest; }
+
+ private:
+  struct Place {
+    double r, z, angle;
+    std::size_t point;
+  };
+  std::vector<Place>::iterator at(std::size_t i) { return m_places.begin() + static_cast<std::ptrdiff_t>(i); }
+
+  template <class Take>
+  void split(std::size_t first, std::size_t last, double Place::*by, const Take& take) {
+    for (std::size_t begin = first; begin < last;) {
+      std::size_t end = begin + 1;
+      while (end < last && m_places[end].*by - m_places[end - 1].*by <= kRingWidth) ++end;
+      take(begin, end);
+      begin = end;
+    }
+  }
+
+  void addRing(std::size_t first, std::size_t last) {
+    ProfilePoint middle(0, 0);
+    std::vector<double> angles;
+    for (std::size_t i = first; i < last; ++i) {
+      middle += ProfilePoint(m_places[i].r, m_places[i].z) / static_cast<double>(last - first);
+      angles.push_back(m_places[i].angle);
+      m_ring[m_places[i].point] = m_rings.size();
+    }
+    if (middle.x() <= kRingWidth) middle.x() = 0.0;
+    m_rings.push_back(middle);
+    m_largest = std::max(m_largest, middle.x());
+    std::sort(angles.begin(), angles.end());
+    double gap = angles.front() + 2.0 * M_PI - angles.back();
+    for (std::size_t i = 1; i < angles.size(); ++i) gap = std::max(gap, angles[i] - angles[i - 1]);
+    m_deviation = std::max(m_deviation, middle.x() * (1.0 - std::cos(0.5 * std::min(gap, 2.0 * M_PI))));
+  }
+
+  std::vector<Place> m_places;
+  std::vector<ProfilePoint> m_rings;
+  std::vector<std::size_t> m_ring;  // of each point
+  double m_deviation = 0.0, m_largest = 0.0;
+};
+
+// The lines from ring to ring, once each.
+std::vector<ProfileSegment> linesBetween(const TriangleSoup& soup, const MeshRings& rings) {
+  std::set<std::pair<std::size_t, std::size_t>> joined;
+  for (const Triangle& t : soup.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t a = rings.ringOf(t[static_cast<std::size_t>(k)]);
+      const std::size_t b = rings.ringOf(t[static_cast<std::size_t>((k + 1) % 3)]);
+      if (a != b) joined.insert(std::minmax(a, b));
+    }
+  }
+  std::vector<ProfileSegment> lines;
+  for (const auto& [a, b] : joined) {
+    if (rings.place(a).x() > 0.0 || rings.place(b).x() > 0.0) lines.push_back({rings.place(a), rings.place(b), 0.0});
+  }
+  return lines;
+}
+
+}  // namespace
+
+double turnedMeshTolerance(double radius) {
+  constexpr double kLeast = 0.1, kShare = 0.005;
+  return std::max(kLeast, kShare * radius);
+}
+
+// Directions of the coordinates go first: a ball has many axes.
+Result<ProfileFromMesh> profileFromMesh(const TriangleSoup& soup, Progress progress) {
+  if (soup.triangles.empty()) return Error{TargetError::NoAxis, {}, {}, {}};
+  const NormalLines lines(soup);
+  double least = std::numeric_limits<double>::infinity(), tolerance = 0.0;
+  for (const Axis& axis :
+       {lines.along(Vec3::UnitZ()), lines.along(Vec3::UnitX()), lines.along(Vec3::UnitY()), lines.best()}) {
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    const MeshRings rings(soup, axis);
+    const double allowed = turnedMeshTolerance(rings.largestRadius());
+    if (rings.deviation() < least) {
+      least = rings.deviation();
+      tolerance = allowed;
+    }
+    if (!(rings.deviation() <= allowed)) continue;
+    Result<std::vector<ProfileSegment>> outline = joinedOutline(linesBetween(soup, rings), kRingGap, progress);
+    if (!outline) return outline.error();
+    Result<TargetProfile> target = TargetProfile::make(std::move(outline.value()), progress);
+    if (!target) return target.error();
+    return ProfileFromMesh{std::move(target.value()), rings.deviation()};
+  }
+  return Error{TargetError::MeshNotTurned, {roundedText(least, 3), roundedText(tolerance, 3)}, {}, {}};
+}
+
+}  // namespace handwheel

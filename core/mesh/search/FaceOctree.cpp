@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/search/FaceOctree.h"
+
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+// So that cell numbers fit: a cell is not smaller than this share of its coordinates.
+constexpr int kSmallestShare = -40;
+
+}  // namespace
+
+double FaceOctree::Range::count() const {
+  double n = 1.0;
+  for (std::size_t k = 0; k < 3; ++k) n *= static_cast<double>(high[k]) - static_cast<double>(low[k]) + 1.0;
+  return n;
+}
+
+int FaceOctree::levelOf(const Box& box) {
+  const double size = box.sizes().maxCoeff();
+  const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double least = std::max(std::ldexp(reach, kSmallestShare), 1e-300);
+  return std::ilogb(std::max(size, least)) + 1;
+}
+
+FaceOctree::Cell FaceOctree::cellOf(const Vec3& p, int level) {
+  // A box that is asked for may reach beyond all cells of a fine level.
+  constexpr double kMost = 0x1p62;
+  Cell cell{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double number = std::floor(std::ldexp(p[static_cast<Eigen::Index>(k)], -level));
+    cell[k] = static_cast<std::int64_t>(std::clamp(number, -kMost, kMost));
+  }
+  return cell;
+}
+
+FaceOctree::Range FaceOctree::rangeOf(const Box& box, int level) {
+  Range range{cellOf(box.min(), level), cellOf(box.max(), level)};
+  for (std::int64_t& k : range.low) --k;  // a face may begin in the cell before
+  return range;
+}
+
+FaceOctree::Cell FaceOctree::wholeOf(const Cell& part) {
+  return {part[0] >> 1, part[1] >> 1, part[2] >> 1};
+}
+
+FaceOctree::Cell FaceOctree::partOf(const Cell& whole, unsigned child) {
+  return {2 * whole[0] + (child & 1), 2 * whole[1] + (child >> 1 & 1), 2 * whole[2] + (child >> 2 & 1)};
+}
+
+std::uint8_t FaceOctree::bitOf(const Cell& part) {
+  return static_cast<std::uint8_t>(1u << ((part[0] & 1) | (part[1] & 1) << 1 | (part[2] & 1) << 2));
+}
+
+// Makes a level the largest if none is as large.
+void FaceOctree::raiseTo(int level) {
+  if (m_levels.empty()) m_levels[level];
+  for (int top = m_levels.rbegin()->first; top < level; ++top) {
+    Cells& above = m_levels[top + 1];
+    for (const auto& [cell, node] : m_levels[top]) above[wholeOf(cell)].children |= bitOf(cell);
+  }
+}
+
+// Marks a new cell in those that it is a part of.
+void FaceOctree::tellAbove(int level, Cell cell) {
+  bool isNew = true;
+  for (const int top = m_levels.rbegin()->first; isNew && level < top; ++level) {
+    const std::uint8_t bit = bitOf(cell);
+    cell = wholeOf(cell);
+    const auto [above, wasMissing] = m_levels[level + 1].try_emplace(cell);
+    above->second.children |= bit;
+    isNew = wasMissing;
+  }
+}
+
+void FaceOctree::add(Face f, const Box& box) {
+  const int level = levelOf(box);
+  raiseTo(level);
+  const Cell cell = cellOf(box.min(), level);
+  const auto [place, isNew] = m_levels[level].try_emplace(cell);
+  place->second.faces.push_back(f);
+  if (isNew) tellAbove(level, cell);
+}
+
+void FaceOctree::remove(Face f, const Box& box) {
+  const int level = levelOf(box);
+  auto cells = m_levels.find(level);
+  if (cells == m_levels.end()) return;
+  Cell cell = cellOf(box.min(), level);
+  auto found = cells->second.find(cell);
+  if (found == cells->second.end()) return;
+  std::vector<Face>& faces = found->second.faces;
+  const auto place = std::find(faces.begin(), faces.end(), f);
+  if (place == faces.end()) return;
+  *place = faces.back();
+  faces.pop_back();
+  while (found->second.faces.empty() && found->second.children == 0) {
+    cells->second.erase(found);
+    if (++cells == m_levels.end()) return;
+    const auto others = static_cast<std::uint8_t>(~bitOf(cell));
+    cell = wholeOf(cell);
+    found = cells->second.find(cell);
+    found->second.children &= others;
+  }
+}
+
+}  // namespace handwheel

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/structure/HalfEdgeMesh.h"
+
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+namespace handwheel {
+
+// A loose octree of face boxes, with insertion and removal. There is a level for each power of two in size: a box lies
+// in the level whose cells are just larger than it is, in the cell of its lowest corner, and so reaches into the next
+// cell at most (Ulrich, "Loose octrees", 2000). Cells without faces in or below them are not there.
+class FaceOctree {
+ public:
+  // Boxes are finite; one that is removed is the one that was added.
+  void add(Face f, const Box& box);
+  void remove(Face f, const Box& box);
+
+  // Calls visit(face) once for each face near the box, at least for those whose boxes meet it, until it returns false.
+  // Returns false when a visit did.
+  template <class Visit>
+  bool forEachNear(const Box& box, Visit visit) const {
+    if (m_levels.empty()) return true;
+    const auto top = std::prev(m_levels.end());
+    const Range range = rangeOf(box, top->first);
+    Walk<Visit> walk{box, visit, {range}};
+    if (range.count() > static_cast<double>(top->second.size())) {
+      for (const auto& [cell, node] : top->second) {
+        if (range.contains(cell) && !walk.down(top, 0, cell, node)) return false;
+      }
+      return true;
+    }
+    return range.forEach([&](const Cell& cell) {
+      const auto found = top->second.find(cell);
+      return found == top->second.end() || walk.down(top, 0, cell, found->second);
+    });
+  }
+
+ private:
+  using Cell = std::array<std::int64_t, 3>;
+  struct Hash {
+    std::size_t operator()(const Cell& c) const {
+      std::uint64_t h = 0;
+      for (const std::int64_t k : c) h = (h ^ static_cast<std::uint64_t>(k)) * 0x9e3779b97f4a7c15u, h ^= h >> 29;
+      return h;
+    }
+  };
+  struct Node {
+    std::vector<Face> faces;    // that lie in its level
+    std::uint8_t children = 0;  // a bit for each of its eight parts that is there
+  };
+  using Cells = std::unordered_map<Cell, Node, Hash>;
+  using Levels = std::map<int, Cells>;
+
+  struct Range {
+    Cell low, high;
+    double count() const;
+    bool contains(const Cell& cell) const {
+      for (std::size_t k = 0; k < 3; ++k)
+        if (cell[k] < low[k] || cell[k] > high[k]) return false;
+      return true;
+    }
+    template <class Visit>
+    bool forEach(Visit visit) const {
+      for (std::int64_t x = low[0]; x <= high[0]; ++x)
+        for (std::int64_t y = low[1]; y <= high[1]; ++y)
+          for (std::int64_t z = low[2]; z <= high[2]; ++z)
+            if (!visit(Cell{x, y, z})) return false;
+      return true;
+    }
+  };
+
+  // One search, from the largest cells down.
+  template <class Visit>
+  struct Walk {
+    const Box& box;
+    Visit& visit;
+    std::vector<Range> ranges;  // of the levels from the top, as far down as the search has come
+
+    bool down(Levels::const_iterator level, std::size_t depth, const Cell& cell, const Node& node) {
+      for (const Face f : node.faces)
+        if (!visit(f)) return false;
+      if (node.children == 0) return true;
+      const auto below = std::prev(level);
+      if (ranges.size() == depth + 1) ranges.push_back(rangeOf(box, below->first));
+      const Range range = ranges[depth + 1];
+      for (unsigned child = 0; child < 8; ++child) {
+        if ((node.children >> child & 1u) == 0) continue;
+        const Cell part = partOf(cell, child);
+        if (range.contains(part) && !down(below, depth + 1, part, below->second.find(part)->second)) return false;
+      }
+      return true;
+    }
+  };
+
+  static int levelOf(const Box& box);
+  static Cell cellOf(const Vec3& p, int level);
+  // The cells of a level in which faces near the box can begin.
+  static Range rangeOf(const Box& box, int level);
+  static Cell wholeOf(const Cell& part);
+  static Cell partOf(const Cell& whole, unsigned child);
+  static std::uint8_t bitOf(const Cell& part);
+
+  void raiseTo(int level);
+  void tellAbove(int level, Cell cell);
+
+  // By the exponent of the size of their cells. The cells that are parts of others are there in all levels up to the
+  // largest.
+  Levels m_levels;
+};
+
+}  // namespace handwheel

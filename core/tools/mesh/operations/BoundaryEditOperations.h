@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Operation.h"
+#include "mesh/boundary/BoundarySmoothing.h"
+
+namespace handwheel {
+
+// The descriptions of manual changes at open edges (ManualMeshChanges.h).
+std::vector<Operation> boundaryEditOperations();
+
+// The options of smoothing an open edge.
+SmoothingOptions smoothingOptionsOf(const OperationValues& values);
+OperationValues valuesOf(const SmoothingOptions& options);
+
+}  // namespace handwheel

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Operation.h"
+
+namespace handwheel {
+
+// The descriptions of placing a mesh: by numbers (Placement), and the predefined ways (standardPlaces()).
+std::vector<Operation> transformOperations();
+
+}  // namespace handwheel

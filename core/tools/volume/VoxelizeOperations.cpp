@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/volume/VoxelizeOperations.h"
+
+#include "mesh/simplify/Decimation.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "volume/surface/SharpSurface.h"
+#include "volume/surface/VolumeToSurface.h"
+
+#include <QtGlobal>
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+Parameter methodParameter() {
+  return {.property = {.id = "method",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Method"),
+                       .value = 0.0,
+                       .choices = {QT_TRANSLATE_NOOP("Property", "Distances"),
+                                   QT_TRANSLATE_NOOP("Property", "Density")}},  // as VoxelMethod
+          .meaning =
+              "sign: distances from the surface, signed by winding numbers; density: the share of each voxel that "
+              "is inside, by rays along three axes, less exact",
+          .word = "METHOD",
+          .words = {"sign", "density"}};
+}
+
+Parameter polygonsParameter() {
+  return {.property = {.id = "method",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Method"),
+                       .value = 0.0,
+                       .choices = {QT_TRANSLATE_NOOP("Property", "Marching cubes"),
+                                   QT_TRANSLATE_NOOP("Property", "Dual contouring")}},
+          .meaning =
+              "marching: marching cubes, which cut edges off by up to half a voxel; dual: with sharp edges and "
+              "corners, as dual contouring finds them",
+          .word = "METHOD",
+          .words = {"marching", "dual"}};
+}
+
+// Its blocks have points of their own, which are the same where they meet.
+HalfEdgeMesh meshOf(const VolumeTriangles& triangles) {
+  TriangleSoup soup;
+  for (std::size_t i = 0; i + 2 < triangles.points.size(); i += 3)
+    soup.points.emplace_back(triangles.points[i], triangles.points[i + 1], triangles.points[i + 2]);
+  for (std::size_t i = 0; i + 2 < triangles.corners.size(); i += 3)
+    soup.triangles.push_back({static_cast<std::uint32_t>(triangles.corners[i]),
+                              static_cast<std::uint32_t>(triangles.corners[i + 1]),
+                              static_cast<std::uint32_t>(triangles.corners[i + 2])});
+  return buildMesh(soup).mesh;
+}
+
+}  // namespace
+
+Parameter lengthParameter(const char* id, const char* label, std::string meaning, double least, double largest) {
+  return {.property = {.id = id,
+                       .group = {},
+                       .label = label,
+                       .value = 0.0,
+                       .quantity = Quantity::Length,
+                       .least = least,
+                       .largest = largest},
+          .meaning = std::move(meaning),
+          .word = "MM",
+          .hasDefault = false};
+}
+
+const Operation& voxelizeOperation() {
+  static const Operation operation = {
+      .id = "voxelize",
+      .title = QT_TRANSLATE_NOOP("Tool", "Make volume"),
+      .meaning = "Samples the space that a surface encloses",
+      .parameters = {lengthParameter("voxel", QT_TRANSLATE_NOOP("Property", "Voxel"),
+                                     "Edge of a voxel; default: a 256th of the largest extent"),
+                     methodParameter(),
+                     lengthParameter("wall", QT_TRANSLATE_NOOP("Property", "Wall thickness"),
+                                     "Make walls of this thickness of the triangles: of open sheets, and of triangles "
+                                     "that share no edges, which enclose nothing")}};
+  return operation;
+}
+
+const Operation& remeshOperation() {
+  static const Operation operation = [] {
+    Parameter faces = {.property = {.id = "faces",
+                                    .group = {},
+                                    .label = QT_TRANSLATE_NOOP("Property", "Triangles"),
+                                    .value = 0.0,
+                                    .least = 0.0,
+                                    .largest = 1e9},
+                       .meaning = "Reduce to this many triangles; default: as few as --error allows",
+                       .word = "N",
+                       .isWhole = true};
+    return Operation{.id = "remesh",
+                     .title = QT_TRANSLATE_NOOP("Tool", "Make mesh"),
+                     .meaning = "Creates a mesh of the surface of a volume",
+                     .parameters = {lengthParameter("error", QT_TRANSLATE_NOOP("Property", "Largest distance"),
+                                                    "Reduce triangles within this distance of the surface"),
+                                    std::move(faces), polygonsParameter()}};
+  }();
+  return operation;
+}
+
+double predictedTriangles(const VolumeSurface& surface, const OperationValues& values, Progress progress) {
+  constexpr std::size_t kTried = 40'000;  // triangles, and at least one piece
+  const auto total = static_cast<double>(surface.triangleCount());
+  const double wanted = static_cast<double>(values.whole("faces"));
+  if (!values.given("error")) return wanted > 0.0 ? std::min(wanted, total) : total;
+  const std::size_t pieces = surface.pieces().size();
+  const std::size_t step = std::max<std::size_t>(1, surface.triangleCount() / kTried);
+  double before = 0.0, after = 0.0;
+  std::size_t number = 0;
+  for (const auto& [key, piece] : surface.pieces()) {
+    if (progress.cancelled()) return 0.0;
+    progress.set(static_cast<double>(number) / static_cast<double>(pieces));
+    if (number++ % step != 0) continue;
+    HalfEdgeMesh mesh = meshOf(piece->fine);
+    before += static_cast<double>(mesh.liveFaceCount());
+    DecimationOptions options;
+    options.error = values.given("error");
+    after += static_cast<double>(decimate(mesh, options, progress.part(0.0, 1.0)).facesAfter);
+  }
+  return before > 0.0 ? std::max(wanted, total * after / before) : total;
+}
+
+Result<Remeshed> remesh(const SparseVolume& volume, const OperationValues& values, Progress progress) {
+  const bool isReduced = values.given("error") || values.whole("faces") > 0;
+  const Progress making = progress.part(0.0, isReduced ? 0.2 : 1.0);
+  Remeshed done;
+  const bool isSharp = values.whole("method") == 1;
+  const TriangleSoup surface =
+      isSharp ? sharpSurfaceOf(volume, making.part(0.0, 0.5)) : surfaceOf(volume, making.part(0.0, 0.5));
+  done.before = surface.triangles.size();
+  done.mesh = buildMesh(surface, making.part(0.5, 1.0)).mesh;
+  if (isReduced && !progress.cancelled()) {
+    DecimationOptions options;
+    options.faces = values.whole("faces");
+    options.error = values.given("error");
+    options.avoidIntersections = true;
+    options.measureDistance = true;
+    done.largestDistance = decimate(done.mesh, options, progress.part(0.2, 1.0)).largestDistance;
+  }
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  return done;
+}
+
+}  // namespace handwheel

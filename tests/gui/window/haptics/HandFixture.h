@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "../WindowDriver.h"
+#include "MeshShapes.h"
+#include "SoupCorners.h"
+#include "window/haptics/HapticSession.h"
+
+#include <sstream>
+
+namespace handwheel::test {
+
+// A ball of this radius about the origin, closed.
+inline constexpr double kRadius = 50.0;
+
+inline std::vector<Corners> ballOf(int levels, const Vec3& centre, double radius) {
+  return cornersOf(moved(icosphere(levels), centre, radius));
+}
+
+// Writes the ball as a file into a folder.
+inline QString ballIn(const QTemporaryDir& folder) {
+  const QString path = folder.filePath(QStringLiteral("ball.stl"));
+  writeStl(path, ballOf(3, Vec3::Zero(), kRadius));
+  return path;
+}
+
+// The simulated hand goes on to this place, as one does that sees where its tip is: one that stayed where it was when
+// the view changed is not where the mapping alone would have it. Said again and again, as the view may still change;
+// not before the tip has come into the scene.
+inline void bringHandTo(HapticSession& session, const Vec3& place, std::uint32_t buttons = 0) {
+  const ServoSample& now = *session.latest();
+  const WorkspaceMapping mapping = session.mappingInScene();
+  const Vec3 inView = mapping.sceneFromView.linear().transpose() * (place - now.tip.position);
+  HandPose pose;
+  pose.position = now.device.position + mapping.viewFromDevice().transpose() * inView / mapping.scale;
+  pose.buttons = buttons;
+  session.simulatedHand()->setTarget(pose);
+}
+
+// A window with a ball in it and the simulated hand open.
+struct HandFixture {
+  WindowDriver driver;
+  HapticSession& session;
+
+  HandFixture() : session(*driver.window().findChild<HapticSession*>()) {}
+  ~HandFixture() {
+    if (QTest::currentTestFailed() && session.latest()) report();
+    session.close();
+  }
+
+  bool begin(const QString& file) {
+    if (!driver.open(file)) return false;
+    session.choose("simulated", "hand");
+    return QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs) && driver.settle();
+  }
+  // The hand goes to where this place in the scene is for it.
+  void leadTo(const Vec3& place, std::uint32_t buttons = 0) {
+    const WorkspaceMapping mapping = session.mappingInScene();
+    HandPose pose;
+    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+    pose.buttons = buttons;
+    session.simulatedHand()->setTarget(pose);
+  }
+  void bringTo(const Vec3& place) { bringHandTo(session, place); }
+  // It comes to rest there, touching nothing: one that flies past would go through an open edge, or touch its inside.
+  bool arrives(const Vec3& place, double within) {
+    const auto isThere = [&] {
+      bringTo(place);
+      return (now().tip.position - place).norm() < within && now().tip.velocity.norm() < 10.0 * within &&
+             !now().felt.isContact;
+    };
+    return QTest::qWaitFor(isThere, kPatienceMs);
+  }
+  const ServoSample& now() { return *session.latest(); }
+  Vec3 towardsViewer() { return driver.find<Viewport>("viewport")->camera().towardsViewer(); }
+  // Where a place appears in the view.
+  QPoint pixelOf(const Vec3& place) {
+    const auto* view = driver.find<Viewport>("viewport");
+    const Vec2 at = CameraNavigation(view->camera(), Vec2(view->width(), view->height())).toScreen(place);
+    return {static_cast<int>(at.x()), static_cast<int>(at.y())};
+  }
+  bool waitForContact() {
+    return QTest::qWaitFor([this] { return now().felt.isContact && now().felt.force.norm() > 0.0; }, kPatienceMs);
+  }
+  // On the ball, this way out of its middle: the tip comes into contact, and then holds the first button.
+  bool pressOnBall(const Vec3& out) {
+    leadTo(0.97 * kRadius * out);
+    if (!waitForContact()) return false;
+    leadTo(0.97 * kRadius * out, 1);
+    return QTest::qWaitFor([this] { return now().device.buttons == 1u; }, kPatienceMs);
+  }
+  // What a test that failed has last felt.
+  void report() {
+    const ServoSample& s = now();
+    std::ostringstream out;
+    out << "tip " << s.tip.position.transpose() << ", " << s.tip.velocity.norm() << " mm/s; proxy "
+        << s.felt.proxy.transpose() << "; force " << s.felt.force.transpose() << "; contact " << s.felt.isContact
+        << ", held " << s.felt.isHeld << ", scale " << session.mappingInScene().scale << ", tick " << s.tick;
+    qInfo("%s", out.str().c_str());
+  }
+};
+
+}  // namespace handwheel::test

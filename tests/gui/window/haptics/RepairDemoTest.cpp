@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowDriver.h"
+#include "../WindowTestMain.h"
+#include "window/haptics/HapticSession.h"
+#include "window/haptics/ScriptedDeviceDemo.h"
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr int kWholeMs = 120000;
+
+struct ShowBench {
+  WindowDriver driver;
+  ScriptedDeviceDemo& show;
+  HapticSession& session;
+
+  ShowBench()
+      : show(*driver.window().findChild<ScriptedDeviceDemo*>()), session(*driver.window().findChild<HapticSession*>()) {
+    show.setPace(3.0);
+  }
+  ~ShowBench() { session.close(); }
+
+  bool waitFor(const QString& caption) {
+    return QTest::qWaitFor([&] { return show.caption().startsWith(caption); }, kWholeMs);
+  }
+  // The steps that can be undone, the last first; afterwards none can.
+  QStringList undoAll() {
+    auto* undo = driver.find<QAction>("undo");
+    QStringList steps;
+    for (; undo->isEnabled() && steps.size() < 100; undo->trigger()) steps << undo->text();
+    driver.settle();
+    return steps;
+  }
+};
+
+}  // namespace
+
+// The simulated hand repairs a hole in the window, from the servo loop to the undo step.
+class RepairDemoTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // Smoothed, bridged, two parts filled, subdivided, pulled, the seam smoothed: seven steps, and one hole less. The
+  // first step is that of opening, which has reversed triangles.
+  void aHoleIsRepaired() {
+    ShowBench b;
+    QSignalSpy ended(&b.show, &ScriptedDeviceDemo::ended);
+    b.driver.choose("watchRepair");
+    QVERIFY(b.waitFor("1 of 5"));
+    QVERIFY(b.session.simulatedHand());
+    const int holes = b.driver.count(DefectKind::Hole);
+    QVERIFY(b.waitFor("4 of 5"));
+    QTRY_COMPARE(b.driver.count(DefectKind::Hole), holes + 1);  // the bridge has parted it
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kWholeMs);
+    QVERIFY(ended.first().first().toBool());
+    QVERIFY(b.driver.settle());
+    QCOMPARE(b.driver.count(DefectKind::Hole), holes - 1);
+    QVERIFY(!b.session.isOpen() && b.session.chosen().driver.empty());
+    QStringList steps = b.undoAll();
+    for (QString& step : steps) step = step.section(QLatin1Char(' '), 1, 1);  // "Fill", of "&Undo Fill hole 8"
+    QCOMPARE(steps, QStringList({"Smooth", "Drag", "Subdivide", "Fill", "Fill", "Add", "Smooth", "Triangles"}));
+    QCOMPARE(b.driver.count(DefectKind::Hole), holes);
+  }
+
+  // Stopped in the midst nothing stays in the air, and the device comes back that was in use.
+  void itCanBeStopped() {
+    ShowBench b;
+    b.session.choose("mouse", "pointer");
+    QTRY_VERIFY(b.session.mouse());
+    QSignalSpy ended(&b.show, &ScriptedDeviceDemo::ended);
+    b.driver.choose("watchRepair");
+    QVERIFY(b.waitFor("3 of 5"));
+    b.driver.find<QAction>("stopShow")->trigger();
+    QVERIFY(!b.show.isRunning() && b.show.caption().isEmpty());
+    QCOMPARE(ended.count(), 1);
+    QVERIFY(!ended.first().first().toBool());
+    QTRY_VERIFY(b.session.mouse());
+    QVERIFY(b.driver.settle());
+    const QStringList steps = b.undoAll();  // the last is what opening has done
+    QCOMPARE(steps.size(), 2);
+    QCOMPARE(steps.first(), "&Undo Smooth the boundary");
+  }
+
+  // Who turns to another device ends it.
+  void anotherDeviceEndsIt() {
+    ShowBench b;
+    b.driver.choose("watchRepair");
+    QVERIFY(b.waitFor("1 of 5"));
+    b.session.choose("mouse", "pointer");
+    QVERIFY(!b.show.isRunning());
+    QTRY_VERIFY(b.session.mouse());
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(RepairDemoTest)
+#include "RepairDemoTest.moc"

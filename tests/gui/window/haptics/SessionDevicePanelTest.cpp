@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/haptics/SessionDevicePanel.h"
+
+#include "OwnSettings.h"
+#include "TestClass.h"
+#include "panels/device/ForcePlot.h"
+#include "window/WindowServices.h"
+#include "window/haptics/HapticSession.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QThreadPool>
+#include <QtTest>
+
+using namespace handwheel;
+
+namespace {
+
+// A session with the devices that every machine has, and its panel.
+struct DeviceDockBench {
+  QThreadPool pool;
+  JobRunner jobs{JobRunner::Policy::Queue, pool};
+  WindowServices services;
+  MonotonicClock clock;
+  std::unique_ptr<HapticSession> session =
+      std::make_unique<HapticSession>(HapticSession::Parts{jobs, pool, services, clock});
+  std::unique_ptr<SessionDevicePanel> dock = std::make_unique<SessionDevicePanel>(*session);
+
+  ~DeviceDockBench() {
+    dock.reset();
+    session.reset();
+    pool.waitForDone();
+  }
+  template <class Part>
+  Part* part(const char* name) {
+    return dock->findChild<Part*>(name);
+  }
+  QString headline() { return part<QLabel>("deviceHeadline")->text(); }
+  // As the user does: by its name in the list.
+  void choose(const QString& name) {
+    auto* list = part<QComboBox>("deviceChoice");
+    list->setCurrentIndex(list->findText(name));
+    emit list->activated(list->currentIndex());
+  }
+  bool waitForTick() {
+    return QTest::qWaitFor([this] { return session->latest() != nullptr; }, 20000);
+  }
+};
+
+}  // namespace
+
+class SessionDevicePanelTest : public QObject {
+  Q_OBJECT
+
+ private:
+  test::OwnSettings m_settings;
+
+ private slots:
+  void initTestCase() { m_settings.use(); }
+  void init() { QSettings().clear(); }
+
+  void aDeviceIsChosenSeenAndLeft() {
+    DeviceDockBench b;
+    b.dock->show();
+    b.choose("Simulated hand");
+    QCOMPARE(b.session->chosen().driver, std::string("simulated"));
+    QCOMPARE(b.headline(), QString("Starting…"));
+    QVERIFY(b.waitForTick());
+    QTRY_COMPARE(b.headline(), QString("Ready"));
+    QTRY_VERIFY(b.part<ForcePlot>("forcePlot")->trace().size() > 3);
+    QTRY_VERIFY(b.part<QLabel>("servoRate")->text().contains("ticks a second"));
+    b.choose("No device");
+    QVERIFY(!b.session->isOpen());
+    QCOMPARE(b.headline(), QString("No device in use"));
+    QCOMPARE(b.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
+  }
+
+  void whatTheUserChangesReachesTheSession() {
+    DeviceDockBench b;
+    b.dock->show();
+    b.choose("Simulated hand");
+    QVERIFY(b.waitForTick());
+    auto* force = b.part<QCheckBox>("forceOn");
+    QVERIFY(force->isChecked());
+    force->click();
+    QVERIFY(!b.session->isForceOn());
+    b.session->setForceOn(true);  // from elsewhere
+    QVERIFY(force->isChecked());
+    auto* right = b.part<QWidget>("property/right")->findChild<QComboBox*>("propertyChoice");
+    QCOMPARE(right->currentIndex(), 0);
+    emit right->activated(3);  // Y, inverted
+    QCOMPARE(b.session->mapping().axes[0].axis, 1);
+    QVERIFY(b.session->mapping().axes[0].isInverted);
+    QCOMPARE(right->currentIndex(), 3);
+    WorkspaceMapping mapping = b.session->mapping();
+    mapping.axes[0] = {1, false};
+    b.session->setMapping(mapping);  // from elsewhere
+    QCOMPARE(right->currentIndex(), 2);
+  }
+
+  void theMouseWaitsForThePointer() {
+    DeviceDockBench b;
+    b.dock->show();
+    b.choose("Mouse as device");
+    QVERIFY(b.waitForTick());
+    QTRY_COMPARE(b.headline(), QString("The pointer is outside the view"));
+    QVERIFY(b.part<QLabel>("deviceDetail")->text().contains("without this"));
+  }
+
+  // Nothing is shown to nobody, though the loop goes on.
+  void hiddenItAsksForNothing() {
+    DeviceDockBench b;
+    b.session->choose("simulated", "hand");
+    QVERIFY(b.waitForTick());
+    QSignalSpy sampled(b.session.get(), &HapticSession::sampled);
+    QTRY_VERIFY(sampled.size() > 3);
+    QCOMPARE(b.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
+    b.dock->show();
+    QTRY_VERIFY(b.part<ForcePlot>("forcePlot")->trace().size() > 3);
+    b.dock->hide();
+    sampled.clear();
+    QTRY_VERIFY(sampled.size() > 3);
+    QCOMPARE(b.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
+  }
+};
+
+HANDWHEEL_WIDGET_TEST(SessionDevicePanelTest)
+#include "SessionDevicePanelTest.moc"
