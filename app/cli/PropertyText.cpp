@@ -6,6 +6,7 @@
 #include "base/NumberText.h"
 #include "document/OperationText.h"
 
+#include <cmath>
 #include <optional>
 
 namespace handwheel {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int kLimitDigits = 12;  // without the digits that a conversion of units leaves
 constexpr int kShownDigits = 6;
+constexpr double kNothing = 1e-9;  // mm or rad: what rounding leaves of zero
 
 std::string numberText(double value, Quantity quantity, int digits) {
   switch (quantity) {
@@ -68,7 +70,8 @@ std::optional<PropertyValue> valueOf(const Property& property, const std::string
 std::string propertyText(const Property& property) {
   if (const auto* text = std::get_if<std::string>(&property.value)) return *text;
   if (const auto* on = std::get_if<bool>(&property.value)) return *on ? "yes" : "no";
-  const double number = std::get<double>(property.value);
+  double number = std::get<double>(property.value);
+  if (property.quantity != Quantity::Number && std::abs(number) < kNothing) number = 0.0;
   if (property.choices.empty()) return numberText(number, property.quantity, kShownDigits) + unitInLabel(property);
   return property.choices.at(static_cast<std::size_t>(number));
 }

@@ -5,6 +5,7 @@
 #include "controls/CommandPalette.h"
 #include "controls/PreferencesDialog.h"
 #include "viewport/Viewport.h"
+#include "window/DisabledReasons.h"
 #include "window/PopupKeys.h"
 #include "window/ViewSettings.h"
 #include "window/WindowLayout.h"
@@ -54,6 +55,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
   setMinimumSize(kLeastSize);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   new PopupKeys(this);
+  new DisabledReasons(this);
   buildCentre();
   makeKinds(kinds);
   buildDocks();

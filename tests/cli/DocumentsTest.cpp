@@ -107,6 +107,9 @@ class DocumentsTest : public QObject {
     const QByteArray text = bench.run({"inspect", "arm.handwheel"}).out;
     QVERIFY2(text.contains("  joint.lift: -30 deg (-90 deg to 90 deg)\n"), text);
     QVERIFY2(text.contains("  joints.unknown_effort: all joints\n") && !text.contains("is not known"), text);
+    QCOMPARE(bench.run({"set", "arm.handwheel", "joint.lift=1e-11rad", "-o", "level.handwheel"}).code, 0);
+    const QByteArray level = bench.run({"inspect", "level.handwheel"}).out;
+    QVERIFY2(level.contains("  joint.lift: 0 deg (-90"), level);  // as the remainder of a sum is shown
     QCOMPARE(bench.run({"set", "arm.handwheel", "joint.lift=120deg", "-o", "x.handwheel"}).code,
              1);  // beyond its limit
     const Ran repair = bench.run({"repair", "arm.handwheel", "-o", "x.stl"});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/simplify/ErrorTracker.h"
 
+#include "mesh/search/IncrementalHierarchy.h"
 #include "mesh/structure/CancelPolling.h"
 #include "proximity/ClosestPoint.h"
 
@@ -71,6 +72,7 @@ bool ErrorTracker::hangsNear(std::uint32_t point, std::span<const TrianglePoints
   double least = m_error * m_error;
   std::uint32_t best = kNone;
   for (std::uint32_t i = 0; i < replacements.size(); ++i) {
+    if (m_boxes[i].squaredExteriorDistance(m_points[point]) > least) continue;
     const auto& [a, b, c] = replacements[i];
     const double distance = (closestOnTriangle(m_points[point], a, b, c) - m_points[point]).squaredNorm();
     if (distance > least) continue;
@@ -83,9 +85,14 @@ bool ErrorTracker::hangsNear(std::uint32_t point, std::span<const TrianglePoints
 
 bool ErrorTracker::allows(std::span<const Face> old, std::span<const TrianglePoints> replacements) {
   m_moves.clear();
+  m_boxes.clear();
+  for (const TrianglePoints& t : replacements) m_boxes.push_back(boxOf(t));
   for (const Face f : old) {
-    for (std::uint32_t point = m_head[f]; point != kNone; point = m_next[point]) {
-      if (!hangsNear(point, replacements)) return false;
+    for (std::uint32_t point = m_head[f], last = kNone; point != kNone; last = std::exchange(point, m_next[point])) {
+      if (hangsNear(point, replacements)) continue;
+      // It comes first from now on: it is likely to be too far from the next replacements, too.
+      if (last != kNone) m_next[last] = std::exchange(m_next[point], std::exchange(m_head[f], point));
+      return false;
     }
   }
   return std::all_of(replacements.begin(), replacements.end(), [&](const TrianglePoints& t) { return isNear(t); });

@@ -45,6 +45,7 @@ class ErrorTracker {
     std::uint32_t replacement;
   };
   std::vector<Hanging> m_moves;  // of the last allows()
+  std::vector<Box> m_boxes;      // of its replacements
 };
 
 }  // namespace handwheel

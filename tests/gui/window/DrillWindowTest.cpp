@@ -17,8 +17,11 @@
 #include "window/tools/ToolHost.h"
 
 #include <QDockWidget>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QTextDocument>
+#include <QToolTip>
 #include <cmath>
 
 using namespace handwheel;
@@ -84,6 +87,22 @@ class DrillWindowTest : public QObject {
     return driver.settle() && runner(driver).tool() && runner(driver).tool()->id() == "drill";
   }
 
+  // Where the pointer rests on its entry in the menu.
+  static void showsTheReason(WindowDriver& driver, const char* name) {
+    auto* const action = driver.find<QAction>(name);
+    for (QMenu* menu : driver.window().findChildren<QMenu*>()) {
+      if (!menu->actions().contains(action)) continue;
+      menu->popup(driver.window().mapToGlobal(QPoint(100, 100)));
+      QHelpEvent rest(QEvent::ToolTip, menu->actionGeometry(action).center(), QPoint(20, 20));
+      QCoreApplication::sendEvent(menu, &rest);
+      const QString text = QToolTip::text();
+      menu->close();
+      QVERIFY2(text.contains(action->property(kDisabledReason).toString()), qPrintable(text));
+      return;
+    }
+    QFAIL("it is in no menu");
+  }
+
  private slots:
   void init() { QSettings().clear(); }
 
@@ -128,6 +147,7 @@ class DrillWindowTest : public QObject {
       const QAction* const action = driver.find<QAction>(name);
       QVERIFY2(!action->isEnabled() && action->property(kDisabledReason).toString().contains("drilled"), name);
     }
+    showsTheReason(driver, "volumeSmooth");
     runner(driver).setSetting("feed", PropertyValue(2.0));
     point(driver, PointerEvent::Kind::Press);
     auto* const verdict = driver.find<QLabel>("drillVerdict");

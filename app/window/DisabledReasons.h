@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+namespace handwheel {
+
+// An event filter that shows why a menu entry or button is disabled. It does so where the pointer rests, as a tool tip.
+// The reasons are those of offer() in OfferedAction.h; what has none keeps the tool tip that it has.
+class DisabledReasons : public QObject {
+  Q_OBJECT
+
+ public:
+  // Installs the filter on the application for the lifetime of this object.
+  explicit DisabledReasons(QObject* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
+}  // namespace handwheel
