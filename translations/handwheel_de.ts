@@ -11885,6 +11885,26 @@
         <source>Make one body of those that intersect or lie inside each other, and remove what lies inside of it</source>
         <translation>Macht einen Körper aus denen, die sich schneiden oder ineinander liegen, und entfernt, was darin liegt</translation>
     </message>
+    <message>
+        <source>A repair is running</source>
+        <translation>Eine Reparatur läuft</translation>
+    </message>
+    <message>
+        <source>There is no open sheet</source>
+        <translation>Es gibt keine offene Fläche</translation>
+    </message>
+    <message>
+        <source>No body faces inwards</source>
+        <translation>Kein Körper zeigt nach innen</translation>
+    </message>
+    <message>
+        <source>There are no self-intersections</source>
+        <translation>Es gibt keine Selbstdurchdringungen</translation>
+    </message>
+    <message>
+        <source>No bodies intersect or lie inside each other</source>
+        <translation>Keine Körper durchdringen sich oder liegen ineinander</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::DefectCard</name>
@@ -12975,6 +12995,22 @@
     <message>
         <source>“Task” has the planned path and the forbidden region, “Criteria” what is measured.</source>
         <translation>„Aufgabe“ hat die geplante Bahn und den verbotenen Bereich, „Kriterien“ das, was gemessen wird.</translation>
+    </message>
+    <message>
+        <source>This is a student&apos;s copy</source>
+        <translation>Dies ist die Kopie für Schüler</translation>
+    </message>
+    <message>
+        <source>No work on this exercise is open</source>
+        <translation>Keine Arbeit an dieser Übung ist geöffnet</translation>
+    </message>
+    <message>
+        <source>The exercise has no solution</source>
+        <translation>Die Übung hat keine Musterlösung</translation>
+    </message>
+    <message>
+        <source>The exercise has no target</source>
+        <translation>Die Übung hat kein Ziel</translation>
     </message>
 </context>
 <context>
@@ -15527,6 +15563,14 @@
         <source>No drill makes it: %1.</source>
         <translation>Kein Bohrer macht sie: %1.</translation>
     </message>
+    <message>
+        <source>Nothing was cut</source>
+        <translation>Nichts wurde zerspant</translation>
+    </message>
+    <message>
+        <source>There is no target</source>
+        <translation>Es gibt kein Ziel</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PropertyRow</name>
@@ -15828,6 +15872,46 @@
     <message>
         <source>Undo all that the last repair has changed</source>
         <translation>Alles rückgängig machen, was die letzte Reparatur geändert hat</translation>
+    </message>
+    <message>
+        <source>There are no defects</source>
+        <translation>Es gibt keine Fehler</translation>
+    </message>
+    <message>
+        <source>The last repair has tried it; the list says why defects remain</source>
+        <translation>Die letzte Reparatur hat es versucht; die Liste sagt, warum Fehler bleiben</translation>
+    </message>
+    <message>
+        <source>There is no debris</source>
+        <translation>Es gibt keine Bruchstücke</translation>
+    </message>
+    <message>
+        <source>There are no holes</source>
+        <translation>Es gibt keine Löcher</translation>
+    </message>
+    <message>
+        <source>Select a hole first</source>
+        <translation>Zuerst ein Loch auswählen</translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>Nichts ist ausgewählt</translation>
+    </message>
+    <message>
+        <source>A repair is running</source>
+        <translation>Eine Reparatur läuft</translation>
+    </message>
+    <message>
+        <source>The last change was not a repair</source>
+        <translation>Die letzte Änderung war keine Reparatur</translation>
+    </message>
+    <message>
+        <source>This opening is marked as intended</source>
+        <translation>Diese Öffnung ist als gewollt markiert</translation>
+    </message>
+    <message>
+        <source>No patch fits; the list says why</source>
+        <translation>Kein Flicken passt; die Liste sagt, warum</translation>
     </message>
 </context>
 <context>
@@ -16554,6 +16638,10 @@
     <message>
         <source>Save the document as *.handwheel, and continue from there.</source>
         <translation>Speichern Sie das Dokument als *.handwheel, und arbeiten Sie von dort aus weiter.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed</source>
+        <translation>Nichts wurde geändert</translation>
     </message>
 </context>
 <context>
@@ -17494,6 +17582,14 @@
         <source>Turn the target end for end</source>
         <translation>Ziel umdrehen</translation>
     </message>
+    <message>
+        <source>The exercise has its own target</source>
+        <translation>Die Übung hat ihr eigenes Ziel</translation>
+    </message>
+    <message>
+        <source>There is no target</source>
+        <translation>Es gibt kein Ziel</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::TargetPanel</name>
@@ -18007,6 +18103,10 @@
     <message>
         <source>Cut the part through its axis, seen from here, to look into its bores</source>
         <translation>Schneidet das Teil, von hier gesehen, durch seine Achse, um in Bohrungen zu sehen</translation>
+    </message>
+    <message>
+        <source>Only turned parts have an axis</source>
+        <translation>Nur Drehteile haben eine Achse</translation>
     </message>
 </context>
 <context>

@@ -11811,6 +11811,26 @@
         <source>Make one body of those that intersect or lie inside each other, and remove what lies inside of it</source>
         <translation>将相交或彼此嵌套的体合为一个体，并移除其内部部分</translation>
     </message>
+    <message>
+        <source>A repair is running</source>
+        <translation>修复正在进行</translation>
+    </message>
+    <message>
+        <source>There is no open sheet</source>
+        <translation>没有开放片体</translation>
+    </message>
+    <message>
+        <source>No body faces inwards</source>
+        <translation>没有朝内的体</translation>
+    </message>
+    <message>
+        <source>There are no self-intersections</source>
+        <translation>没有自相交</translation>
+    </message>
+    <message>
+        <source>No bodies intersect or lie inside each other</source>
+        <translation>没有相交或相互包含的体</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::DefectCard</name>
@@ -12893,6 +12913,22 @@
     <message>
         <source>“Task” has the planned path and the forbidden region, “Criteria” what is measured.</source>
         <translation>“任务”中是规划路径和禁区，“评分项”中是测量内容。</translation>
+    </message>
+    <message>
+        <source>This is a student&apos;s copy</source>
+        <translation>这是学生副本</translation>
+    </message>
+    <message>
+        <source>No work on this exercise is open</source>
+        <translation>没有打开此练习的作业</translation>
+    </message>
+    <message>
+        <source>The exercise has no solution</source>
+        <translation>该练习没有参考答案</translation>
+    </message>
+    <message>
+        <source>The exercise has no target</source>
+        <translation>该练习没有目标</translation>
     </message>
 </context>
 <context>
@@ -15426,6 +15462,14 @@
         <source>No drill makes it: %1.</source>
         <translation>没有钻头能加工它：%1。</translation>
     </message>
+    <message>
+        <source>Nothing was cut</source>
+        <translation>尚未切削</translation>
+    </message>
+    <message>
+        <source>There is no target</source>
+        <translation>没有目标</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PropertyRow</name>
@@ -15724,6 +15768,46 @@
     <message>
         <source>Undo all that the last repair has changed</source>
         <translation>撤销上次修复所做的全部更改</translation>
+    </message>
+    <message>
+        <source>There are no defects</source>
+        <translation>没有缺陷</translation>
+    </message>
+    <message>
+        <source>The last repair has tried it; the list says why defects remain</source>
+        <translation>上次修复已尝试过；列表说明了缺陷仍存在的原因</translation>
+    </message>
+    <message>
+        <source>There is no debris</source>
+        <translation>没有碎片</translation>
+    </message>
+    <message>
+        <source>There are no holes</source>
+        <translation>没有孔洞</translation>
+    </message>
+    <message>
+        <source>Select a hole first</source>
+        <translation>请先选择一个孔洞</translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>未选择任何内容</translation>
+    </message>
+    <message>
+        <source>A repair is running</source>
+        <translation>修复正在进行</translation>
+    </message>
+    <message>
+        <source>The last change was not a repair</source>
+        <translation>上一次更改不是修复</translation>
+    </message>
+    <message>
+        <source>This opening is marked as intended</source>
+        <translation>此开口已标记为有意保留</translation>
+    </message>
+    <message>
+        <source>No patch fits; the list says why</source>
+        <translation>没有合适的补片；列表说明了原因</translation>
     </message>
 </context>
 <context>
@@ -16442,6 +16526,10 @@
     <message>
         <source>Save the document as *.handwheel, and continue from there.</source>
         <translation>请将文档另存为 *.handwheel，再从那里继续。</translation>
+    </message>
+    <message>
+        <source>Nothing was changed</source>
+        <translation>未作更改</translation>
     </message>
 </context>
 <context>
@@ -17373,6 +17461,14 @@
         <source>Turn the target end for end</source>
         <translation>将目标掉头</translation>
     </message>
+    <message>
+        <source>The exercise has its own target</source>
+        <translation>练习有自己的目标</translation>
+    </message>
+    <message>
+        <source>There is no target</source>
+        <translation>没有目标</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::TargetPanel</name>
@@ -17886,6 +17982,10 @@
     <message>
         <source>Cut the part through its axis, seen from here, to look into its bores</source>
         <translation>沿轴线（从当前视角）剖开零件，以查看其内孔</translation>
+    </message>
+    <message>
+        <source>Only turned parts have an axis</source>
+        <translation>只有车削件有轴线</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include "theme/Icons.h"
 #include "window/ActionToolTip.h"
+#include "window/OfferedAction.h"
 
 #include <QSettings>
 #include <algorithm>
@@ -74,7 +75,7 @@ void ViewSettings::makeClipAction() {
 void ViewSettings::makeHalfSectionAction() {
   m_half.setObjectName(QStringLiteral("halfSection"));
   m_half.setCheckable(true);
-  m_half.setEnabled(false);
+  setSectionAxis(std::nullopt);
   m_half.setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_C));
   setActionToolTip(m_half, tr("Cut the part through its axis, seen from here, to look into its bores"));
   connect(&m_half, &QAction::triggered, this, [this](bool on) {
@@ -97,7 +98,7 @@ void ViewSettings::cutThroughAxis() {
 
 void ViewSettings::setSectionAxis(std::optional<Ray> axis) {
   m_sectionAxis = std::move(axis);
-  m_half.setEnabled(m_sectionAxis.has_value());
+  offer(m_half, m_sectionAxis.has_value(), tr("Only turned parts have an axis"));
   if (!m_sectionAxis && m_half.isChecked()) m_clip.setChecked(false);
 }
 

@@ -12,6 +12,7 @@
 #include "theme/Theme.h"
 #include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
+#include "window/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/exercise/ExerciseEditor.h"
@@ -147,14 +148,18 @@ void ExerciseUi::refresh() {
   showClass();
   if (isStudent) m_student->setExercise(exercise, exercise.attempt.value_or(Attempt()), false);
   const bool hasWork = m_attempt->workOn(*document()) != nullptr;
-  m_preview->setEnabled(!isStudent);
-  m_mark->setEnabled(!isStudent);
-  m_solution->setEnabled(!isStudent && hasWork);
-  m_openSolution->setEnabled(!isStudent && exercise.solution);
-  m_import->setEnabled(!isStudent);
-  m_target->setEnabled(!isStudent && hasWork);
+  const auto offerTeacher = [&](QAction& action, bool isThere = true, const QString& reason = {}) {
+    offer(action, !isStudent && isThere, isStudent ? tr("This is a student's copy") : reason);
+  };
+  const QString noWork = tr("No work on this exercise is open");
+  offerTeacher(*m_preview);
+  offerTeacher(*m_mark);
+  offerTeacher(*m_solution, hasWork, noWork);
+  offerTeacher(*m_openSolution, exercise.solution != nullptr, tr("The exercise has no solution"));
+  offerTeacher(*m_import);
+  offerTeacher(*m_target, hasWork, noWork);
   const bool hasTarget = exercise.subject->endsNote(*exercise.task).has_value();
-  for (QAction* const change : {m_turn, m_round}) change->setEnabled(!isStudent && hasTarget);
+  for (QAction* const change : {m_turn, m_round}) offerTeacher(*change, hasTarget, tr("The exercise has no target"));
   emit stateChanged();
 }
 

@@ -10,6 +10,7 @@
 #include "tools/mesh/repair/DefectFixes.h"
 #include "tools/mesh/repair/HoleFixes.h"
 #include "window/ActionToolTip.h"
+#include "window/OfferedAction.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/LoopSelection.h"
@@ -161,14 +162,20 @@ void DefectActions::follow() {
   m_fix.setVisible(isWanted);
   m_mayFix = free && isWanted;
   if (isWanted) m_fix.setText(QCoreApplication::translate("Tool", fixFor(*m_kind)->title));
-  m_thickenSheet.setEnabled(free && !sheets().empty());
+  const auto offerFree = [&](QAction& action, bool isThere, const QString& reason) {
+    offer(action, free && isThere, m_jobs.isWorking() ? tr("A repair is running") : reason);
+  };
+  offerFree(m_thickenSheet, free && !sheets().empty(), tr("There is no open sheet"));
   nameThickening();
   if (m_thickenSheet.isEnabled()) emit thicknessChanged();
-  m_reverseBodies.setEnabled(free && m_document->inspection.count(DefectKind::InsideOut) > 0);
-  m_resolveIntersections.setEnabled(free && m_document->inspection.count(DefectKind::SelfIntersection) > 0);
-  m_uniteBodies.setEnabled(
-      free && (m_document->document.defects().nestedBodies > 0 ||
-               (m_resolveIntersections.isEnabled() && m_document->document.defects().components.size() > 1)));
+  offerFree(m_reverseBodies, free && m_document->inspection.count(DefectKind::InsideOut) > 0,
+            tr("No body faces inwards"));
+  offerFree(m_resolveIntersections, free && m_document->inspection.count(DefectKind::SelfIntersection) > 0,
+            tr("There are no self-intersections"));
+  offerFree(m_uniteBodies,
+            free && (m_document->document.defects().nestedBodies > 0 ||
+                     (m_resolveIntersections.isEnabled() && m_document->document.defects().components.size() > 1)),
+            tr("No bodies intersect or lie inside each other"));
   const int loop = selectedLoop();
   const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).isSheetBoundary &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&

@@ -8,6 +8,7 @@
 #include "text/ErrorText.h"
 #include "window/ActionToolTip.h"
 #include "window/CommandLines.h"
+#include "window/OfferedAction.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/mesh/EquivalentCommand.h"
 #include "window/mesh/MeshTab.h"
@@ -32,7 +33,7 @@ void ScriptExport::setDocument(MeshTab* document) {
 }
 
 void ScriptExport::follow() {
-  m_save.setEnabled(m_document && presentPoint(m_document->document) != HistoryPoint());
+  offer(m_save, m_document && presentPoint(m_document->document) != HistoryPoint(), tr("Nothing was changed"));
 }
 
 void ScriptExport::ask() {

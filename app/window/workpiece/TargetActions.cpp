@@ -15,6 +15,7 @@
 #include "text/NoteText.h"
 #include "viewport/Viewport.h"
 #include "window/ActionToolTip.h"
+#include "window/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
@@ -182,7 +183,7 @@ void TargetActions::setDocument(DocumentTab* document) {
   if (m_document) m_document->document.disconnect(this);
   m_measuring.cancelAll();
   m_document = document;
-  m_import.setEnabled(document != nullptr && !document->document.file().assigned);
+  offer(m_import, document != nullptr && !document->document.file().assigned, tr("The exercise has its own target"));
   if (document) connect(&document->document, &Document::changed, this, &TargetActions::refresh);
   refresh();
 }
@@ -190,10 +191,12 @@ void TargetActions::setDocument(DocumentTab* document) {
 void TargetActions::refresh() {
   const WorkpieceDocument* const owner = workpiece();
   const bool hasTarget = owner && owner->workpiece().target;
+  const QString none = tr("There is no target");
   for (QAction* const change : {&m_turn, &m_remove})
-    change->setEnabled(hasTarget && !m_document->document.file().assigned);
-  m_outline.setEnabled(hasTarget);
-  m_colours.setEnabled(hasTarget);
+    offer(*change, hasTarget && !m_document->document.file().assigned,
+          hasTarget ? tr("The exercise has its own target") : none);
+  offer(m_outline, hasTarget, none);
+  offer(m_colours, hasTarget, none);
   showOutline();
   showLegend();
   if (!owner) return;

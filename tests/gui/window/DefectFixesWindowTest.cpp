@@ -5,6 +5,7 @@
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "controls/CommandModel.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 
@@ -349,7 +350,9 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(driver.settle());
     QCOMPARE(driver.count(DefectKind::Duplicate), 1);
     QVERIFY(driver.text("nextStepDetail").contains("1 duplicate triangle"));
-    QVERIFY(!driver.find<QAction>("repairAll")->isEnabled());  // it would do nothing
+    const auto* const repair = driver.find<QAction>("repairAll");
+    QVERIFY(!repair->isEnabled());  // it would do nothing
+    QVERIFY(repair->property(kDisabledReason).toString().startsWith("The last repair has tried it"));
   }
 
   // Two sheets across one another are not cut: each piece would hang at the others. The window says so.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowTestMain.h"
+#include "controls/CommandModel.h"
 #include "document/exercise/ExerciseDocument.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
@@ -465,6 +466,8 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(driver.text("targetSizes").contains(QStringLiteral("⌀")));
     QVERIFY(driver.find<QAction>("targetOutline")->isChecked());
     QVERIFY(!driver.find<QAction>("importTarget")->isEnabled() && !driver.find<QAction>("removeTarget")->isEnabled());
+    QCOMPARE(driver.find<QAction>("importTarget")->property(kDisabledReason).toString(),
+             "The exercise has its own target");
     auto* diameter = driver.find<QWidget>("property/diameter")->findChild<QLineEdit*>();
     QVERIFY(!diameter || !diameter->isEnabled() || diameter->isReadOnly());
   }

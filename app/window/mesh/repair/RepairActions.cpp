@@ -3,6 +3,7 @@
 #include "window/mesh/repair/RepairActions.h"
 
 #include "window/ActionToolTip.h"
+#include "window/OfferedAction.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/LoopSelection.h"
 #include "window/mesh/MeshTab.h"
@@ -122,15 +123,27 @@ void RepairActions::follow() {
   const int loop = document ? m_selection.loop() : -1;
   const bool kept = loop >= 0 && document->document.isKeptOpen(document->inspection.loop(loop));
   const bool holes = document && !document->inspection.holes().empty();
-  m_repairAll.setEnabled(!m_jobs.isWorking() && document && !document->inspection.isClean() && !isTried(*document));
-  m_removeDebris.setEnabled(!m_jobs.isWorking() && document && !document->inspection.debris().empty());
-  for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) action->setEnabled(holes);
-  m_keepOpen.setEnabled(loop >= 0);
+  const bool isSound = document && document->inspection.isClean();
+  const bool isDebris = document && !document->inspection.debris().empty();
+  offer(m_repairAll, isFree() && !isSound && !isTried(*document),
+        busyOr(isSound ? tr("There are no defects")
+                       : tr("The last repair has tried it; the list says why defects remain")));
+  offer(m_removeDebris, isFree() && isDebris, busyOr(tr("There is no debris")));
+  for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) offer(*action, holes, tr("There are no holes"));
+  offer(m_keepOpen, loop >= 0, tr("Select a hole first"));
   m_keepOpen.setChecked(kept);
-  m_deselect.setEnabled(loop >= 0);
+  offer(m_deselect, loop >= 0, tr("Nothing is selected"));
   m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1);
   followPreview();
   followUndo();
+}
+
+bool RepairActions::isFree() const {
+  return m_document && !m_jobs.isWorking();
+}
+
+QString RepairActions::busyOr(const QString& reason) const {
+  return m_jobs.isWorking() ? tr("A repair is running") : reason;
 }
 
 // Whether another repair would find what the last one left, and no more: the list has the reasons.
@@ -145,7 +158,7 @@ bool RepairActions::isTried(const MeshTab& document) const {
 }
 
 void RepairActions::followUndo() {
-  m_undoRepair.setEnabled(!m_jobs.isWorking() && m_document && m_document->isJustRepaired());
+  offer(m_undoRepair, isFree() && m_document->isJustRepaired(), busyOr(tr("The last change was not a repair")));
 }
 
 // There is no point in filling what the preview could not.
@@ -154,7 +167,10 @@ void RepairActions::followPreview() {
   const MeshTab* document = m_document;
   const bool kept = loop >= 0 && document && document->document.isKeptOpen(document->inspection.loop(loop));
   const bool hopeless = m_preview.state().kind == PreviewState::Kind::Failed;
-  m_fill.setEnabled(document && loop >= 0 && !kept && !hopeless && !m_jobs.isWorking());
+  offer(m_fill, isFree() && loop >= 0 && !kept && !hopeless,
+        busyOr(loop < 0 ? tr("Select a hole first")
+               : kept   ? tr("This opening is marked as intended")
+                        : tr("No patch fits; the list says why")));
 }
 
 void RepairActions::fillSelected() {

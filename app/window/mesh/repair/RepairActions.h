@@ -43,6 +43,8 @@ class RepairActions : public QObject {
   void follow();
   void followPreview();
   void followUndo();
+  bool isFree() const;  // there is a document, and no job of it runs
+  QString busyOr(const QString& reason) const;
   bool isTried(const MeshTab& document) const;
   void fillSelected();
   void toggleKeepOpen();

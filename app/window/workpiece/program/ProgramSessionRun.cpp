@@ -18,6 +18,7 @@
 #include "panels/MessageBar.h"
 #include "viewport/Viewport.h"
 #include "viewport/camera/CameraNavigation.h"
+#include "window/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/workpiece/program/ProgramPlayer.h"
@@ -110,8 +111,8 @@ void ProgramSession::forgetRun() {
 // What was run on another part, or in another chuck, is over; so is what still runs.
 void ProgramSession::documentChanged() {
   const WorkpieceSnapshot& now = workpiece().workpiece();
-  m_fromPasses.setEnabled(now.part != nullptr);
-  m_cycles.setEnabled(now.target != nullptr);
+  handwheel::offer(m_fromPasses, now.part != nullptr, tr("Nothing was cut"));
+  handwheel::offer(m_cycles, now.target != nullptr, tr("There is no target"));
   takeStoredTools();
   if (isSameWork(m_start, now)) return;
   m_runs.cancelOf(&m_start);
