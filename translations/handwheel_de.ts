@@ -11886,24 +11886,28 @@
         <translation>Macht einen Körper aus denen, die sich schneiden oder ineinander liegen, und entfernt, was darin liegt</translation>
     </message>
     <message>
-        <source>A repair is running</source>
-        <translation>Eine Reparatur läuft</translation>
+        <source>Self-intersections are still being searched for.</source>
+        <translation>Selbstdurchdringungen werden noch gesucht.</translation>
     </message>
     <message>
-        <source>There is no open sheet</source>
-        <translation>Es gibt keine offene Fläche</translation>
+        <source>There is no open sheet.</source>
+        <translation>Es gibt keine offene Fläche.</translation>
     </message>
     <message>
-        <source>No body faces inwards</source>
-        <translation>Kein Körper zeigt nach innen</translation>
+        <source>The selected hole is not the outer boundary of a sheet.</source>
+        <translation>Das ausgewählte Loch ist nicht der Außenrand einer Fläche.</translation>
     </message>
     <message>
-        <source>There are no self-intersections</source>
-        <translation>Es gibt keine Selbstdurchdringungen</translation>
+        <source>No body faces inwards.</source>
+        <translation>Kein Körper zeigt nach innen.</translation>
     </message>
     <message>
-        <source>No bodies intersect or lie inside each other</source>
-        <translation>Keine Körper durchdringen sich oder liegen ineinander</translation>
+        <source>There are no self-intersections.</source>
+        <translation>Es gibt keine Selbstdurchdringungen.</translation>
+    </message>
+    <message>
+        <source>No bodies intersect or lie inside each other.</source>
+        <translation>Keine Körper durchdringen sich oder liegen ineinander.</translation>
     </message>
 </context>
 <context>
@@ -12997,20 +13001,28 @@
         <translation>„Aufgabe“ hat die geplante Bahn und den verbotenen Bereich, „Kriterien“ das, was gemessen wird.</translation>
     </message>
     <message>
-        <source>This is a student&apos;s copy</source>
-        <translation>Dies ist die Kopie für Schüler</translation>
+        <source>Open an exercise first.</source>
+        <translation>Zuerst eine Übung öffnen.</translation>
     </message>
     <message>
-        <source>No work on this exercise is open</source>
-        <translation>Keine Arbeit an dieser Übung ist geöffnet</translation>
+        <source>This is a student&apos;s copy.</source>
+        <translation>Dies ist eine Schülerfassung.</translation>
     </message>
     <message>
-        <source>The exercise has no solution</source>
-        <translation>Die Übung hat keine Musterlösung</translation>
+        <source>No work on this exercise is open.</source>
+        <translation>Keine Arbeit an dieser Übung ist geöffnet.</translation>
     </message>
     <message>
-        <source>The exercise has no target</source>
-        <translation>Die Übung hat kein Ziel</translation>
+        <source>The exercise has no solution.</source>
+        <translation>Die Übung hat keine Musterlösung.</translation>
+    </message>
+    <message>
+        <source>The exercise has no target.</source>
+        <translation>Die Übung hat kein Ziel.</translation>
+    </message>
+    <message>
+        <source>It is for targets of turned parts only.</source>
+        <translation>Nur für Ziele von Drehteilen.</translation>
     </message>
 </context>
 <context>
@@ -15564,12 +15576,12 @@
         <translation>Kein Bohrer macht sie: %1.</translation>
     </message>
     <message>
-        <source>Nothing was cut</source>
-        <translation>Nichts wurde zerspant</translation>
+        <source>Nothing was cut yet.</source>
+        <translation>Es wurde noch nichts zerspant.</translation>
     </message>
     <message>
-        <source>There is no target</source>
-        <translation>Es gibt kein Ziel</translation>
+        <source>There is no target.</source>
+        <translation>Es gibt kein Ziel.</translation>
     </message>
 </context>
 <context>
@@ -15874,44 +15886,44 @@
         <translation>Alles rückgängig machen, was die letzte Reparatur geändert hat</translation>
     </message>
     <message>
-        <source>There are no defects</source>
-        <translation>Es gibt keine Fehler</translation>
+        <source>The last repair has tried it; the list says why defects remain.</source>
+        <translation>Die letzte Reparatur hat es versucht; die Liste sagt, warum Fehler bleiben.</translation>
     </message>
     <message>
-        <source>The last repair has tried it; the list says why defects remain</source>
-        <translation>Die letzte Reparatur hat es versucht; die Liste sagt, warum Fehler bleiben</translation>
+        <source>Self-intersections are still being searched for.</source>
+        <translation>Selbstdurchdringungen werden noch gesucht.</translation>
     </message>
     <message>
-        <source>There is no debris</source>
-        <translation>Es gibt keine Bruchstücke</translation>
+        <source>There is nothing that it would repair.</source>
+        <translation>Es gibt nichts, was sie reparieren würde.</translation>
     </message>
     <message>
-        <source>There are no holes</source>
-        <translation>Es gibt keine Löcher</translation>
+        <source>There is no debris.</source>
+        <translation>Es gibt keine Bruchstücke.</translation>
     </message>
     <message>
-        <source>Select a hole first</source>
-        <translation>Zuerst ein Loch auswählen</translation>
+        <source>There are no holes.</source>
+        <translation>Es gibt keine Löcher.</translation>
     </message>
     <message>
-        <source>Nothing is selected</source>
-        <translation>Nichts ist ausgewählt</translation>
+        <source>Select a hole first.</source>
+        <translation>Zuerst ein Loch auswählen.</translation>
     </message>
     <message>
-        <source>A repair is running</source>
-        <translation>Eine Reparatur läuft</translation>
+        <source>Nothing is selected.</source>
+        <translation>Nichts ist ausgewählt.</translation>
     </message>
     <message>
-        <source>The last change was not a repair</source>
-        <translation>Die letzte Änderung war keine Reparatur</translation>
+        <source>The last change was not a repair.</source>
+        <translation>Die letzte Änderung war keine Reparatur.</translation>
     </message>
     <message>
-        <source>This opening is marked as intended</source>
-        <translation>Diese Öffnung ist als gewollt markiert</translation>
+        <source>This opening is marked as intended.</source>
+        <translation>Diese Öffnung ist als gewollt markiert.</translation>
     </message>
     <message>
-        <source>No patch fits; the list says why</source>
-        <translation>Kein Flicken passt; die Liste sagt, warum</translation>
+        <source>No patch fits; the list says why.</source>
+        <translation>Keine Füllfläche passt; die Liste sagt, warum.</translation>
     </message>
 </context>
 <context>
@@ -16095,6 +16107,14 @@
     <message>
         <source>walls thinner than a voxel were lost: choose smaller voxels</source>
         <translation>Wände dünner als ein Voxel gingen verloren: kleinere Voxel wählen</translation>
+    </message>
+    <message>
+        <source>Open a mesh first.</source>
+        <translation>Zuerst ein Netz öffnen.</translation>
+    </message>
+    <message>
+        <source>A mesh is being changed.</source>
+        <translation>Ein Netz wird gerade geändert.</translation>
     </message>
 </context>
 <context>
@@ -16640,8 +16660,12 @@
         <translation>Speichern Sie das Dokument als *.handwheel, und arbeiten Sie von dort aus weiter.</translation>
     </message>
     <message>
-        <source>Nothing was changed</source>
-        <translation>Nichts wurde geändert</translation>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Open a mesh first.</source>
+        <translation>Zuerst ein Netz öffnen.</translation>
     </message>
 </context>
 <context>
@@ -17583,12 +17607,16 @@
         <translation>Ziel umdrehen</translation>
     </message>
     <message>
-        <source>The exercise has its own target</source>
-        <translation>Die Übung hat ihr eigenes Ziel</translation>
+        <source>The target is that of the exercise.</source>
+        <translation>Das Ziel ist das der Übung.</translation>
     </message>
     <message>
-        <source>There is no target</source>
-        <translation>Es gibt kein Ziel</translation>
+        <source>Open a workpiece first.</source>
+        <translation>Zuerst ein Werkstück öffnen.</translation>
+    </message>
+    <message>
+        <source>There is no target.</source>
+        <translation>Es gibt kein Ziel.</translation>
     </message>
 </context>
 <context>
@@ -18105,8 +18133,8 @@
         <translation>Schneidet das Teil, von hier gesehen, durch seine Achse, um in Bohrungen zu sehen</translation>
     </message>
     <message>
-        <source>Only turned parts have an axis</source>
-        <translation>Nur Drehteile haben eine Achse</translation>
+        <source>Only turned parts have an axis.</source>
+        <translation>Nur Drehteile haben eine Achse.</translation>
     </message>
 </context>
 <context>

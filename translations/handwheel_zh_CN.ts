@@ -11812,24 +11812,28 @@
         <translation>将相交或彼此嵌套的体合为一个体，并移除其内部部分</translation>
     </message>
     <message>
-        <source>A repair is running</source>
-        <translation>修复正在进行</translation>
+        <source>Self-intersections are still being searched for.</source>
+        <translation>仍在查找自相交。</translation>
     </message>
     <message>
-        <source>There is no open sheet</source>
-        <translation>没有开放片体</translation>
+        <source>There is no open sheet.</source>
+        <translation>没有开放片体。</translation>
     </message>
     <message>
-        <source>No body faces inwards</source>
-        <translation>没有朝内的体</translation>
+        <source>The selected hole is not the outer boundary of a sheet.</source>
+        <translation>所选孔洞不是片体的外边界。</translation>
     </message>
     <message>
-        <source>There are no self-intersections</source>
-        <translation>没有自相交</translation>
+        <source>No body faces inwards.</source>
+        <translation>没有朝内的体。</translation>
     </message>
     <message>
-        <source>No bodies intersect or lie inside each other</source>
-        <translation>没有相交或相互包含的体</translation>
+        <source>There are no self-intersections.</source>
+        <translation>没有自相交。</translation>
+    </message>
+    <message>
+        <source>No bodies intersect or lie inside each other.</source>
+        <translation>没有相交或相互包含的体。</translation>
     </message>
 </context>
 <context>
@@ -12915,20 +12919,28 @@
         <translation>“任务”中是规划路径和禁区，“评分项”中是测量内容。</translation>
     </message>
     <message>
-        <source>This is a student&apos;s copy</source>
-        <translation>这是学生副本</translation>
+        <source>Open an exercise first.</source>
+        <translation>请先打开一个练习。</translation>
     </message>
     <message>
-        <source>No work on this exercise is open</source>
-        <translation>没有打开此练习的作业</translation>
+        <source>This is a student&apos;s copy.</source>
+        <translation>这是学生副本。</translation>
     </message>
     <message>
-        <source>The exercise has no solution</source>
-        <translation>该练习没有参考答案</translation>
+        <source>No work on this exercise is open.</source>
+        <translation>没有打开此练习的作业。</translation>
     </message>
     <message>
-        <source>The exercise has no target</source>
-        <translation>该练习没有目标</translation>
+        <source>The exercise has no solution.</source>
+        <translation>该练习没有参考答案。</translation>
+    </message>
+    <message>
+        <source>The exercise has no target.</source>
+        <translation>该练习没有目标。</translation>
+    </message>
+    <message>
+        <source>It is for targets of turned parts only.</source>
+        <translation>仅适用于车削件的目标。</translation>
     </message>
 </context>
 <context>
@@ -15463,12 +15475,12 @@
         <translation>没有钻头能加工它：%1。</translation>
     </message>
     <message>
-        <source>Nothing was cut</source>
-        <translation>尚未切削</translation>
+        <source>Nothing was cut yet.</source>
+        <translation>尚未切削。</translation>
     </message>
     <message>
-        <source>There is no target</source>
-        <translation>没有目标</translation>
+        <source>There is no target.</source>
+        <translation>没有目标。</translation>
     </message>
 </context>
 <context>
@@ -15770,44 +15782,44 @@
         <translation>撤销上次修复所做的全部更改</translation>
     </message>
     <message>
-        <source>There are no defects</source>
-        <translation>没有缺陷</translation>
+        <source>The last repair has tried it; the list says why defects remain.</source>
+        <translation>上次修复已尝试过；列表说明了缺陷仍存在的原因。</translation>
     </message>
     <message>
-        <source>The last repair has tried it; the list says why defects remain</source>
-        <translation>上次修复已尝试过；列表说明了缺陷仍存在的原因</translation>
+        <source>Self-intersections are still being searched for.</source>
+        <translation>仍在查找自相交。</translation>
     </message>
     <message>
-        <source>There is no debris</source>
-        <translation>没有碎片</translation>
+        <source>There is nothing that it would repair.</source>
+        <translation>没有它会修复的内容。</translation>
     </message>
     <message>
-        <source>There are no holes</source>
-        <translation>没有孔洞</translation>
+        <source>There is no debris.</source>
+        <translation>没有碎片。</translation>
     </message>
     <message>
-        <source>Select a hole first</source>
-        <translation>请先选择一个孔洞</translation>
+        <source>There are no holes.</source>
+        <translation>没有孔洞。</translation>
     </message>
     <message>
-        <source>Nothing is selected</source>
-        <translation>未选择任何内容</translation>
+        <source>Select a hole first.</source>
+        <translation>请先选择一个孔洞。</translation>
     </message>
     <message>
-        <source>A repair is running</source>
-        <translation>修复正在进行</translation>
+        <source>Nothing is selected.</source>
+        <translation>未选择任何内容。</translation>
     </message>
     <message>
-        <source>The last change was not a repair</source>
-        <translation>上一次更改不是修复</translation>
+        <source>The last change was not a repair.</source>
+        <translation>上一次更改不是修复。</translation>
     </message>
     <message>
-        <source>This opening is marked as intended</source>
-        <translation>此开口已标记为有意保留</translation>
+        <source>This opening is marked as intended.</source>
+        <translation>此开口已标记为有意保留。</translation>
     </message>
     <message>
-        <source>No patch fits; the list says why</source>
-        <translation>没有合适的补片；列表说明了原因</translation>
+        <source>No patch fits; the list says why.</source>
+        <translation>没有合适的补片；列表说明了原因。</translation>
     </message>
 </context>
 <context>
@@ -15988,6 +16000,14 @@
     <message>
         <source>walls thinner than a voxel were lost: choose smaller voxels</source>
         <translation>比体素薄的壁已丢失：请选择更小的体素</translation>
+    </message>
+    <message>
+        <source>Open a mesh first.</source>
+        <translation>请先打开一个网格。</translation>
+    </message>
+    <message>
+        <source>A mesh is being changed.</source>
+        <translation>正在更改网格。</translation>
     </message>
 </context>
 <context>
@@ -16528,8 +16548,12 @@
         <translation>请将文档另存为 *.handwheel，再从那里继续。</translation>
     </message>
     <message>
-        <source>Nothing was changed</source>
-        <translation>未作更改</translation>
+        <source>Nothing was changed.</source>
+        <translation>未作更改。</translation>
+    </message>
+    <message>
+        <source>Open a mesh first.</source>
+        <translation>请先打开一个网格。</translation>
     </message>
 </context>
 <context>
@@ -17462,12 +17486,16 @@
         <translation>将目标掉头</translation>
     </message>
     <message>
-        <source>The exercise has its own target</source>
-        <translation>练习有自己的目标</translation>
+        <source>The target is that of the exercise.</source>
+        <translation>目标由练习给定。</translation>
     </message>
     <message>
-        <source>There is no target</source>
-        <translation>没有目标</translation>
+        <source>Open a workpiece first.</source>
+        <translation>请先打开一个工件。</translation>
+    </message>
+    <message>
+        <source>There is no target.</source>
+        <translation>没有目标。</translation>
     </message>
 </context>
 <context>
@@ -17984,8 +18012,8 @@
         <translation>沿轴线（从当前视角）剖开零件，以查看其内孔</translation>
     </message>
     <message>
-        <source>Only turned parts have an axis</source>
-        <translation>只有车削件有轴线</translation>
+        <source>Only turned parts have an axis.</source>
+        <translation>只有车削件有轴线。</translation>
     </message>
 </context>
 <context>

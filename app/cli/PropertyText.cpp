@@ -29,6 +29,11 @@ std::string numberText(double value, Quantity quantity, int digits) {
   return roundedText(value, digits);
 }
 
+std::string shownNumber(double value, Quantity quantity) {
+  const bool isNothing = quantity != Quantity::Number && std::abs(value) < kNothing;
+  return numberText(isNothing ? 0.0 : value, quantity, kShownDigits);
+}
+
 // " mm³" of "Volume (mm³)": what is neither a length nor an angle has its unit at the end of its label.
 std::string unitInLabel(const Property& property) {
   const std::size_t open = property.translated ? property.label.rfind('(') : std::string::npos;
@@ -70,15 +75,13 @@ std::optional<PropertyValue> valueOf(const Property& property, const std::string
 std::string propertyText(const Property& property) {
   if (const auto* text = std::get_if<std::string>(&property.value)) return *text;
   if (const auto* on = std::get_if<bool>(&property.value)) return *on ? "yes" : "no";
-  double number = std::get<double>(property.value);
-  if (property.quantity != Quantity::Number && std::abs(number) < kNothing) number = 0.0;
-  if (property.choices.empty()) return numberText(number, property.quantity, kShownDigits) + unitInLabel(property);
+  const double number = std::get<double>(property.value);
+  if (property.choices.empty()) return shownNumber(number, property.quantity) + unitInLabel(property);
   return property.choices.at(static_cast<std::size_t>(number));
 }
 
 std::string limitsText(const Property& property) {
-  return numberText(property.least, property.quantity, kShownDigits) + " to " +
-         numberText(property.largest, property.quantity, kShownDigits);
+  return shownNumber(property.least, property.quantity) + " to " + shownNumber(property.largest, property.quantity);
 }
 
 std::variant<PropertyValue, std::string> propertyValue(const Property& property, const std::string& word) {

@@ -157,7 +157,7 @@ FidelitySample hole(double value, double slope, const Progress& progress) {
   constexpr double kVoxel = 0.35, kFeed = 2.0, kCycle = 0.004, kDepth = 9.0, kRadius = 3.0, kBlock = 16.0;
   SparseVolume volume = ballOfVoxels(kBlock, kVoxel);
   DrillSetup setup;
-  setup.tool = *drillToolOf("ball:6");
+  setup.tool = *drillBitOf("ball:6");
   setup.erosion = erosionOf(value);
   DrillRun run(volume, setup);
   const Vec3 way = Vec3(std::sin(slope), 0.0, -std::cos(slope));

@@ -3,6 +3,7 @@
 #include "window/DisabledReasons.h"
 
 #include "controls/CommandModel.h"
+#include "panels/ActionButton.h"
 
 #include <QApplication>
 #include <QHelpEvent>
@@ -21,11 +22,15 @@ bool DisabledReasons::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ToolTip) return false;
   const auto& help = static_cast<const QHelpEvent&>(*event);
   auto* const menu = qobject_cast<QMenu*>(watched);
-  auto* const button = qobject_cast<QToolButton*>(watched);
-  QAction* const action = menu ? menu->actionAt(help.pos()) : button ? button->defaultAction() : nullptr;
+  const auto* const toolButton = qobject_cast<QToolButton*>(watched);
+  const auto* const button = qobject_cast<ActionButton*>(watched);
+  QAction* const action = menu         ? menu->actionAt(help.pos())
+                          : toolButton ? toolButton->defaultAction()
+                          : button     ? button->action()
+                                       : nullptr;
   const QString reason = action && !action->isEnabled() ? action->property(kDisabledReason).toString() : QString();
   if (reason.isEmpty()) return false;
-  const QString text = button ? QStringLiteral("%1\n\n%2").arg(action->toolTip(), reason) : reason;
+  const QString text = menu ? reason : QStringLiteral("%1\n\n%2").arg(action->toolTip(), reason);
   auto* const place = static_cast<QWidget*>(watched);
   const QRect rect = menu ? menu->actionGeometry(action) : place->rect();
   QToolTip::showText(help.globalPos(), Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal), place, rect);

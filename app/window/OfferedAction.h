@@ -10,8 +10,8 @@ namespace handwheel {
 
 // Enables an action, or says why it is disabled.
 inline void offer(QAction& action, bool isEnabled, const QString& reason) {
-  action.setEnabled(isEnabled);
   action.setProperty(kDisabledReason, isEnabled ? QString() : reason);
+  action.setEnabled(isEnabled);
 }
 
 }  // namespace handwheel

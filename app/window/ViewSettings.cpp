@@ -98,7 +98,7 @@ void ViewSettings::cutThroughAxis() {
 
 void ViewSettings::setSectionAxis(std::optional<Ray> axis) {
   m_sectionAxis = std::move(axis);
-  offer(m_half, m_sectionAxis.has_value(), tr("Only turned parts have an axis"));
+  offer(m_half, m_sectionAxis.has_value(), tr("Only turned parts have an axis."));
   if (!m_sectionAxis && m_half.isChecked()) m_clip.setChecked(false);
 }
 

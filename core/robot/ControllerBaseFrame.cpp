@@ -24,7 +24,7 @@ std::string controllersLinkBeside(std::string_view base) {
 
 }  // namespace
 
-std::optional<Pose> controllerBase(const RobotModel& robot, const RobotArm& arm) {
+std::optional<Pose> controllerBaseFrame(const RobotModel& robot, const RobotArm& arm) {
   if (libraryRobot(arm.title)) return Pose::Identity();
   std::uint32_t link = linkNamed(robot, controllersLinkBeside(robot.links[arm.base].name));
   if (link == kNone) return std::nullopt;

@@ -11,6 +11,6 @@ namespace handwheel {
 // The base that a controller counts from, in that of its robot. A built-in robot has its own there, a description the
 // link "base", as ROS calls it (REP 199), with what its base_link has before its name; it must be fixed to the base of
 // the robot. None: the description does not say.
-std::optional<Pose> controllerBase(const RobotModel& robot, const RobotArm& arm);
+std::optional<Pose> controllerBaseFrame(const RobotModel& robot, const RobotArm& arm);
 
 }  // namespace handwheel

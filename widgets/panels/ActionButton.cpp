@@ -7,12 +7,12 @@
 
 namespace handwheel {
 
-ActionButton::ActionButton(QAction* action, Rank rank, QWidget* parent) : QPushButton(parent) {
+ActionButton::ActionButton(QAction* action, Rank rank, QWidget* parent) : QPushButton(parent), m_action(action) {
   setObjectName(action->objectName() + QStringLiteral("Button"));
   setProperty(rank == Rank::Primary ? "primary" : "flat", rank != Rank::Ordinary);
   setCursor(Qt::ArrowCursor);
-  follow(action);
-  connect(action, &QAction::changed, this, [this, action] { follow(action); });
+  follow();
+  connect(action, &QAction::changed, this, &ActionButton::follow);
   connect(this, &QPushButton::clicked, action, &QAction::trigger);
 }
 
@@ -22,13 +22,13 @@ bool ActionButton::event(QEvent* event) {
   return QPushButton::event(event);
 }
 
-void ActionButton::follow(const QAction* action) {
-  setText(action->iconText());
-  setToolTip(action->toolTip());
-  setAccessibleName(action->iconText());
-  setEnabled(action->isEnabled());
-  setCheckable(action->isCheckable());
-  setChecked(action->isChecked());
+void ActionButton::follow() {
+  setText(m_action->iconText());
+  setToolTip(m_action->toolTip());
+  setAccessibleName(m_action->iconText());
+  setEnabled(m_action->isEnabled());
+  setCheckable(m_action->isCheckable());
+  setChecked(m_action->isChecked());
 }
 
 }  // namespace handwheel

@@ -17,6 +17,8 @@ class ActionButton : public QPushButton {
 
   explicit ActionButton(QAction* action, Rank rank = Rank::Ordinary, QWidget* parent = nullptr);
 
+  QAction* action() const { return m_action; }
+
  signals:
   // The pointer or the focus came to the button, or left it.
   void pointed(bool isPointed);
@@ -25,7 +27,9 @@ class ActionButton : public QPushButton {
   bool event(QEvent* event) override;
 
  private:
-  void follow(const QAction* action);
+  void follow();
+
+  QAction* m_action;
 };
 
 }  // namespace handwheel

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The kinds of mesh defects, in the order of the panel.
+// The kinds of mesh defects, in the order of the panel. Their colours and icons are below.
 enum class DefectKind {
   Hole,
   KeptOpen,

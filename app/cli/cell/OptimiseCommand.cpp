@@ -36,8 +36,8 @@ PathRemarks remarksOn(const OptimisedPath& optimised) {
 }
 
 int runOptimise(const Arguments& arguments, const DocumentKinds& kinds) {
-  OperationValues values(optimisationOperation());
-  const std::string& id = optimisationOperation().id;
+  OperationValues values(optimisePathOperation());
+  const std::string& id = optimisePathOperation().id;
   if (const std::string problem = readOptions(arguments, values); !problem.empty()) return failUsage(problem, id);
   const Result<CellFile> file = openCellForArm(arguments, kinds, arguments.operands[1]);
   if (!file) return fail(file.error());
@@ -71,12 +71,12 @@ int runOptimise(const Arguments& arguments, const DocumentKinds& kinds) {
 
 Command optimiseCommand() {
   CommandSpec spec = {
-      optimisationOperation().id,
+      optimisePathOperation().id,
       "CELL PATH",
       "Chooses the order of the critical places of a path, and the configurations in which they are reached, "
       "that\ntake the least time; the first and the last stay. PATH is the name of a path in the cell, or a file.",
       {}};
-  spec.options = pathOptions(optimisationOperation());
+  spec.options = pathOptions(optimisePathOperation());
   return {std::move(spec), runOptimise};
 }
 

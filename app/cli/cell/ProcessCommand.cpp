@@ -23,8 +23,8 @@ Result<PlannedAndChecked> processed(const OperationValues& values, const CellSce
 }
 
 int runProcess(const Arguments& arguments, const DocumentKinds& kinds) {
-  OperationValues values(processOperation());
-  const std::string& id = processOperation().id;
+  OperationValues values(processPathOperation());
+  const std::string& id = processPathOperation().id;
   if (const std::string problem = readOptions(arguments, values); !problem.empty()) return failUsage(problem, id);
   if (!values.isSet("part")) return failUsage("The option --part BODY is missing.", id);
   if (!values.isSet("near")) return failUsage("The option --near X,Y,Z is missing.", id);
@@ -51,12 +51,12 @@ int runProcess(const Arguments& arguments, const DocumentKinds& kinds) {
 
 Command processCommand() {
   CommandSpec spec = {
-      processOperation().id,
+      processPathOperation().id,
       "CELL",
       "Plans a path of the robot's tool along an edge, a section or a drawn curve of a part, proven free "
       "of collisions.",
       {}};
-  spec.options = pathOptions(processOperation());
+  spec.options = pathOptions(processPathOperation());
   return {std::move(spec), runProcess};
 }
 

@@ -18,7 +18,7 @@ void CellPaths::optimise() {
   const auto scene = m_collisions.scene();
   if (!present) return;
   if (!scene) return reportUnprepared();
-  OperationValues values(optimisationOperation());
+  OperationValues values(optimisePathOperation());
   setFidelity(values, m_parts.fidelity.values());
   DocumentTab& tab = *m_document;
   Job job;

@@ -50,7 +50,7 @@ class CellPaths : public QObject {
   QAction* choosing() { return &m_choose; }                                                        // the robot
   QList<QAction*> buttons() { return {&m_store, &m_storeTarget, &m_plan, &m_verify, &m_export}; }  // those of the panel
   QMenu& menu() { return *m_menu; }
-  // Plans a path along a curve on a part (processOperation()). surface: of the part; null: it is found.
+  // Plans a path along a curve on a part (processPathOperation()). surface: of the part; null: it is found.
   void planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface);
   // What is known of the path of the selected row, as fields to read, and the clearance that it keeps; empty: it is no
   // path.

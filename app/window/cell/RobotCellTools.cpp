@@ -86,7 +86,7 @@ void RobotCellUi::markShown(DisplayModel& shown, const JointValues& joints, cons
 
 std::unique_ptr<Tool> RobotCellUi::processTool() {
   const auto& cell = static_cast<const RobotCellDocument&>(document()->document);
-  ProcessServices services;
+  ProcessPathServices services;
   services.pick = [this](const Ray& ray) { return pickCell(ray); };
   services.surface = [this](const BodyPointer& body) { return m_surfaces.of(body); };
   services.plan = [this, &cell](const OperationValues& values) {
@@ -119,8 +119,8 @@ std::unique_ptr<Tool> RobotCellUi::ikSolutionsTool() {
   return std::make_unique<IkSolutionsTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
 }
 
-PlaceServices RobotCellUi::placeServices() {
-  PlaceServices services;
+PlaceBodyServices RobotCellUi::placeServices() {
+  PlaceBodyServices services;
   services.pick = [this](const Ray& ray) { return pickCell(ray); };
   services.mark = [this](DisplayModel& shown, const Body& moved) {
     markShown(shown, static_cast<const RobotCellDocument&>(document()->document).joints(), &moved);

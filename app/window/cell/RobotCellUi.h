@@ -60,7 +60,7 @@ class RobotCellUi : public RigidPartsUi {
   std::unique_ptr<Tool> ikSolutionsTool();
   std::unique_ptr<Tool> placeTool();
   std::unique_ptr<Tool> faceMateTool();
-  PlaceServices placeServices();
+  PlaceBodyServices placeServices();
   std::optional<RobotCellPick> pickCell(const Ray& ray) const;
   std::vector<Property> panelProperties(const Document& document) const override;
   std::map<std::string, bool> foldingGroups(const Document& document) const override;

@@ -139,9 +139,9 @@ bool ExerciseUi::isOfLathe() const {
 }
 
 void ExerciseUi::refresh() {
-  for (QAction* action : menu()) action->setEnabled(false);
+  for (QAction* action : menu()) offer(*action, false, tr("Open an exercise first."));
   if (!current()) return;
-  m_begin->setEnabled(true);
+  offer(*m_begin, true, {});
   const ExerciseSnapshot& exercise = current()->exercise();
   const bool isStudent = exercise.isForStudents;
   m_pages->setCurrentWidget(isStudent ? static_cast<QWidget*>(m_student) : m_editor);
@@ -149,17 +149,19 @@ void ExerciseUi::refresh() {
   if (isStudent) m_student->setExercise(exercise, exercise.attempt.value_or(Attempt()), false);
   const bool hasWork = m_attempt->workOn(*document()) != nullptr;
   const auto offerTeacher = [&](QAction& action, bool isThere = true, const QString& reason = {}) {
-    offer(action, !isStudent && isThere, isStudent ? tr("This is a student's copy") : reason);
+    offer(action, !isStudent && isThere, isStudent ? tr("This is a student's copy.") : reason);
   };
-  const QString noWork = tr("No work on this exercise is open");
+  const QString noWork = tr("No work on this exercise is open.");
   offerTeacher(*m_preview);
   offerTeacher(*m_mark);
   offerTeacher(*m_solution, hasWork, noWork);
-  offerTeacher(*m_openSolution, exercise.solution != nullptr, tr("The exercise has no solution"));
+  offerTeacher(*m_openSolution, exercise.solution != nullptr, tr("The exercise has no solution."));
   offerTeacher(*m_import);
   offerTeacher(*m_target, hasWork, noWork);
   const bool hasTarget = exercise.subject->endsNote(*exercise.task).has_value();
-  for (QAction* const change : {m_turn, m_round}) offerTeacher(*change, hasTarget, tr("The exercise has no target"));
+  for (QAction* const change : {m_turn, m_round})
+    offerTeacher(*change, hasTarget,
+                 isOfLathe() ? tr("The exercise has no target.") : tr("It is for targets of turned parts only."));
   emit stateChanged();
 }
 

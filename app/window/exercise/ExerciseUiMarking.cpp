@@ -141,7 +141,7 @@ void ExerciseUi::chooseFile(const QString& title, const QString& filter, const Q
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(suffix);
-  beginInFolderOf(*dialog, QStringLiteral("submissionsReports"));
+  beginInFolderOf(*dialog, QStringLiteral("classReports"));
   dialog->selectFile(fileNameOf({name}, suffix));
   connect(dialog, &QFileDialog::fileSelected, this, chosen);
   dialog->open();

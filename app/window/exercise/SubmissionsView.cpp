@@ -88,8 +88,8 @@ SubmissionsView::SubmissionsView(QWidget* parent)
   };
   QPushButton* mark = button(tr("&Mark…"), "markSubmissions");
   mark->setToolTip(tr("Mark files that students have handed in"));
-  m_writeReport = button(tr("&Report…"), "submissionsReport");
-  m_writeTable = button(tr("&Table…"), "submissionTable");
+  m_writeReport = button(tr("&Report…"), "classReport");
+  m_writeTable = button(tr("&Table…"), "classTable");
   m_compare = button(tr("&Compare…"), "classCompare");
   m_compare->setToolTip(tr("Write a report of the two selected works side by side (Ctrl+click selects a second one)"));
   m_remove = button(tr("Remo&ve"), "classRemove");

@@ -157,25 +157,30 @@ void DefectActions::renewPreview() {
 }
 
 void DefectActions::follow() {
-  const bool free = m_document && !m_jobs.isWorking();
+  const QString obstacle = m_jobs.obstacle(m_document);
+  const bool free = obstacle.isEmpty();
   const bool isWanted = m_kind && isFixable(*m_kind, m_row);
   m_fix.setVisible(isWanted);
   m_mayFix = free && isWanted;
   if (isWanted) m_fix.setText(QCoreApplication::translate("Tool", fixFor(*m_kind)->title));
   const auto offerFree = [&](QAction& action, bool isThere, const QString& reason) {
-    offer(action, free && isThere, m_jobs.isWorking() ? tr("A repair is running") : reason);
+    offer(action, free && isThere, free ? reason : obstacle);
   };
-  offerFree(m_thickenSheet, free && !sheets().empty(), tr("There is no open sheet"));
+  const bool isSearched = m_document && m_document->inspection.selfIntersections();
+  const QString searching = tr("Self-intersections are still being searched for.");
+  offerFree(m_thickenSheet, free && !sheets().empty(),
+            selectedLoop() < 0 ? tr("There is no open sheet.")
+                               : tr("The selected hole is not the outer boundary of a sheet."));
   nameThickening();
   if (m_thickenSheet.isEnabled()) emit thicknessChanged();
   offerFree(m_reverseBodies, free && m_document->inspection.count(DefectKind::InsideOut) > 0,
-            tr("No body faces inwards"));
+            tr("No body faces inwards."));
   offerFree(m_resolveIntersections, free && m_document->inspection.count(DefectKind::SelfIntersection) > 0,
-            tr("There are no self-intersections"));
+            isSearched ? tr("There are no self-intersections.") : searching);
   offerFree(m_uniteBodies,
             free && (m_document->document.defects().nestedBodies > 0 ||
                      (m_resolveIntersections.isEnabled() && m_document->document.defects().components.size() > 1)),
-            tr("No bodies intersect or lie inside each other"));
+            isSearched ? tr("No bodies intersect or lie inside each other.") : searching);
   const int loop = selectedLoop();
   const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).isSheetBoundary &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&

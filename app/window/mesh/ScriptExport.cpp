@@ -33,7 +33,8 @@ void ScriptExport::setDocument(MeshTab* document) {
 }
 
 void ScriptExport::follow() {
-  offer(m_save, m_document && presentPoint(m_document->document) != HistoryPoint(), tr("Nothing was changed"));
+  offer(m_save, m_document && presentPoint(m_document->document) != HistoryPoint(),
+        m_document ? tr("Nothing was changed.") : tr("Open a mesh first."));
 }
 
 void ScriptExport::ask() {

@@ -190,7 +190,7 @@ DisplayModel modelAt(const WorkpieceSnapshot& work, const PassesReplay::Moment& 
 
 // With all that is drawn of it: it has as many points as the hand made.
 ReplayDock::PlayedPointer ReplayDock::playedOf(const QString& name, const WorkpieceSnapshot& work, Progress progress) {
-  auto track = work.part ? replayTrack(work, progress) : std::nullopt;
+  auto track = work.part ? replayCurves(work, progress) : std::nullopt;
   if (!track) return nullptr;
   TimeLineRecording recording = recordingOf(name, *track);
   return std::make_shared<const Played>(

@@ -183,7 +183,8 @@ void TargetActions::setDocument(DocumentTab* document) {
   if (m_document) m_document->document.disconnect(this);
   m_measuring.cancelAll();
   m_document = document;
-  offer(m_import, document != nullptr && !document->document.file().assigned, tr("The exercise has its own target"));
+  offer(m_import, document != nullptr && !document->document.file().assigned,
+        document ? tr("The target is that of the exercise.") : tr("Open a workpiece first."));
   if (document) connect(&document->document, &Document::changed, this, &TargetActions::refresh);
   refresh();
 }
@@ -191,10 +192,10 @@ void TargetActions::setDocument(DocumentTab* document) {
 void TargetActions::refresh() {
   const WorkpieceDocument* const owner = workpiece();
   const bool hasTarget = owner && owner->workpiece().target;
-  const QString none = tr("There is no target");
+  const bool isAssigned = m_document && m_document->document.file().assigned;
+  const QString none = owner ? tr("There is no target.") : tr("Open a workpiece first.");
   for (QAction* const change : {&m_turn, &m_remove})
-    offer(*change, hasTarget && !m_document->document.file().assigned,
-          hasTarget ? tr("The exercise has its own target") : none);
+    offer(*change, hasTarget && !isAssigned, isAssigned ? tr("The target is that of the exercise.") : none);
   offer(m_outline, hasTarget, none);
   offer(m_colours, hasTarget, none);
   showOutline();
@@ -294,7 +295,7 @@ void TargetActions::askForPlace(DocumentTab* document, const ImportedTarget& imp
   };
   auto* dialog = new PropertyDialog(
       {tr("Where the target lies"), intro(), tr("&Import")},
-      [proposed, stock] { return waypointProperties((*proposed)->profile, stock); },
+      [proposed, stock] { return placeProperties((*proposed)->profile, stock); },
       [proposed, stock, change](const std::string&, const PropertyValue& value) -> Status {
         Result<TargetProfile> placed = withPlace((*proposed)->profile, stock, value);
         if (!placed) return placed.error();

@@ -184,7 +184,7 @@ Result<SnapshotPointer> ExerciseKind::load(const Container& container, std::vect
   // A copy for students has none, whoever wrote it.
   const auto marked = document->find(kClass);
   if (marked != document->end() && !exercise.isForStudents) {
-    MarkedSubmissions works = markedClassFrom(*marked, damage);
+    MarkedSubmissions works = markedSubmissionsFrom(*marked, damage);
     if (!works.empty()) exercise.marked = std::make_shared<const MarkedSubmissions>(std::move(works));
   }
   Result<SnapshotPointer> solution =

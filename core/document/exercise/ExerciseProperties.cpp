@@ -131,8 +131,8 @@ std::string labelOnDrawing(const std::string& label, double place) {
 }
 
 // Where a criterion is measured: a length for each argument of its figure; what is wrong with them stands at the last.
-std::vector<Property> waypointProperties(const ExerciseSnapshot& exercise, const MarkingCriterion& c,
-                                         const MeasurementType& type) {
+std::vector<Property> placeProperties(const ExerciseSnapshot& exercise, const MarkingCriterion& c,
+                                      const MeasurementType& type) {
   const std::optional<double> zero = exercise.subject->drawingZero(*exercise.task);
   std::vector<Property> all;
   for (std::size_t i = 0; i < type.arguments.size(); ++i) {
@@ -168,7 +168,7 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
   } else {
     figure.problem = QT_TRANSLATE_NOOP("Property", "this figure is not known");
   }
-  for (Property& place : type ? waypointProperties(exercise, c, *type) : std::vector<Property>()) {
+  for (Property& place : type ? placeProperties(exercise, c, *type) : std::vector<Property>()) {
     Property& shown = add(place.id.c_str(), "", place.value);
     place.id = shown.id;
     place.group = shown.group;

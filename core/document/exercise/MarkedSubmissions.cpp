@@ -222,7 +222,7 @@ Json toJson(const MarkedSubmissions& marked) {
   return json;
 }
 
-MarkedSubmissions markedClassFrom(const Json& json, std::vector<Error>& damage) {
+MarkedSubmissions markedSubmissionsFrom(const Json& json, std::vector<Error>& damage) {
   MarkedSubmissions marked;
   if (!json.is_array()) {
     if (!json.is_null()) damage.push_back({ErrorCode::ElementMalformed, {"class", "a list was expected"}, {}, {}});

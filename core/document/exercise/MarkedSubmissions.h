@@ -36,6 +36,6 @@ MarkedSubmissions withMarked(MarkedSubmissions marked, std::vector<ReportedWork>
 // As the file of an exercise has it; docs/format.md lists the keys. Pictures and curves are left out.
 nlohmann::json toJson(const MarkedSubmissions& marked);
 // Reads untrusted JSON. What cannot be taken is left out and added to the damage.
-MarkedSubmissions markedClassFrom(const nlohmann::json& json, std::vector<Error>& damage);
+MarkedSubmissions markedSubmissionsFrom(const nlohmann::json& json, std::vector<Error>& damage);
 
 }  // namespace handwheel

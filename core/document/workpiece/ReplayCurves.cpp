@@ -43,7 +43,7 @@ DeviationTrack deviationTrack(const PassesReplay& replay, const TargetProfile& t
   return track;
 }
 
-std::optional<ReplayCurves> replayTrack(const WorkpieceSnapshot& workpiece, Progress progress) {
+std::optional<ReplayCurves> replayCurves(const WorkpieceSnapshot& workpiece, Progress progress) {
   const TurnedPart& part = *workpiece.part;
   const TurnedProfile bar = TurnedProfile::barOf(workpiece.stock, part.profile.size());
   auto replay = PassesReplay::make(bar, part.passes, progress.part(0.0, 0.3));

@@ -45,6 +45,6 @@ struct ReplayCurves {
   std::vector<Crash> crashes;               // by time
 };
 // Of a workpiece that was cut. None: cancelled. O(all that the passes cut).
-std::optional<ReplayCurves> replayTrack(const WorkpieceSnapshot& workpiece, Progress progress = {});
+std::optional<ReplayCurves> replayCurves(const WorkpieceSnapshot& workpiece, Progress progress = {});
 
 }  // namespace handwheel

@@ -38,7 +38,7 @@ ProgramRun::ProgramRun(std::string_view text, const ProgramSetup& setup, Progres
       m_outline(text, setup.dialect),
       m_variables(setup.dialect == ProgramDialect::Fanuc ? kLocals : 30, setup.dialect == ProgramDialect::Fanuc),
       m_machine(setup, m_path),
-      m_cycleWork(progress) {
+      m_cycleBudget(progress) {
   m_variables.setSystem([this](int n) { return systemVariable(n); },
                         [this](const std::string& name) { return systemVariable(name); });
 }

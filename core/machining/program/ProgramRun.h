@@ -82,7 +82,7 @@ class ProgramRun {
   ProgramOutline m_outline;
   ProgramVariables m_variables;
   ProgramMachine m_machine;
-  CycleBudget m_cycleWork;
+  CycleBudget m_cycleBudget;
   std::vector<Frame> m_frames;
   std::uint32_t m_next = 0;  // line
   bool m_isDone = false;

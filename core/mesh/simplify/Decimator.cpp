@@ -23,7 +23,7 @@ bool Decimator::prepare(const Progress& progress) {
   m_inStar.assign(m_mesh.faceSlots(), 0);
   for (Face f = 0; m_options.avoidIntersections && f < m_mesh.faceSlots(); ++f) {
     if (!pollProgress(f, m_mesh.faceSlots(), progress)) return false;
-    if (m_mesh.isLive(f)) m_grid.add(f, boxOf(m_mesh.points(f)));
+    if (m_mesh.isLive(f)) m_octree.add(f, boxOf(m_mesh.points(f)));
   }
   return !progress.cancelled();
 }
@@ -69,7 +69,7 @@ bool Decimator::meetsNothing() {
       if (trianglesMeet(t, m_star.after[j])) return false;
     }
     const Box box = boxOf(t);
-    const bool isClear = m_grid.forEachNear(box, [&](Face other) {
+    const bool isClear = m_octree.forEachNear(box, [&](Face other) {
       if (m_inStar[other] == m_stars) return true;
       const TrianglePoints points = m_mesh.points(other);
       return !boxOf(points).intersects(box) || isDegenerate(points) || !trianglesMeet(t, points);
@@ -92,12 +92,12 @@ void Decimator::collapse(HalfEdge h, const Vec3& p) {
   const bool isInner = m_mesh.hasOpposite(h);
   m_holds.beforeCollapse(m_mesh, h);
   if (m_options.avoidIntersections) {
-    for (const Face f : m_star.faces) m_grid.remove(f, boxOf(m_mesh.points(f)));
+    for (const Face f : m_star.faces) m_octree.remove(f, boxOf(m_mesh.points(f)));
   }
   const HalfEdge leaving = collapseEdge(m_mesh, h, p);
   const std::span<const Face> stay = std::span<const Face>(m_star.faces).first(m_star.after.size());
   if (m_options.avoidIntersections) {
-    for (const Face f : stay) m_grid.add(f, boxOf(m_mesh.points(f)));
+    for (const Face f : stay) m_octree.add(f, boxOf(m_mesh.points(f)));
   }
   if (m_error) m_error->replace(m_star.faces, stay);
   m_faces -= isInner ? 2 : 1;

@@ -65,7 +65,7 @@ class Decimator {
   VertexConstraints m_holds;
   std::vector<std::uint32_t> m_inStar;  // per face: the number of the last star that it was in
   std::uint32_t m_stars = 0;
-  FaceOctree m_grid;  // of the live faces, where intersections matter
+  FaceOctree m_octree;  // of the live faces, where intersections matter
   std::priority_queue<Candidate> m_queue;
   Star m_star;
 };

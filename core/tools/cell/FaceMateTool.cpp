@@ -28,7 +28,7 @@ constexpr double kShownNormal = 40.0;  // mm
 
 }  // namespace
 
-FaceMateTool::FaceMateTool(RobotCellDocument& document, BodySelection& selection, PlaceServices services)
+FaceMateTool::FaceMateTool(RobotCellDocument& document, BodySelection& selection, PlaceBodyServices services)
     : m_document(document), m_selection(selection), m_services(std::move(services)) {}
 
 std::span<const ToolKey> FaceMateTool::keys() {

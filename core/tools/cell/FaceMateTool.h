@@ -15,7 +15,7 @@ namespace handwheel {
 class FaceMateTool : public Tool {
  public:
   // The selection must outlive the tool.
-  FaceMateTool(RobotCellDocument& document, BodySelection& selection, PlaceServices services);
+  FaceMateTool(RobotCellDocument& document, BodySelection& selection, PlaceBodyServices services);
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "snap"; }
@@ -44,7 +44,7 @@ class FaceMateTool : public Tool {
 
   RobotCellDocument& m_document;
   BodySelection& m_selection;
-  PlaceServices m_services;
+  PlaceBodyServices m_services;
   std::optional<Pointed> m_hovered, m_first, m_second;
   BodyId m_body = 0;  // that m_first is of
   Meeting m_meeting = Meeting::Middles;

@@ -46,7 +46,7 @@ QString placeText(const char* text) {
 
 }  // namespace
 
-PlaceBodyTool::PlaceBodyTool(RobotCellDocument& document, BodySelection& selection, PlaceServices services)
+PlaceBodyTool::PlaceBodyTool(RobotCellDocument& document, BodySelection& selection, PlaceBodyServices services)
     : m_document(document), m_selection(selection), m_services(std::move(services)) {}
 
 std::span<const ToolKey> PlaceBodyTool::keys() {

@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // Services that PlaceBodyTool uses.
-struct PlaceServices {
+struct PlaceBodyServices {
   JointDragTool::Pick pick;
   // Marks what collides while the body is there, in the frame of the base.
   std::function<void(DisplayModel& shown, const Body& moved)> mark;
@@ -34,7 +34,7 @@ struct PlaceServices {
 class PlaceBodyTool : public Tool {
  public:
   // The selection must outlive the tool.
-  PlaceBodyTool(RobotCellDocument& document, BodySelection& selection, PlaceServices services);
+  PlaceBodyTool(RobotCellDocument& document, BodySelection& selection, PlaceBodyServices services);
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "place"; }
@@ -92,7 +92,7 @@ class PlaceBodyTool : public Tool {
 
   RobotCellDocument& m_document;
   BodySelection& m_selection;
-  PlaceServices m_services;
+  PlaceBodyServices m_services;
   Frame m_frame = Frame::World;
   Centre m_centre = Centre::Middle;
   double m_length = 0.0;         // mm, of the arrows; 0: as large as the body

@@ -244,7 +244,7 @@ std::vector<Waypoint> processPlaces(const CellScene& scene, const FollowedTrack&
 
 }  // namespace
 
-const Operation& processOperation() {
+const Operation& processPathOperation() {
   static const Operation kOperation = [] {
     Operation process = {.id = "process",
                          .title = QT_TRANSLATE_NOOP("Tool", "Plan process path"),
@@ -361,7 +361,7 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
 }
 
 OperationValues valuesOf(const PathProcess& process) {
-  OperationValues values(processOperation());
+  OperationValues values(processPathOperation());
   for (const auto& [id, value] : process.values) {
     if (values.operation().find(id)) static_cast<void>(values.set(id, value));
   }

@@ -8,7 +8,7 @@
 namespace handwheel {
 
 // The operation "process": a path of the tool along a curve on a part.
-const Operation& processOperation();
+const Operation& processPathOperation();
 
 // Values of "along"; those between are sections.
 inline constexpr std::size_t kAlongEdge = 0, kAlongDrawn = 4;

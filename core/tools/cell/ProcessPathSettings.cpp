@@ -26,7 +26,7 @@ std::vector<std::string> processEnds(const CellRobot& robot, const CellPlans& pl
   return names;
 }
 
-std::vector<Property> processSettings(const OperationValues& values, const std::vector<std::string>& ends) {
+std::vector<Property> processPathSettings(const OperationValues& values, const std::vector<std::string>& ends) {
   std::vector<Property> all;
   for (const char* const id : kShownSettings) {
     all.push_back(settingOf(values, id));
@@ -47,7 +47,7 @@ std::vector<Property> processSettings(const OperationValues& values, const std::
 }
 
 std::vector<Property> pathProcessSettings(const OperationValues& values, const std::vector<std::string>& ends) {
-  std::vector<Property> all = processSettings(values, ends);
+  std::vector<Property> all = processPathSettings(values, ends);
   std::erase_if(all, [](const Property& each) { return each.id == "along"; });
   for (Property& each : all) each.group = QT_TRANSLATE_NOOP("Property", "Process of the path");
   return all;

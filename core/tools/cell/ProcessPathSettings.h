@@ -14,7 +14,7 @@ namespace handwheel {
 std::vector<std::string> processEnds(const CellRobot& robot, const CellPlans& plans);
 
 // All of them; ends: of processEnds().
-std::vector<Property> processSettings(const OperationValues& values, const std::vector<std::string>& ends);
+std::vector<Property> processPathSettings(const OperationValues& values, const std::vector<std::string>& ends);
 // Those of a path whose curve is chosen: without what the tool follows.
 std::vector<Property> pathProcessSettings(const OperationValues& values, const std::vector<std::string>& ends);
 

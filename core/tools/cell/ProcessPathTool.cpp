@@ -29,8 +29,8 @@ constexpr double kDrawnStep = 12.0;  // pixels between places of a curve that is
 
 }  // namespace
 
-ProcessPathTool::ProcessPathTool(const RobotCellDocument& document, ProcessServices services)
-    : m_document(document), m_services(std::move(services)), m_values(processOperation()) {
+ProcessPathTool::ProcessPathTool(const RobotCellDocument& document, ProcessPathServices services)
+    : m_document(document), m_services(std::move(services)), m_values(processPathOperation()) {
   m_values.setValid("clearance", offeredClearance(document.robot(), *document.plans(), m_values.number("standoff")));
 }
 
@@ -257,7 +257,7 @@ std::vector<std::string> ProcessPathTool::ends() const {
 }
 
 std::vector<Property> ProcessPathTool::settings() const {
-  std::vector<Property> all = processSettings(m_values, ends());
+  std::vector<Property> all = processPathSettings(m_values, ends());
   if (isJagged(m_track)) {
     all.front().problem = QT_TRANSLATE_NOOP(
         "Property", "it turns to and fro again and again: a section, or a larger tolerance, is smoother");

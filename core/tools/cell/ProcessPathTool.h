@@ -10,7 +10,7 @@
 namespace handwheel {
 
 // Services that ProcessPathTool uses.
-struct ProcessServices {
+struct ProcessPathServices {
   JointDragTool::Pick pick;
   // The surface of a body; null while it is being prepared.
   std::function<std::shared_ptr<const PartSurface>(const BodyPointer& body)> surface;
@@ -23,7 +23,7 @@ struct ProcessServices {
 // path. A curve can be drawn, too: by clicks on the part, or in one go.
 class ProcessPathTool : public Tool {
  public:
-  ProcessPathTool(const RobotCellDocument& document, ProcessServices services);
+  ProcessPathTool(const RobotCellDocument& document, ProcessPathServices services);
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "process"; }
@@ -60,7 +60,7 @@ class ProcessPathTool : public Tool {
   void look();
 
   const RobotCellDocument& m_document;
-  ProcessServices m_services;
+  ProcessPathServices m_services;
   OperationValues m_values;
   std::optional<Place> m_hovered, m_chosen;
   SurfaceTrack m_track;  // that is shown

@@ -110,7 +110,7 @@ const Operation& drillOperation() {
 }
 
 Result<DrillSetup> drillSetupOf(const OperationValues& values) {
-  const std::optional<DrillBit> tool = drillToolOf(values.text("tool"));
+  const std::optional<DrillBit> tool = drillBitOf(values.text("tool"));
   if (!tool) return Error{VolumeErrors::NoSuchDrill, {values.text("tool")}, {}, {}};
   const DrillMaterial* material = drillMaterial(values.text("material"));
   if (!material) return Error{VolumeErrors::NoSuchDrillMaterial, {values.text("material")}, {}, {}};

@@ -13,7 +13,7 @@ enum class DrillShape {
   Saw,    // a disc across the spindle
 };
 
-// The shape of a drill bit. What is behind it removes nothing.
+// The cutting head of a drill bit. What is behind the head removes nothing.
 struct DrillBit {
   DrillShape shape = DrillShape::Ball;
   double diameter = 6.0;       // mm

@@ -68,7 +68,7 @@ DrillBitType typeIn(const nlohmann::json& row) {
 
 }  // namespace
 
-Result<std::vector<DrillBitType>> drillToolsFromJson(std::string_view text) {
+Result<std::vector<DrillBitType>> drillBitsFromJson(std::string_view text) {
   const Result<nlohmann::json> json = parseJson(text, kTable);
   if (!json) return json.error();
   const auto fail = [](const std::string& why) { return Error{ErrorCode::ElementMalformed, {kTable, why}, {}, {}}; };
@@ -89,12 +89,12 @@ Result<std::vector<DrillBitType>> drillToolsFromJson(std::string_view text) {
 }
 
 const std::vector<DrillBitType>& drillBits() {
-  static const Result<std::vector<DrillBitType>> kShipped = drillToolsFromJson(drillToolsResource());
+  static const Result<std::vector<DrillBitType>> kShipped = drillBitsFromJson(drillBitsResource());
   assert(kShipped);
   return *kShipped;
 }
 
-std::optional<DrillBit> drillToolOf(std::string_view word) {
+std::optional<DrillBit> drillBitOf(std::string_view word) {
   std::array<std::string_view, 3> parts;
   std::size_t count = 0;
   for (bool isLast = false; !isLast; ++count) {

@@ -20,16 +20,16 @@ struct DrillBitType {
   static constexpr std::size_t kMost = 100;  // in a table
 };
 
-// Reads a table of drills as in resources/drilling/tools.json. Errors: those of parseJson(), ElementMalformed {the
+// Reads a table of drill bits as in resources/drilling/tools.json. Errors: those of parseJson(), ElementMalformed {the
 // table, what is wrong with which drill}.
-Result<std::vector<DrillBitType>> drillToolsFromJson(std::string_view text);
-// The drills that ship; the first is the usual one.
+Result<std::vector<DrillBitType>> drillBitsFromJson(std::string_view text);
+// The drill bits that ship; the first is the usual one.
 const std::vector<DrillBitType>& drillBits();
 
-// The drill of a word, as "ball:6", "twist:6", "burr:4", "saw:30" or "saw:30:0.8": the id and the diameter in mm, and
-// the width of a saw. None where it is no such word.
-std::optional<DrillBit> drillToolOf(std::string_view word);
-// The word of a drill of this shape, its diameter and width.
+// The drill bit of a word, as "ball:6", "twist:6", "burr:4", "saw:30" or "saw:30:0.8": the id and the diameter in mm,
+// and the width of a saw. None where it is no such word.
+std::optional<DrillBit> drillBitOf(std::string_view word);
+// The word of a drill bit of this shape, its diameter and width.
 std::string drillWordOf(const DrillBit& tool);
 
 }  // namespace handwheel

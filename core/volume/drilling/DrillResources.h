@@ -8,6 +8,6 @@ namespace handwheel {
 
 // The files of resources/drilling, which are built into the library.
 std::string_view drillMaterialsResource();  // materials.json
-std::string_view drillToolsResource();      // tools.json
+std::string_view drillBitsResource();       // tools.json
 
 }  // namespace handwheel

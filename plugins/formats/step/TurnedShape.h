@@ -10,7 +10,7 @@
 namespace handwheel {
 
 // Finds the axis of a turned part and the half section beside it. It answers for
-// core/machining/target/TurnedStepAnswer.cpp, in lines of text:
+// core/machining/target/ProfileFromStep.cpp, in lines of text:
 //
 //   solids N                        the shape is not one solid
 //   no-axis                         nothing in it turns

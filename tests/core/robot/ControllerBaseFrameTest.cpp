@@ -18,7 +18,7 @@ class ControllerBaseFrameTest : public QObject {
 
   static std::optional<Pose> baseIn(const std::string& inside) {
     const RobotModel robot = readOrThrow(robotOf(inside)).robot;
-    return controllerBase(robot, wholeArm(robot));
+    return controllerBaseFrame(robot, wholeArm(robot));
   }
   static std::string turned(const std::string& type, const std::string& parent, const std::string& child,
                             const std::string& origin = "<origin xyz='0 0 0' rpy='0 0 3.141592653589793'/>") {
@@ -48,11 +48,11 @@ class ControllerBaseFrameTest : public QObject {
   void itself() {
     QVERIFY(isAt(baseIn(link("base") + link("l1") + turned("revolute", "base", "l1")), Vec3::Zero(), 0.0));
     RobotModel robot = handwheel::robotOf(*libraryTable("ur5"));
-    QVERIFY(isAt(controllerBase(robot, wholeArm(robot)), Vec3::Zero(), 0.0));
+    QVERIFY(isAt(controllerBaseFrame(robot, wholeArm(robot)), Vec3::Zero(), 0.0));
     robot.links[robot.root].name = "foot";
-    QVERIFY(isAt(controllerBase(robot, wholeArm(robot)), Vec3::Zero(), 0.0));
+    QVERIFY(isAt(controllerBaseFrame(robot, wholeArm(robot)), Vec3::Zero(), 0.0));
     robot.name = "another arm";
-    QVERIFY(!controllerBase(robot, wholeArm(robot)));
+    QVERIFY(!controllerBaseFrame(robot, wholeArm(robot)));
   }
 
   // Of several robots each has its own.
@@ -64,7 +64,7 @@ class ControllerBaseFrameTest : public QObject {
     const Pose beside(Eigen::Translation3d(2000.0, 0.0, 0.0));
     const RobotModel both = joined(one, one, "other", beside);
     const RobotArm arm{"other", "r", linkNamed(both, "other_base_link"), linkNamed(both, "other_l1")};
-    QVERIFY(isAt(controllerBase(both, arm), Vec3::Zero(), M_PI));
+    QVERIFY(isAt(controllerBaseFrame(both, arm), Vec3::Zero(), M_PI));
   }
 
   // What is not called so, or moves against the base, is none.

@@ -218,7 +218,7 @@ class HybridPartTest : public QObject {
     QFETCH(double, erosion);
     const TriangleSoup soup = shape == "plate" ? plateOf(30.0, 4.0) : shape == "ball" ? ballOf(6.0) : turnedBlock();
     DrillSetup setup;
-    setup.tool = *drillToolOf(tool.toStdString());
+    setup.tool = *drillBitOf(tool.toStdString());
     setup.erosion = erosion;
     // Down through all of it; a saw goes across, its axis along y.
     const bool isSaw = tool.startsWith("saw");

@@ -20,7 +20,6 @@
 #include <QHelpEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QTextDocument>
 #include <QToolTip>
 #include <cmath>
 

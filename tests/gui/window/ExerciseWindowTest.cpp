@@ -467,7 +467,7 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(driver.find<QAction>("targetOutline")->isChecked());
     QVERIFY(!driver.find<QAction>("importTarget")->isEnabled() && !driver.find<QAction>("removeTarget")->isEnabled());
     QCOMPARE(driver.find<QAction>("importTarget")->property(kDisabledReason).toString(),
-             "The exercise has its own target");
+             "The target is that of the exercise.");
     auto* diameter = driver.find<QWidget>("property/diameter")->findChild<QLineEdit*>();
     QVERIFY(!diameter || !diameter->isEnabled() || diameter->isReadOnly());
   }

@@ -30,7 +30,7 @@ void ToolKeyRulesTest::nothingCollidesFromTheBeginning() {
 }
 
 void ToolKeyRulesTest::conflictsBothWays() {
-  BrushBench bench;
+  BrushFixture bench;
   WindowDriver& driver = bench.driver;
   auto* view = driver.find<Viewport>("viewport");
   {
@@ -65,7 +65,7 @@ void ToolKeyRulesTest::conflictsBothWays() {
 }
 
 void ToolKeyRulesTest::twoOfOneTool() {
-  BrushBench bench;
+  BrushFixture bench;
   WindowDriver& driver = bench.driver;
   {
     KeyPage page(driver);
@@ -79,7 +79,7 @@ void ToolKeyRulesTest::twoOfOneTool() {
 }
 
 void ToolKeyRulesTest::whatEndsStays() {
-  BrushBench bench;
+  BrushFixture bench;
   WindowDriver& driver = bench.driver;
   {
     KeyPage page(driver);
@@ -113,7 +113,7 @@ void ToolKeyRulesTest::whatEndsStays() {
 void ToolKeyRulesTest::toFileAndBack() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("keys.json"));
-  BrushBench bench;
+  BrushFixture bench;
   WindowDriver& driver = bench.driver;
   {
     KeyPage page(driver);
@@ -151,7 +151,7 @@ void ToolKeyRulesTest::hostileSettings() {
   settings.setValue("shortcuts/tool/select/all", 7);
   settings.setValue("shortcuts/tool/unknown/all", QStringList{"Q"});
   settings.setValue("shortcuts/fitView", QStringList{"Return"});
-  BrushBench bench;
+  BrushFixture bench;
   WindowDriver& driver = bench.driver;
   const KeyPage page(driver);
   QCOMPARE(page.shownKeys(kSmaller), QStringLiteral("["));

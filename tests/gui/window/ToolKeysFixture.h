@@ -65,9 +65,9 @@ class KeyPage {
   QTreeView* m_list;
 };
 
-class BrushBench {
+class BrushFixture {
  public:
-  BrushBench() {
+  BrushFixture() {
     const QString path = m_folder.filePath(QStringLiteral("hole.stl"));
     writeStl(path, torusWithHole());
     if (!driver.open(path)) qFatal("the file does not open");

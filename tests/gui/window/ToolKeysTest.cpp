@@ -75,7 +75,7 @@ void ToolKeysTest::everyKeyOfEveryToolHasARow() {
 }
 
 void ToolKeysTest::aNewKeyActsAndIsTold() {
-  BrushBench bench;
+  BrushFixture bench;
   WindowDriver& driver = bench.driver;
   const double before = bench.radius();
   bench.press(Qt::Key_BracketLeft);
@@ -110,7 +110,7 @@ void ToolKeysTest::aNewKeyActsAndIsTold() {
 }
 
 void ToolKeysTest::anActionWithoutAKeyGetsOne() {
-  BrushBench bench;
+  BrushFixture bench;
   WindowDriver& driver = bench.driver;
   {
     KeyPage page(driver);
@@ -138,7 +138,7 @@ void ToolKeysTest::anActionWithoutAKeyGetsOne() {
 
 // Space goes to the next hole, Ctrl+Z takes back: unless one wants them otherwise.
 void ToolKeysTest::keysThatQtWouldTake() {
-  BrushBench bench;
+  BrushFixture bench;
   WindowDriver& driver = bench.driver;
   for (const auto& [key, modifiers] :
        std::initializer_list<std::pair<Qt::Key, Qt::KeyboardModifier>>{{Qt::Key_Space, Qt::NoModifier},
@@ -157,7 +157,7 @@ void ToolKeysTest::keysThatQtWouldTake() {
 
 // "Ctrl++" is pressed with Shift on one keyboard, without on another, and on the block of digits.
 void ToolKeysTest::signsNeedShiftOrNot() {
-  BrushBench bench;
+  BrushFixture bench;
   WindowDriver& driver = bench.driver;
   KeyPage(driver).press(kSmaller, Qt::Key_Plus, Qt::ControlModifier);
   QVERIFY(bench.hints("Ctrl++: smaller brush"));
@@ -176,7 +176,7 @@ void ToolKeysTest::signsNeedShiftOrNot() {
 
 // "Next hole" is a command of the window; the tools tell its key, and have none of their own.
 void ToolKeysTest::theCommandThatDoesTheSame() {
-  BrushBench bench;
+  BrushFixture bench;
   WindowDriver& driver = bench.driver;
   KeyPage(driver).press("nextHole", Qt::Key_Y);
   for (const char* tool : {"fillTool", "boundaryTool"}) {

@@ -123,27 +123,25 @@ void RepairActions::follow() {
   const int loop = document ? m_selection.loop() : -1;
   const bool kept = loop >= 0 && document->document.isKeptOpen(document->inspection.loop(loop));
   const bool holes = document && !document->inspection.holes().empty();
-  const bool isSound = document && document->inspection.isClean();
-  const bool isDebris = document && !document->inspection.debris().empty();
-  offer(m_repairAll, isFree() && !isSound && !isTried(*document),
-        busyOr(isSound ? tr("There are no defects")
-                       : tr("The last repair has tried it; the list says why defects remain")));
-  offer(m_removeDebris, isFree() && isDebris, busyOr(tr("There is no debris")));
-  for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) offer(*action, holes, tr("There are no holes"));
-  offer(m_keepOpen, loop >= 0, tr("Select a hole first"));
+  const bool isTriedInVain = document && isTried(*document);
+  offerJob(m_repairAll, document && !document->inspection.isClean() && !isTriedInVain,
+           isTriedInVain ? tr("The last repair has tried it; the list says why defects remain.")
+           : document && !document->inspection.selfIntersections()
+               ? tr("Self-intersections are still being searched for.")
+               : tr("There is nothing that it would repair."));
+  offerJob(m_removeDebris, document && !document->inspection.debris().empty(), tr("There is no debris."));
+  for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) offer(*action, holes, tr("There are no holes."));
+  offer(m_keepOpen, loop >= 0, tr("Select a hole first."));
   m_keepOpen.setChecked(kept);
-  offer(m_deselect, loop >= 0, tr("Nothing is selected"));
+  offer(m_deselect, loop >= 0, tr("Nothing is selected."));
   m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1);
   followPreview();
   followUndo();
 }
 
-bool RepairActions::isFree() const {
-  return m_document && !m_jobs.isWorking();
-}
-
-QString RepairActions::busyOr(const QString& reason) const {
-  return m_jobs.isWorking() ? tr("A repair is running") : reason;
+void RepairActions::offerJob(QAction& action, bool isThere, const QString& reason) const {
+  const QString obstacle = m_jobs.obstacle(m_document);
+  offer(action, obstacle.isEmpty() && isThere, obstacle.isEmpty() ? reason : obstacle);
 }
 
 // Whether another repair would find what the last one left, and no more: the list has the reasons.
@@ -158,7 +156,7 @@ bool RepairActions::isTried(const MeshTab& document) const {
 }
 
 void RepairActions::followUndo() {
-  offer(m_undoRepair, isFree() && m_document->isJustRepaired(), busyOr(tr("The last change was not a repair")));
+  offerJob(m_undoRepair, m_document && m_document->isJustRepaired(), tr("The last change was not a repair."));
 }
 
 // There is no point in filling what the preview could not.
@@ -167,10 +165,10 @@ void RepairActions::followPreview() {
   const MeshTab* document = m_document;
   const bool kept = loop >= 0 && document && document->document.isKeptOpen(document->inspection.loop(loop));
   const bool hopeless = m_preview.state().kind == PreviewState::Kind::Failed;
-  offer(m_fill, isFree() && loop >= 0 && !kept && !hopeless,
-        busyOr(loop < 0 ? tr("Select a hole first")
-               : kept   ? tr("This opening is marked as intended")
-                        : tr("No patch fits; the list says why")));
+  offerJob(m_fill, loop >= 0 && !kept && !hopeless,
+           loop < 0 ? tr("Select a hole first.")
+           : kept   ? tr("This opening is marked as intended.")
+                    : tr("No patch fits; the list says why."));
 }
 
 void RepairActions::fillSelected() {

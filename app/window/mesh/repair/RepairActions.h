@@ -43,8 +43,8 @@ class RepairActions : public QObject {
   void follow();
   void followPreview();
   void followUndo();
-  bool isFree() const;  // there is a document, and no job of it runs
-  QString busyOr(const QString& reason) const;
+  // Enables an action of the document, or says why it is disabled: no job can begin, or for this reason.
+  void offerJob(QAction& action, bool isThere, const QString& reason) const;
   bool isTried(const MeshTab& document) const;
   void fillSelected();
   void toggleKeepOpen();

@@ -47,6 +47,11 @@ RepairJobs::RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const
   });
 }
 
+QString RepairJobs::obstacle(const MeshTab* document) const {
+  if (!document) return tr("Open a mesh first.");
+  return isWorking() ? tr("A mesh is being changed.") : QString();
+}
+
 void RepairJobs::fill(MeshTab* document, int loop, PreparedFill prepared) {
   startFill(document, document->inspection.keyOf(loop), std::move(prepared), Round::First);
 }

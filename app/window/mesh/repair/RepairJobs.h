@@ -43,6 +43,8 @@ class RepairJobs : public QObject {
   // Whether a fill, a repair or another change is waiting or running, of any document or of this one.
   bool isWorking() const { return !m_working.empty(); }
   bool isWorkingOn(const DocumentTab* document) const { return m_working.count(document) > 0; }
+  // Why nothing can be changed now in this document, if any; empty: it can.
+  QString obstacle(const MeshTab* document) const;
 
  signals:
   // key: of the loop that was filled. bench: the filler cache, valid for the present document.

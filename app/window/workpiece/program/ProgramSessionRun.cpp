@@ -111,8 +111,8 @@ void ProgramSession::forgetRun() {
 // What was run on another part, or in another chuck, is over; so is what still runs.
 void ProgramSession::documentChanged() {
   const WorkpieceSnapshot& now = workpiece().workpiece();
-  handwheel::offer(m_fromPasses, now.part != nullptr, tr("Nothing was cut"));
-  handwheel::offer(m_cycles, now.target != nullptr, tr("There is no target"));
+  handwheel::offer(m_fromPasses, now.part != nullptr, tr("Nothing was cut yet."));
+  handwheel::offer(m_cycles, now.target != nullptr, tr("There is no target."));
   takeStoredTools();
   if (isSameWork(m_start, now)) return;
   m_runs.cancelOf(&m_start);

@@ -61,7 +61,7 @@ Json numbersOf(const Vec3& v) {
 
 // A saw goes across its axis, which no planned path tells.
 std::optional<DrillBit> drillIn(const std::string& word) {
-  const std::optional<DrillBit> tool = drillToolOf(word);
+  const std::optional<DrillBit> tool = drillBitOf(word);
   return tool && tool->shape != DrillShape::Saw ? tool : std::nullopt;
 }
 

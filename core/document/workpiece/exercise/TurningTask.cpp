@@ -214,7 +214,7 @@ std::vector<Property> propertiesOf(const TurningTask& task) {
   }
   all.insert(all.begin() + 2, std::move(material));
   if (task.target)
-    for (Property& each : waypointProperties(*task.target, task.stock)) all.push_back(std::move(each));
+    for (Property& each : placeProperties(*task.target, task.stock)) all.push_back(std::move(each));
   for (Property& tool : toolProperties(task)) all.push_back(std::move(tool));
   return all;
 }

@@ -68,7 +68,7 @@ double programAllowance(const WorkpieceSnapshot& workpiece) {
   return workpiece.target ? allowanceOf(workpiece.target->profile, workpiece.stock) : 0.0;
 }
 
-std::vector<Property> waypointProperties(const TargetProfile& target, const StockCylinder& stock) {
+std::vector<Property> placeProperties(const TargetProfile& target, const StockCylinder& stock) {
   // Written as a person reads it: the ends of imported targets carry the rounding of their files.
   const auto shown = [](double mm) { return std::round(mm * 1e6) / 1e6 + 0.0; };
   Property allowance = lengthProperty(kAllowanceId, QT_TRANSLATE_NOOP("Property", "Left for facing at the free end"),
@@ -99,7 +99,7 @@ Note endsNote(const TargetProfile& target) {
 Result<TargetProfile> withPlace(const TargetProfile& target, const StockCylinder& stock, const PropertyValue& value) {
   const auto* const number = std::get_if<double>(&value);
   if (!number) return Error{ErrorCode::ElementMalformed, {kAllowanceId, "a number was expected"}, {}, {}};
-  const Property allowance = waypointProperties(target, stock).front();
+  const Property allowance = placeProperties(target, stock).front();
   if (!(*number >= allowance.least && *number <= allowance.largest))
     return Error{ErrorCode::ValueOutOfRange,
                  {kAllowanceId, shownText(*number), shownText(allowance.least), shownText(allowance.largest)},

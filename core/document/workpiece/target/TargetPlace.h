@@ -32,7 +32,7 @@ double programAllowance(const WorkpieceSnapshot& workpiece);
 
 // The allowance, which can be changed, with a remark where the target does not fit into the bar; where the finished
 // face is, and what is left at the chuck's end.
-std::vector<Property> waypointProperties(const TargetProfile& target, const StockCylinder& stock);
+std::vector<Property> placeProperties(const TargetProfile& target, const StockCylinder& stock);
 // Which end of the target is the free one of the bar, in words: both are named by their diameters.
 Note endsNote(const TargetProfile& target);
 // The target with another value of the allowance. Errors: ElementMalformed, ValueOutOfRange.

@@ -136,7 +136,7 @@ void FanucRun::rough(int number, const ProgramWord& g) {
   how.depth = m_cycle.depth / unit;
   how.retract = m_cycle.retract / unit;
   const ProfilePoint start = m_machine.at();
-  ContourCycle(contour.segments, g.place, m_cycleWork).rough(how, cycleOutput(g.place, unit));
+  ContourCycle(contour.segments, g.place, m_cycleBudget).rough(how, cycleOutput(g.place, unit));
   m_machine.rapid(isFacing ? ProfilePoint(m_machine.at().x(), start.y()) : ProfilePoint(start.x(), m_machine.at().y()),
                   g.place);
   m_machine.rapid(start, g.place);

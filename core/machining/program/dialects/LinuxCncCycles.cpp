@@ -67,7 +67,7 @@ void LinuxCncRun::contourCycle(int tenths, const ProgramWord& g) {
   // LinuxCNC takes the tool to be where the contour ends, once it has read it. Only a corner with compensation shows
   // it.
   if (m_machine.isCompensated()) m_machine.placeNose(profilePoint(unit * m_contourEnd));
-  ContourCycle cycle(std::move(contour), g.place, m_cycleWork);
+  ContourCycle cycle(std::move(contour), g.place, m_cycleBudget);
   const CycleOutput output = cycleOutput(g.place, unit);
   if (isFinish)
     cycle.finish(finish, output);

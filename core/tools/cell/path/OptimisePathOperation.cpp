@@ -180,7 +180,7 @@ class OptimisePathOperation {
 
 }  // namespace
 
-const Operation& optimisationOperation() {
+const Operation& optimisePathOperation() {
   static const Operation kOperation = [] {
     Operation made = {
         .id = "optimise-path",

@@ -8,7 +8,7 @@ namespace handwheel {
 
 // The operation "optimise-path", which minimises the duration of a path. Its critical places are visited in the order,
 // and reached in the configurations, that take the least time.
-const Operation& optimisationOperation();
+const Operation& optimisePathOperation();
 
 // How a path is optimised.
 struct OptimisationSettings {

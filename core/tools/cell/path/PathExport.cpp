@@ -204,7 +204,7 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   if (const std::vector<Error> refusals = post.refusals(frame); !refusals.empty()) return refusals.front();
   Result<std::vector<ReadMotion>> motions = post.read(text, frame);
   if (!motions) return motions.error();
-  const std::optional<Pose> controllers = controllerBase(cell.robot->model, scene.plannedArm());
+  const std::optional<Pose> controllers = controllerBaseFrame(cell.robot->model, scene.plannedArm());
   RobotPath path{"program", {}, cell.plans->arm};
   path.clearance = keptClearance(text);
   std::vector<std::size_t> openWays;

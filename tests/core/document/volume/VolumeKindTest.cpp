@@ -148,7 +148,7 @@ class VolumeKindTest : public QObject {
     const auto value = snapshotOf(moved(cube(4.0), Vec3::Zero()), 0.5);
     for (const char* const tool : {"twist:2", "burr:1.5", "saw:3:0.7"}) {
       auto hole = std::make_shared<DrillRecord>();
-      hole->setup.tool = *drillToolOf(tool);
+      hole->setup.tool = *drillBitOf(tool);
       hole->setup.material = *drillMaterial("beech");
       hole->setup.spindle = 77.5;
       if (tool[0] == 'b') hole->setup.erosion = 2.5;

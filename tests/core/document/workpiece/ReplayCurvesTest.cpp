@@ -49,7 +49,7 @@ class ReplayCurvesTest : public QObject {
  private slots:
   // 1 mm deep, 0.2 mm in a turn, at the surface speed of the bar: what the law says for that.
   void theForceIsThatOfTheCut() {
-    const auto track = replayTrack(turnedDown());
+    const auto track = replayCurves(turnedDown());
     QVERIFY(track);
     const WorkMaterials& materials = WorkMaterials::standard();
     const auto law = kienzleModel(materials.called({}), CuttingEdge());
@@ -66,7 +66,7 @@ class ReplayCurvesTest : public QObject {
 
   // 2 mm are over the target at first, 1 mm after the first pass, none at the end, and nothing was cut too deep.
   void theDeviationFalls() {
-    const auto track = replayTrack(turnedDown());
+    const auto track = replayCurves(turnedDown());
     QVERIFY(track && track->deviation);
     const auto& left = track->deviation->left;
     QVERIFY(left.front().first == 0.0 && std::abs(left.front().second - 2.0) < 1e-6);
@@ -79,7 +79,7 @@ class ReplayCurvesTest : public QObject {
     for (const auto& [seconds, mm] : track->deviation->deep) QVERIFY(mm < 1e-6);
     WorkpieceSnapshot aimless = turnedDown();
     aimless.target = nullptr;
-    QVERIFY(!replayTrack(aimless)->deviation);
+    QVERIFY(!replayCurves(aimless)->deviation);
   }
 
   // The passes begin with the samples of the part: 50 mm at 0.013 mm are 3847 steps, at the spacing of these 3848.
@@ -88,7 +88,7 @@ class ReplayCurvesTest : public QObject {
     work.stock = {40.0, 50.0, 0.0};
     work.part = withPasses(work, {passAt(19.0)}, 0.013);
     QVERIFY(std::ceil(50.0 / work.part->profile.spacing()) > static_cast<double>(work.part->profile.size() - 1));
-    const auto track = replayTrack(work);
+    const auto track = replayCurves(work);
     QVERIFY(track && track->replay->at(track->replay->duration()).profile == work.part->profile);
   }
 
@@ -101,7 +101,7 @@ class ReplayCurvesTest : public QObject {
     program.passes = 2.0;
     program.place = passAt(18.0).path[10];
     addCrashes(work, std::vector{older, program, lathe});
-    const auto track = replayTrack(work);
+    const auto track = replayCurves(work);
     QVERIFY(track && track->crashes.size() == 3);
     QCOMPARE(track->crashes[0].seconds, track->replay->begin(1));
     QVERIFY(std::abs(track->crashes[1].seconds - (track->replay->begin(1) + 10.0 / (kFeed * kSpindle / 60.0))) < 1e-9);

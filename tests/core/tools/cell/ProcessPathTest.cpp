@@ -63,7 +63,7 @@ class BlockCell {
 };
 
 OperationValues valuesAlong(std::size_t along) {
-  OperationValues values(processOperation());
+  OperationValues values(processPathOperation());
   values.setValid("part", std::string("box1"));
   values.setValid("along", static_cast<double>(along));
   values.setValid("near", std::vector<double>{350.0, along == kAlongEdge ? -50.0 : 0.0, 260.0});

@@ -25,7 +25,7 @@ class ProcessBench {
   RobotCellDocument& document() { return m_bench.document(); }
   // half: mm that the part reaches to either side; else whatever is pointed to is the part.
   ProcessPathTool tool(double half = 1e9) {
-    ProcessServices services;
+    ProcessPathServices services;
     services.pick = [half](const Ray& ray) -> std::optional<RobotCellPick> {
       if (std::abs(ray.origin.x()) > half) return std::nullopt;
       return RobotCellPick{"body.1", Vec3(ray.origin.x(), ray.origin.y(), 10.0)};

@@ -28,7 +28,7 @@ class DrillBitTest : public QObject {
   // The distance from a twist drill is that to the nearest of many points of its outline, turned to the place.
   void distanceFromTheHead() {
     QVERIFY(rc::check([] {
-      const DrillBit tool = *drillToolOf("twist:6");
+      const DrillBit tool = *drillBitOf("twist:6");
       const double across = drawnBetween(0.0, 8.0), up = drawnBetween(-8.0, 66.0), turn = drawnBetween(0.0, 6.3);
       const Vec3 axis = Vec3(drawnBetween(-1.0, 1.0), drawnBetween(-1.0, 1.0), 1.5).normalized();
       const Vec3 x = axis.unitOrthogonal(), y = axis.cross(x);
@@ -50,7 +50,7 @@ class DrillBitTest : public QObject {
   // A head that has moved is nowhere deeper around a place than the bound for its way, and without a way as deep.
   void boundOfMovedHeads() {
     QVERIFY(rc::check([] {
-      const DrillHead head(*drillToolOf(*rc::gen::element<std::string>("ball:6", "twist:6", "saw:20:2")));
+      const DrillHead head(*drillBitOf(*rc::gen::element<std::string>("ball:6", "twist:6", "saw:20:2")));
       const auto drawnVector = [](double most) {
         return Vec3(drawnBetween(-most, most), drawnBetween(-most, most), drawnBetween(-most, most));
       };
@@ -68,7 +68,7 @@ class DrillBitTest : public QObject {
 
   // A disc: to its rim across the axis, to its faces along it, to its edge aslant.
   void distanceFromASaw() {
-    const DrillBit tool = *drillToolOf("saw:20:2");
+    const DrillBit tool = *drillBitOf("saw:20:2");
     const Vec3 axis = Vec3::UnitX();
     QCOMPARE(tool.signedDepth(Vec3(0.5, 0.0, 12.0), axis), -2.0);
     QCOMPARE(tool.signedDepth(Vec3(4.0, 3.0, 0.0), axis), -3.0);
@@ -79,7 +79,7 @@ class DrillBitTest : public QObject {
   }
 
   void distanceFromABall() {
-    const DrillBit tool = *drillToolOf("ball:6");
+    const DrillBit tool = *drillBitOf("ball:6");
     QCOMPARE(tool.signedDepth(Vec3(0.0, 4.0, 3.0), Vec3::UnitZ()), -2.0);
     QCOMPARE(tool.signedDepth(Vec3(0.0, 0.0, 1.0), Vec3::UnitZ()), 2.0);
   }

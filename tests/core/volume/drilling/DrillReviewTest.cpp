@@ -27,7 +27,7 @@ SparseVolume drilledPlate() {
 // Down at 2 mm/s until the tip is at `to`, this far beside the axis; 100 Hz. Then back to where it came from.
 std::shared_ptr<const DrillRecord> hole(const char* tool, double to, double beside = 0.0, bool isTakenBack = true) {
   auto record = std::make_shared<DrillRecord>();
-  record->setup.tool = *drillToolOf(tool);
+  record->setup.tool = *drillBitOf(tool);
   const double from = 2.0, speed = 2.0, rate = 100.0;
   const int count = static_cast<int>(std::lround((from - to) / speed * rate));
   for (int i = 0; i <= (isTakenBack ? 2 * count : count); ++i) {
@@ -195,7 +195,7 @@ class DrillReviewTest : public QObject {
     QFETCH(double, sideways);
     QFETCH(double, along);
     auto record = std::make_shared<DrillRecord>();
-    record->setup.tool = *drillToolOf("ball:6");
+    record->setup.tool = *drillBitOf("ball:6");
     const double reach = record->setup.tool.reach();
     std::mt19937 random(7);
     std::normal_distribution<double> trembling;

@@ -71,7 +71,7 @@ class DrillRunTest : public QObject {
     SparseVolume volume = plate(8.0, voxel);
     const double before = countedMaterial(volume);
     DrillSetup setup;
-    setup.tool = *drillToolOf(tool.toStdString());
+    setup.tool = *drillBitOf(tool.toStdString());
     const Drilled drilled(volume, setup, 3.0, -12.0, 25.0);
     const double radius = setup.tool.radius(), exact = M_PI * radius * radius * 8.0;
     QVERIFY2(std::abs(drilled.run.removed() / exact - 1.0) < 0.01,
@@ -92,7 +92,7 @@ class DrillRunTest : public QObject {
     constexpr double kBlock = 8.0, kDown = 2.0, kFeed = 20.0;  // mm, mm, mm/s
     SparseVolume volume = plate(kBlock, 0.2);
     DrillSetup setup;
-    setup.tool = *drillToolOf("saw:10:1.5");
+    setup.tool = *drillBitOf("saw:10:1.5");
     DrillRun run(volume, setup);
     const double from = -0.5 * kBlock - 6.0, height = 0.5 * setup.tool.diameter - kDown;
     std::vector<DrillTick> ticks;
@@ -219,18 +219,18 @@ class DrillRunTest : public QObject {
   }
 
   void toolWords() {
-    QCOMPARE(drillToolOf("ball:6")->diameter, 6.0);
-    QVERIFY(drillToolOf("twist:2.5")->shape == DrillShape::Twist);
-    QVERIFY(drillToolOf("burr:4")->shape == DrillShape::Burr);
-    QVERIFY(drillToolOf("saw:20")->shape == DrillShape::Saw && drillToolOf("saw:20")->diameter == 20.0);
-    QCOMPARE(drillToolOf("saw:20:0.8")->width, 0.8);
+    QCOMPARE(drillBitOf("ball:6")->diameter, 6.0);
+    QVERIFY(drillBitOf("twist:2.5")->shape == DrillShape::Twist);
+    QVERIFY(drillBitOf("burr:4")->shape == DrillShape::Burr);
+    QVERIFY(drillBitOf("saw:20")->shape == DrillShape::Saw && drillBitOf("saw:20")->diameter == 20.0);
+    QCOMPARE(drillBitOf("saw:20:0.8")->width, 0.8);
     for (const char* const word : {"ball:6", "twist:2.5", "burr:4", "saw:20:0.8"})
-      QCOMPARE(drillWordOf(*drillToolOf(word)), std::string(word));
+      QCOMPARE(drillWordOf(*drillBitOf(word)), std::string(word));
     for (const char* const bad : {"", "ball", "ball:", "ball:x", "ball:-1", "ball:1e9", "ball:nan", ":3", "chisel:3",
                                   "ball:3:1", "saw", "saw:20:", "saw:20:0", "saw:20:21", "saw:20:1:1", "saw:20:nan"})
-      QVERIFY2(!drillToolOf(bad), bad);
+      QVERIFY2(!drillBitOf(bad), bad);
     // 118° between the sides of the cone.
-    const DrillBit tool = *drillToolOf("twist:2");
+    const DrillBit tool = *drillBitOf("twist:2");
     QVERIFY(std::abs(std::atan(tool.radius() / tool.reach()) - 59.0 * M_PI / 180.0) < 1e-3);
   }
 
@@ -243,7 +243,7 @@ class DrillRunTest : public QObject {
     // With ' for ", which moc does not read in all raw strings.
     const auto with = [](std::string rows) {
       std::replace(rows.begin(), rows.end(), '\'', '"');
-      return drillToolsFromJson("{\"tools\":[" + rows + "]}");
+      return drillBitsFromJson("{\"tools\":[" + rows + "]}");
     };
     const std::string twist = "{'id':'t','shape':'twist','diameter':4,'point_angle':90,'length':40}";
     QVERIFY(with(twist).hasValue());
@@ -263,7 +263,7 @@ class DrillRunTest : public QObject {
       QVERIFY2(!with(bad), bad.c_str());
     const Error error = with("{'id':'flat','shape':'saw','diameter':4,'width':0}").error();
     QVERIFY(error.code == ErrorCode::ElementMalformed && error.arguments.at(1).find("flat") == 0);
-    QVERIFY(!drillToolsFromJson("") && !drillToolsFromJson("[]"));
+    QVERIFY(!drillBitsFromJson("") && !drillBitsFromJson("[]"));
   }
 
   void materials() {

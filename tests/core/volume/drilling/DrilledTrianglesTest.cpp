@@ -35,7 +35,7 @@ struct JoinedDrilling {
                  const Vec3& axis = Vec3::UnitZ(), NumberType numbers = NumberType::Float64) {
     constexpr int kCycles = 120;
     DrillRecord hole;
-    hole.setup.tool = *drillToolOf(tool);
+    hole.setup.tool = *drillBitOf(tool);
     HybridPart part = *HybridPart::of(soup, voxel);
     DrillRun run(part, hole.setup);
     for (std::size_t i = 1; i < places.size(); ++i)

@@ -99,7 +99,7 @@ class SubmissionsWindowTest : public QObject {
     QVERIFY(marked.isModified());  // closing asks
     marked.history()->undo();
     QTRY_COMPARE(rows->model()->rowCount(), 2);
-    driver.click("submissionsReport");
+    driver.click("classReport");
     const QString report = folder.filePath("class.html");
     QVERIFY(driver.enterFileName("classFileDialog", report));
     QVERIFY(driver.settle());

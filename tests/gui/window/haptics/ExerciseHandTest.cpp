@@ -159,7 +159,7 @@ class ExerciseHandTest : public QObject {
     QVERIFY2(std::abs(marked - expected) < 0.02, qPrintable(QStringLiteral("%1 for %2 mm").arg(marked).arg(diameter)));
     // By hand it is near to what it was led along: 1.3 - 1 mm beside the target.
     QVERIFY2(std::abs(diameter - kWanted - 0.6) < 1.0, qPrintable(QString::number(diameter)));
-    teacher.click("submissionsReport");
+    teacher.click("classReport");
     QVERIFY(teacher.enterFileName("classFileDialog", report));
     QVERIFY(teacher.settle());
     QTRY_VERIFY(QFile::exists(report));

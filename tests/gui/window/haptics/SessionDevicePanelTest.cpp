@@ -21,7 +21,7 @@ using namespace handwheel;
 namespace {
 
 // A session with the devices that every machine has, and its panel.
-struct DeviceDockBench {
+struct SessionDevicePanelFixture {
   QThreadPool pool;
   JobRunner jobs{JobRunner::Policy::Queue, pool};
   WindowServices services;
@@ -30,7 +30,7 @@ struct DeviceDockBench {
       std::make_unique<HapticSession>(HapticSession::Parts{jobs, pool, services, clock});
   std::unique_ptr<SessionDevicePanel> dock = std::make_unique<SessionDevicePanel>(*session);
 
-  ~DeviceDockBench() {
+  ~SessionDevicePanelFixture() {
     dock.reset();
     session.reset();
     pool.waitForDone();
@@ -64,7 +64,7 @@ class SessionDevicePanelTest : public QObject {
   void init() { QSettings().clear(); }
 
   void aDeviceIsChosenSeenAndLeft() {
-    DeviceDockBench b;
+    SessionDevicePanelFixture b;
     b.dock->show();
     b.choose("Simulated hand");
     QCOMPARE(b.session->chosen().driver, std::string("simulated"));
@@ -80,7 +80,7 @@ class SessionDevicePanelTest : public QObject {
   }
 
   void whatTheUserChangesReachesTheSession() {
-    DeviceDockBench b;
+    SessionDevicePanelFixture b;
     b.dock->show();
     b.choose("Simulated hand");
     QVERIFY(b.waitForTick());
@@ -103,7 +103,7 @@ class SessionDevicePanelTest : public QObject {
   }
 
   void theMouseWaitsForThePointer() {
-    DeviceDockBench b;
+    SessionDevicePanelFixture b;
     b.dock->show();
     b.choose("Mouse as device");
     QVERIFY(b.waitForTick());
@@ -113,7 +113,7 @@ class SessionDevicePanelTest : public QObject {
 
   // Nothing is shown to nobody, though the loop goes on.
   void hiddenItAsksForNothing() {
-    DeviceDockBench b;
+    SessionDevicePanelFixture b;
     b.session->choose("simulated", "hand");
     QVERIFY(b.waitForTick());
     QSignalSpy sampled(b.session.get(), &HapticSession::sampled);
