@@ -20,8 +20,8 @@ inline Vec3 unitNormal(const TrianglePoints& t) {
   b /= size;
   const Vec3 normal = a.cross(b);
   const double length = normal.norm();
-  constexpr double kRounding = 0x1p-50;  // of the products above, as a share of those of the lengths
-  return length > kRounding * a.norm() * b.norm() ? Vec3(normal / length) : Vec3(Vec3::Zero());
+  constexpr double kRelativeRounding = 0x1p-50;  // of the products above, as a share of those of the lengths
+  return length > kRelativeRounding * a.norm() * b.norm() ? Vec3(normal / length) : Vec3(Vec3::Zero());
 }
 
 inline double areaOf(const TrianglePoints& t) {

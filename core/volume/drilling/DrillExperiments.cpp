@@ -16,7 +16,7 @@ namespace handwheel {
 
 namespace {
 
-using Kind = DrillShapeCheck::Kind;
+using CheckKind = DrillShapeCheck::Kind;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -181,32 +181,33 @@ std::vector<DrillShapeCheck> resolutionChecks(const std::vector<DrillExperimentH
   std::vector<DrillShapeCheck> checks;
   // In smaller voxels than that of the rule columns are without a voxel that is being removed, from time to time.
   if (const auto coarse = holesWithin(holes, rule.voxel, kInfinite); coarse.size() > 1)
-    checks.push_back({Kind::SteppedRippleByVoxel, leastGrowth(coarse, steppedRipple), kGrows, kInfinite});
+    checks.push_back({CheckKind::SteppedRippleByVoxel, leastGrowth(coarse, steppedRipple), kGrows, kInfinite});
   const DrillExperimentHole* const atRule = holeAt(holes, rule.voxel);
-  if (atRule) checks.push_back({Kind::SteppedRippleAtRule, steppedRipple(*atRule), 0.0, 0.01});
-  if (holes.size() > 1) checks.push_back({Kind::OurRippleByVoxel, leastGrowth(holes, ourRipple), kGrows, kInfinite});
+  if (atRule) checks.push_back({CheckKind::SteppedRippleAtRule, steppedRipple(*atRule), 0.0, 0.01});
+  if (holes.size() > 1)
+    checks.push_back({CheckKind::OurRippleByVoxel, leastGrowth(holes, ourRipple), kGrows, kInfinite});
   // A section that grows as 2 x - x² has √(15/16) = 0.968.
   const double cycles = 0.5 * rule.diameter / rule.feed * rule.rate;
-  if (atRule) checks.push_back({Kind::BuildUp, buildUpOf(*atRule, cycles), 0.95, 1.0});
+  if (atRule) checks.push_back({CheckKind::BuildUp, buildUpOf(*atRule, cycles), 0.95, 1.0});
   return checks;
 }
 
 std::vector<DrillShapeCheck> erosionChecks(const std::vector<DrillExperimentHole>& holes) {
   std::vector<DrillShapeCheck> checks;
   if (holes.size() > 1)
-    checks.push_back({Kind::SteppedRippleByErosion, leastGrowth(holes, steppedRipple), kGrows, kInfinite});
+    checks.push_back({CheckKind::SteppedRippleByErosion, leastGrowth(holes, steppedRipple), kGrows, kInfinite});
   if (const DrillExperimentHole* const four = holeAt(holes, 4.0))
-    checks.push_back({Kind::SteppedRippleAtFour, steppedRipple(*four), 0.1, kInfinite});
+    checks.push_back({CheckKind::SteppedRippleAtFour, steppedRipple(*four), 0.1, kInfinite});
   double most = 0.0;
   for (const DrillExperimentHole& hole : holes) most = std::max(most, hole.ours.ripple);
-  checks.push_back({Kind::OurRippleByErosion, most, 0.0, 0.1});
+  checks.push_back({CheckKind::OurRippleByErosion, most, 0.0, 0.1});
   return checks;
 }
 
 std::vector<DrillShapeCheck> radiusChecks(const std::vector<DrillExperimentHole>& holes) {
   if (holes.size() < 2) return {};
-  return {{Kind::ThrustByRadius, powerOf(holes, ourThrust), 0.9, 1.1},
-          {Kind::TorqueByRadius, powerOf(holes, ourTorque), 1.9, 2.1}};
+  return {{CheckKind::ThrustByRadius, powerOf(holes, ourThrust), 0.9, 1.1},
+          {CheckKind::TorqueByRadius, powerOf(holes, ourTorque), 1.9, 2.1}};
 }
 
 std::vector<DrillShapeCheck> feedChecks(const std::vector<DrillExperimentHole>& holes) {
@@ -214,14 +215,14 @@ std::vector<DrillShapeCheck> feedChecks(const std::vector<DrillExperimentHole>& 
   std::vector<DrillShapeCheck> checks;
   const auto slow = holesWithin(holes, 0.0, kLinear);
   if (slow.size() > 1) {
-    checks.push_back({Kind::ThrustByFeed, powerOf(slow, ourThrust), 0.95, 1.05});
-    checks.push_back({Kind::TorqueByFeed, powerOf(slow, ourTorque), 0.95, 1.05});
+    checks.push_back({CheckKind::ThrustByFeed, powerOf(slow, ourThrust), 0.95, 1.05});
+    checks.push_back({CheckKind::TorqueByFeed, powerOf(slow, ourTorque), 0.95, 1.05});
   }
   const DrillExperimentHole* const fast = holeAt(holes, kFast);
   if (!fast || slow.empty()) return checks;
   const DrillExperimentHole& least = slow.front();
   const double share = fast->stepped.mean.thrust * least.value / (least.stepped.mean.thrust * fast->value);
-  checks.push_back({Kind::SteppedThrustAboveSix, share, 0.0, 0.97});
+  checks.push_back({CheckKind::SteppedThrustAboveSix, share, 0.0, 0.97});
   return checks;
 }
 

@@ -59,7 +59,7 @@ Result<SparseVolume> volumeIn(const std::filesystem::path& path, std::vector<Not
   return volume;
 }
 
-// A rod around a line, of six sides.
+// A rod around a line, of twelve sides.
 TriangleSoup rod(const Vec3& from, const Vec3& to, double radius) {
   constexpr std::uint32_t kSides = 12;
   const Vec3 along = (to - from).normalized(), u = along.unitOrthogonal(), v = along.cross(u);
