@@ -366,8 +366,8 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(driver.enterFileName("exerciseTargetDialog", shaft));
     QVERIFY(driver.settle());
     QTRY_VERIFY(driver.window().findChild<QDialog*>("targetPlaceDialog"));
-    QVERIFY(driver.settle());  // its fields are filled anew with what was computed
     dialog = driver.find<QDialog>("targetPlaceDialog");
+    QVERIFY(QTest::qWaitForWindowActive(dialog, kPatienceMs));  // Tab takes a number where the field has the focus
     const auto facing = [&] {
       return dialog->findChild<QWidget*>("property/facing_allowance")->findChild<QLineEdit*>();
     };
