@@ -410,11 +410,11 @@ std::vector<Property> PlaceBodyTool::settings() const {
   }
   for (int i = 0; i < 3; ++i) {
     const auto axis = static_cast<std::size_t>(i);
-    const double turned =
-        isTurn && m_drag->handle->axis == i
-            ? Eigen::AngleAxisd(Eigen::Matrix3d(m_shown.linear() * m_drag->start.linear().transpose())).angle() *
-                  (m_drag->way < 0.0 ? -1.0 : 1.0)
-            : m_turnBy[i];
+    double turned = m_turnBy[i];
+    if (isTurn && m_drag->handle->axis == i) {  // by half a turn at most, whichever way that is
+      const Eigen::AngleAxisd by(Eigen::Matrix3d(m_shown.linear() * m_drag->start.linear().transpose()));
+      turned = std::copysign(by.angle(), by.axis().dot(m_drag->handles.axes[axis]));
+    }
     all.push_back(numberSetting(kTurnIds[axis], kTurnLabels[axis], turned, Quantity::Angle, kTurns));
     all.back().group = kTurn;
   }

@@ -244,6 +244,50 @@ class PlaceBodyToolTest : public QObject {
     QVERIFY(pose().isApprox(motion * now, 1e-9));
   }
 
+  // A device turns a ring as far as its hand goes round the axis, also further than half round; shown meanwhile.
+  void aRingByTheDevice() {
+    PlaceBodyTool tool = make();
+    const Pose before = pose();
+    tool.pointer(down(Kind::Hover, 0, 0));  // the rings get their size
+    const double radius = tool.handles()->ringRadius();
+    const auto hand = [&](double turn) {
+      return Pose(Eigen::Translation3d(500 + radius * std::cos(turn), 100 + radius * std::sin(turn), 0.0));
+    };
+    const auto shown = [&] { return std::get<double>(propertyNamed(tool.settings(), "turn_z")->value); };
+    tool.pointer(ofDevice(Kind::Hover, hand(0.7)));
+    tool.pointer(ofDevice(Kind::Press, hand(0.7)));
+    for (const double turn : {1.0, 2.0, 3.0, 4.0}) {
+      tool.pointer(ofDevice(Kind::Drag, hand(0.7 + turn)));
+      QVERIFY(std::abs(shown() - std::remainder(turn, 2.0 * M_PI)) < 1e-9);
+    }
+    tool.pointer(ofDevice(Kind::Drag, Pose(Eigen::Translation3d(500, 100, 40))));  // on the axis: no turn can be told
+    tool.pointer(ofDevice(Kind::Release, hand(0.7 + 4.0)));
+    QCOMPARE(m_cell->steps(), m_steps + 1);
+    QVERIFY((pose().translation() - before.translation()).norm() < 1e-9);
+    QVERIFY(pose().linear().isApprox(Eigen::AngleAxisd(4.0, Vec3::UnitZ()) * before.linear(), 1e-9));
+  }
+
+  // What the pointer is over is marked, until it leaves; a changed document ends what was begun or typed.
+  void leftAndChanged() {
+    PlaceBodyTool tool = make();
+    tool.pointer(down(Kind::Hover, -900, -900));
+    const std::size_t plain = tool.preview().lines.size();
+    tool.pointer(down(Kind::Hover, 560, 100));
+    QVERIFY(tool.preview().lines.size() > plain);
+    tool.pointer(down(Kind::Leave, 560, 100));
+    QCOMPARE(tool.preview().lines.size(), plain);
+    tool.pointer(ofDevice(Kind::Hover, Pose(Eigen::Translation3d(560, 100, 3))));
+    QVERIFY(tool.preview().lines.size() > plain);
+    tool.setSetting("turn_x", 0.5);
+    tool.pointer(down(Kind::Press, 560, 100));
+    tool.pointer(down(Kind::Drag, 580, 100));
+    tool.documentChanged();
+    QVERIFY(!tool.preview().replaced && tool.preview().lines.size() == plain);
+    QCOMPARE(std::get<double>(propertyNamed(tool.settings(), "turn_x")->value), 0.0);
+    QCOMPARE(tool.pointer(down(Kind::Release, 580, 100)), ToolReply::Ignored);
+    for (const ToolKey& key : PlaceBodyTool::keys()) QVERIFY(actionNamed(tool.actions(), key.action));
+  }
+
   // Dragged by any of its links another robot goes over the floor as the pointer does, its joints as they are; one
   // step. The first one stays.
   void aRobotByALink() {
