@@ -178,12 +178,11 @@ class Search {
     if (m_pieces.empty()) return true;
     const bool isTurned = b.id() < a.id();
     const BoxedItem &low = isTurned ? b : a, &high = isTurned ? a : b;
-    for (const BoxedItem& p : piecesOf(low.id())) {
-      for (const BoxedItem& q : piecesOf(high.id())) {
-        if (p.box.meets(q.box)) return isSame(p, low) && isSame(q, high);
-      }
-    }
-    return false;
+    const std::span<const BoxedItem> pieces = piecesOf(low.id()), others = piecesOf(high.id());
+    const std::size_t n = others.size(), last = pieces.size() * n - 1;
+    std::size_t first = 0;
+    while (first < last && !pieces[first / n].box.meets(others[first % n].box)) ++first;
+    return isSame(pieces[first / n], low) && isSame(others[first % n], high);
   }
 
   static bool isSame(const BoxedItem& a, const BoxedItem& b) {

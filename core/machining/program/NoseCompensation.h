@@ -39,8 +39,8 @@ class NoseCompensation {
   };
   using Emit = std::function<void(const Step&)>;
 
-  NoseCompensation(ProgramDialect dialect, Emit emit)
-      : m_entersSquare(dialect == ProgramDialect::Fanuc), m_emit(std::move(emit)) {}
+  NoseCompensation(ProgramDialect dialect, Emit handler)
+      : m_entersSquare(dialect == ProgramDialect::Fanuc), m_emit(std::move(handler)) {}
 
   bool isOn() const { return m_side != 0; }
 

@@ -16,7 +16,7 @@ constexpr const char* kSpindleRemedy = "Write a speed and M3 or M4 before it, su
 ProgramMachine::ProgramMachine(const ProgramSetup& setup, ToolPath& path)
     : m_setup(setup),
       m_path(path),
-      m_compensation(setup.dialect, [this](const NoseCompensation::Step& step) { emit(step); }) {
+      m_compensation(setup.dialect, [this](const NoseCompensation::Step& step) { emitStep(step); }) {
   m_systems.fill(-setup.reference);
   m_at = m_tip = setup.reference;
 }
@@ -85,11 +85,11 @@ void ProgramMachine::go(const NoseCompensation::Step& step) {
   if (m_compensation.isOn())
     m_compensation.move(step);
   else
-    emit(step);
+    emitStep(step);
   m_at = to;
 }
 
-void ProgramMachine::emit(const NoseCompensation::Step& step) {
+void ProgramMachine::emitStep(const NoseCompensation::Step& step) {
   if (m_path.moves.size() >= m_setup.mostMoves)
     throw ProgramRefusal{
         {ProgramError::TooManyMoves, {std::to_string(m_setup.mostMoves)}, InputPosition::line(step.place.line), {}}};

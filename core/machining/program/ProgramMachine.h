@@ -86,8 +86,8 @@ class ProgramMachine {
  private:
   void straight(ToolMove::Kind kind, const ProfilePoint& to, const ProgramPlace& place);
   ToolMove moveOf(ToolMove::Kind kind, double length, const ProgramPlace& place) const;
-  void go(const NoseCompensation::Step& step);    // through compensation
-  void emit(const NoseCompensation::Step& step);  // the path of the tip
+  void go(const NoseCompensation::Step& step);        // through compensation
+  void emitStep(const NoseCompensation::Step& step);  // the path of the tip
   ProfilePoint partPoint(const ProfilePoint& p) const {
     return p + m_systems[m_system] + m_shift + m_setup.reference + (m_toolOffset - tipOffset());
   }

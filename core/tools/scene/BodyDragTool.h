@@ -7,6 +7,8 @@
 #include "tools/scene/BodySelection.h"
 #include "tools/scene/FloorDrag.h"
 
+#include <QString>
+
 namespace handwheel {
 
 class Document;

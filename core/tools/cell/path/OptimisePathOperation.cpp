@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/path/OptimisePathOperation.h"
 
-#include "document/cell/CellArms.h"
-#include "document/cell/CellErrors.h"
 #include "planning/ToolTrack.h"
 #include "planning/VisitOrder.h"
 #include "robot/arm/ClosedFormIk.h"
@@ -223,8 +221,6 @@ Result<OptimisedPath> optimisedPath(const CellScene& scene, const CellPlans& pla
   const Result<CheckedPath> present = checkPath(scene, plans, path, check, progress.part(0.0, 0.1));
   if (!present) return present.error();
   std::vector<Waypoint> critical;
-  if (armNumber(*scene.robot, path.arm) != scene.armNumber)
-    return Error{CellError::OfOtherArm, {path.name, path.arm}, {}, {}};
   for (const Waypoint& place : path.places) {
     const bool isEnd = &place == &path.places.front() || &place == &path.places.back();
     if (place.isCritical || isEnd) critical.push_back(place);
