@@ -38,6 +38,8 @@ void ExpressionTest::values_data() {
   };
   row("25.4/2", 12.7, kLength);
   row("25.4/2 ", 322.58, kInches);
+  row("0.5", 500.0, {Quantity::Length, LengthUnit::Metre});
+  row("0.5 m + 1 m", 1500.0, {Quantity::Length, LengthUnit::Metre});
   row("1 in + 2mm", 27.4, kLength);
   row("2*(3+4)", 14.0, kNumber);
   row("90deg", kPi / 2, kAngle);

@@ -39,6 +39,7 @@ class ServiceTest : public QObject {
   void removedServiceStops();
   void onlyWhatIsNeededTicks();
   void tickCountsCpuTimeOnly();
+  void timesOfClockAndProcessor();
   void ticksFromManyThreads();
   void runsExactlyWhileNeeded();
 };
@@ -143,6 +144,17 @@ void ServiceTest::tickCountsCpuTimeOnly() {
   }
   QVERIFY(idle.counters().cpuMicroseconds < 15'000.0);  // half of what the clock on the wall shows at least
   QVERIFY(cpuMilliseconds([] { burn(500.0); }) >= 0.5);
+}
+
+// The clock goes on in a sleep of 5 ms, the time of the processor does not need to.
+void ServiceTest::timesOfClockAndProcessor() {
+  const CpuTimes before = CpuTimes::now();
+  burn(1000.0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const CpuTimes used = CpuTimes::now() - before;
+  QVERIFY(used.cpu >= 1.0 && used.clock >= 5.9);
+  const CpuTimes twice = used + used;
+  QVERIFY(twice.cpu == 2.0 * used.cpu && twice.clock == 2.0 * used.clock);
 }
 
 void ServiceTest::ticksFromManyThreads() {

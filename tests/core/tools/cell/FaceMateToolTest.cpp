@@ -92,6 +92,49 @@ class FaceMateToolTest : public QObject {
     QCOMPARE(tool.perform("revert"), ToolReply::Finished);
   }
 
+  // The normal of the face under the pointer is shown until that leaves; a changed document ends what was chosen.
+  void hoveredAndChanged() {
+    FaceMateTool tool = make();
+    const auto hoverTable = [&](Kind kind) {
+      PointerEvent event = press({0, 900, 100}, -Vec3::UnitZ());
+      event.kind = kind;
+      event.button = PointerButton::None;
+      m_hit = RobotCellPick{"body." + std::to_string(m_table), {0, 900, 100}};
+      return tool.pointer(event);
+    };
+    QCOMPARE(hoverTable(Kind::Hover), ToolReply::Used);
+    QCOMPARE(tool.preview().lines.size(), std::size_t{1});
+    const std::vector<Vec3> line = tool.preview().lines.front();
+    QVERIFY((line[1] - line[0]).normalized().isApprox(Vec3::UnitZ(), 1e-9));
+    hoverTable(Kind::Leave);
+    QVERIFY(tool.preview().lines.empty());
+    QCOMPARE(hoverTable(Kind::Release), ToolReply::Ignored);
+    m_hit.reset();
+    QCOMPARE(tool.pointer(press({0, 0, 900}, -Vec3::UnitZ())), ToolReply::Ignored);  // the camera's
+    clickBox(tool, {0, 0, -10}, Vec3::UnitZ());
+    clickTable(tool, {0, 900, 100});
+    tool.documentChanged();
+    QVERIFY(!isEnabled(tool, "commit") && !tool.preview().replaced);
+    QCOMPARE(tool.perform("commit"), ToolReply::Ignored);
+    QCOMPARE(tool.perform("revert"), ToolReply::Finished);
+    for (const ToolKey& key : FaceMateTool::keys()) QVERIFY(actionNamed(tool.actions(), key.action));
+  }
+
+  // What is typed is shown and kept within its limits: turns of once round at most.
+  void settings() {
+    FaceMateTool tool = make();
+    const auto shown = [&](const char* id) { return std::get<double>(propertyNamed(tool.settings(), id)->value); };
+    for (const char* const id : {"meeting", "offset", "angle"}) QCOMPARE(shown(id), 0.0);
+    tool.setSetting("meeting", 1.0);
+    tool.setSetting("offset", -2.5);
+    tool.setSetting("angle", 100.0);
+    QCOMPARE(shown("meeting"), 1.0);
+    QCOMPARE(shown("offset"), -2.5);
+    QCOMPARE(shown("angle"), 2.0 * M_PI);
+    tool.setSetting("meeting", 7.0);  // there is no such choice
+    QCOMPARE(shown("meeting"), 1.0);
+  }
+
   // The robot stands where it stands: a face of it can only be the second.
   void theRobotIsNotPlaced() {
     FaceMateTool tool = make();

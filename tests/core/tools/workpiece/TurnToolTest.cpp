@@ -380,6 +380,24 @@ class TurnToolTest : public QObject {
     QCOMPARE(bench.document.workpiece().part->passes.front()->times, (std::vector<double>{0.0, 0.25, 1.5, 1.5}));
   }
 
+  // Where the mouse leaves the view there is no nose to show, but in a pass; a double click is the camera's.
+  void theMouseLeaves() {
+    TurningBench bench;
+    bench.event(PointerEvent::Kind::Hover, 27.0, 45.0);
+    QVERIFY(bench.tool->preview().label);
+    bench.event(PointerEvent::Kind::Leave, 27.0, 45.0);
+    QVERIFY(!bench.tool->preview().label && !bench.tool->isLive());
+    bench.event(PointerEvent::Kind::Press, 27.0, 45.0);
+    bench.event(PointerEvent::Kind::Leave, 27.0, 45.0);
+    QVERIFY(bench.tool->preview().label && bench.tool->isLive());
+    PointerEvent twice;
+    twice.kind = PointerEvent::Kind::DoubleClick;
+    QCOMPARE(bench.runner.pointer(twice), ToolReply::Ignored);
+    QCOMPARE(bench.tool->needs(), std::vector<std::string>{"simulation"});
+    for (const ToolKey& key : TurnTool::keys()) QVERIFY(bench.runner.perform(key.action) == ToolReply::Used);
+    QVERIFY(!bench.tool->isLive());  // Esc, the only one, drops the pass
+  }
+
   void besideTheBarNothingIsCommitted() {
     TurningBench bench;
     bench.pass(40.0, 10.0, 90.0);

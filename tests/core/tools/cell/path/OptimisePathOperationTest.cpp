@@ -117,6 +117,63 @@ class OptimisePathOperationTest : public QObject {
     QVERIFY(!robot.optimised(path, {.route = {}, .mayReconfigure = false})->isChanged);
   }
 
+  // A line that is followed with the wrist turned over is followed without that, from its begin to its end.
+  void configurationsOfLines() {
+    const PlannedRobot robot;
+    const auto over = [](std::array<double, 6> q) {  // the same pose of the tool
+      return std::array<double, 6>{q[0], q[1], q[2], q[3] - M_PI, -q[4], q[5] + M_PI};
+    };
+    const std::array<double, 6> first{0.1, 0.2, 0.1, 0.8, 0.5, 0.3}, second{0.0, 0.2, 0.1, 0.8, 0.5, 0.3};
+    const RobotPath path{
+        "p",
+        {robot.place({0.5, 0.2, 0.1, 0.2, 0.5, 0.3}), robot.place(over(first)),
+         robot.place(over(second), ProgramMotion::Kind::Linear), robot.place({-0.5, 0.2, 0.1, 0.2, 0.5, 0.3})}};
+    const Result<OptimisedPath> found = robot.optimised(path);
+    QVERIFY(found && found->isChanged);
+    QCOMPARE(found->reconfigured, std::size_t{2});
+    QVERIFY(found->after < found->before);
+    const std::vector<Waypoint> places = criticalOf(found->planned.path);
+    QCOMPARE(places.size(), std::size_t{4});
+    QVERIFY(places[2].motion == ProgramMotion::Kind::Linear);
+    for (const std::size_t i : {1, 2}) {
+      QVERIFY(robot.toolAt(places[i]).isApprox(robot.toolAt(path.places[i]), 1e-9));
+      QVERIFY(robot.scene->planned(places[i].joints)[4] > 0.0);
+    }
+    const Result<CheckedPath> checked = checkPath(*robot.scene, robot.plans, found->planned.path, {});
+    QVERIFY(checked && checked->isCertified());
+  }
+
+  // What is given counts; else the clearance is that of the path, or of the cell.
+  void settings() {
+    OperationValues values(optimisePathOperation());
+    CellPlans plans;
+    plans.clearance = 2.0;
+    RobotPath path{"p", {}};
+    const OptimisationSettings standard = optimisationSettingsOf(values, plans, path);
+    QVERIFY(standard.mayReorder && standard.mayReconfigure);
+    QCOMPARE(standard.seconds, 30.0);
+    QCOMPARE(standard.route.plan.check.clearance, 2.0);
+    path.clearance = 6.0;
+    QCOMPARE(optimisationSettingsOf(values, plans, path).route.plan.check.clearance, 6.0);
+    for (const char* const flag : {"keep-order", "keep-configurations"}) values.setValid(flag, true);
+    values.setValid("search", 0.5);
+    values.setValid("clearance", 1.0);
+    values.setValid("shortcuts", 3.0);
+    const OptimisationSettings given = optimisationSettingsOf(values, plans, path);
+    QVERIFY(!given.mayReorder && !given.mayReconfigure);
+    QCOMPARE(given.seconds, 0.5);
+    QCOMPARE(given.route.plan.check.clearance, 1.0);
+    QCOMPARE(given.route.shortcuts, 3);
+  }
+
+  // A path of another robot is none of this one's.
+  void anotherRobot() {
+    const PlannedRobot robot;
+    const RobotPath path{"p", {robot.place({}), robot.place({0.5})}, "other"};
+    const Result<OptimisedPath> found = robot.optimised(path);
+    QVERIFY(!found && found.error().code == CellError::OfOtherArm);
+  }
+
   // A place at the end of a straight line stays behind the one that the line begins at.
   void linesStay() {
     const PlannedRobot robot;

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MadeDicom.h"
+#include "TestClass.h"
+#include "document/DocumentErrors.h"
+#include "document/volume/ImageFiles.h"
+#include "document/volume/VolumeMaking.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+#include <fstream>
+
+using namespace handwheel;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A series of slices of 2 mm one above the other, in files whose names are in no order.
+void putSeries(const fs::path& folder, const std::string& name, const std::string& series, int slices) {
+  for (int i = 0; i < slices; ++i) {
+    test::MadeSlice slice;
+    slice.series = series;
+    slice.origin.z() = 2.0 * i;
+    std::ofstream(folder / (name + std::to_string(7 * i % slices)), std::ios::binary) << test::dicomOf(slice);
+  }
+}
+
+}  // namespace
+
+// Series of DICOM as they lie in folders, beside one another and beside other files.
+class ImageSeriesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    m_root = m_folder.path().toStdString();
+    putSeries(m_root, "long", "1.2.3.5", 5);
+    putSeries(m_root, "short", "1.2.3.4", 3);
+    std::ofstream(m_root / "readme.txt") << "two series";
+  }
+
+  // Of a folder the largest series is read, and the others are told.
+  void ofAFolder() {
+    const Result<ImageFile> read = readImageFile(m_root, {});
+    QVERIFY(read.hasValue());
+    QCOMPARE(read->image.grid().size, (std::array<int, 3>{8, 6, 5}));
+    const std::vector<Note> notes = notesOn(read->remarks);
+    QCOMPARE(notes.size(), std::size_t{1});
+    QCOMPARE(notes.front().text, std::string("Slices of other series were ignored (%1)."));
+    QCOMPARE(notes.front().arguments, std::vector<std::string>{"3"});
+    for (int z = 0; z < 5; ++z) QCOMPARE(read->image.value(static_cast<std::size_t>(48 * z)), std::round(2.0 * z));
+  }
+
+  // Of a file its own series is, whatever else there is.
+  void ofAFile() {
+    for (const auto& [name, slices] : {std::pair("short1", 3), std::pair("long4", 5)}) {
+      const Result<ImageFile> read = readImageFile(m_root / name, {});
+      QVERIFY(read.hasValue());
+      QCOMPARE(read->image.grid().size[2], slices);
+    }
+  }
+
+  // Whose names are often the patient's: they are not kept.
+  void namesAreNotKept() {
+    QCOMPARE(sourceName(m_root), std::string("DICOM"));
+    QCOMPARE(sourceName(m_root / "long0"), std::string("DICOM"));
+    QCOMPARE(sourceName(m_root / "readme.txt"), std::string("readme.txt"));
+    std::vector<Note> notes;
+    const auto volume = importVolume(m_root / "short0", notes, {});
+    QVERIFY(volume && (*volume)->source == "DICOM" && (*volume)->scan);
+    QCOMPARE((*volume)->scan->image.grid().size[2], 3);
+    QCOMPARE(notes.size(), std::size_t{2});  // of the other series and of the threshold
+  }
+
+  void foldersWithoutASeries() {
+    fs::create_directory(m_root / "empty");
+    std::ofstream(m_root / "empty" / "readme.txt") << "no slices";
+    const Result<ImageFile> none = readImageFile(m_root / "empty", {});
+    QVERIFY(!none && none.error().code == ErrorCode::FileUnreadable);
+    QCOMPARE(none.error().arguments, std::vector<std::string>{"there are no DICOM files in it"});
+    QCOMPARE(none.error().subject, fs::absolute(m_root / "empty").string());
+    QVERIFY(readImageFile(m_root / "nowhere", {}).error().code == ErrorCode::FileMissing);
+    std::vector<Note> notes;
+    QVERIFY(importVolume(m_root / "nowhere", notes, {}).error().code == ErrorCode::FileMissing);
+    QVERIFY(importVolume(m_root / "readme.txt", notes, {}).error().code == DocumentError::FormatUnknown);
+  }
+
+  void cancelled() {
+    JobState job;
+    job.cancelled = true;
+    for (const fs::path& path : {m_root, m_root / "short1"}) {
+      const Result<ImageFile> read = readImageFile(path, Progress(job));
+      QVERIFY(!read && read.error().code == ErrorCode::Cancelled);
+    }
+  }
+
+ private:
+  const QTemporaryDir m_folder;
+  fs::path m_root;
+};
+
+HANDWHEEL_TEST(ImageSeriesTest)
+#include "ImageSeriesTest.moc"
