@@ -93,6 +93,7 @@ ThreadChip ThreadsInWork::chipAt(const TurnedProfile& part, const LatheTool& too
   const ProfilePoint bottom = bottomOf(tool, place.tip);
   const double height = heightIn(part, side, bottom, form, nose);
   if (!(height > 0.0)) return chip;
+  const ThreadEdge edge(form, nose);
   const double half = form.distanceAt(height, nose), step = 2.0 * half / kPieces;
   for (int i = 0; i < kPieces; ++i) {
     const double beside = -half + (i + 0.5) * step, z = bottom.y() + beside;
@@ -102,15 +103,15 @@ ThreadChip ThreadsInWork::chipAt(const TurnedProfile& part, const LatheTool& too
     double there = surfaceAt(part, side, z, place.angle);
     if (stands) {
       const ProfilePoint stood = bottomOf(tool, *stands);
-      there = deeper(side, there, stood.x() + out * form.heightAt(z - stood.y(), nose));
+      there = deeper(side, there, stood.x() + out * edge.heightAt(z - stood.y()));
     }
-    const double removed = out * (there - bottom.x()) - form.heightAt(beside, nose);
+    const double removed = out * (there - bottom.x()) - edge.heightAt(beside);
     if (!(removed > kInMaterial)) continue;
     chip.section += removed * step;
     chip.radius += (there - 0.5 * out * removed) * removed * step;
     chip.depth = std::max(chip.depth, removed);
-    const double rise = form.heightAt(std::abs(beside) + 0.5 * step, nose) -
-                        form.heightAt(std::max(0.0, std::abs(beside) - 0.5 * step), nose);
+    const double rise =
+        edge.heightAt(std::abs(beside) + 0.5 * step) - edge.heightAt(std::max(0.0, std::abs(beside) - 0.5 * step));
     chip.edge += std::hypot(step, rise);
   }
   if (chip.section > 0.0) chip.radius /= chip.section;

@@ -10,14 +10,8 @@ bool ThreadCut::isSound() const {
          isBetween(angle, kLeastAngle, kLargestAngle) && isBetween(flat, 0.0, pitch) && std::isfinite(offset);
 }
 
-// A circle of the nose's radius, tangent to both flanks and to the bottom.
 double ThreadCut::heightAt(double distance, double noseRadius) const {
-  const double beside = std::abs(distance) - 0.5 * flat;
-  if (!(beside > 0.0)) return 0.0;
-  const double half = 0.5 * angle;
-  const double tangent = noseRadius * std::cos(half);  // mm, where the circle ends
-  if (beside <= tangent) return noseRadius - std::sqrt(noseRadius * noseRadius - beside * beside);
-  return noseRadius * (1.0 - std::sin(half)) + (beside - tangent) / std::tan(half);
+  return ThreadEdge(*this, noseRadius).heightAt(distance);
 }
 
 double ThreadCut::distanceAt(double height, double noseRadius) const {
@@ -25,6 +19,20 @@ double ThreadCut::distanceAt(double height, double noseRadius) const {
   const double tangent = noseRadius * (1.0 - std::sin(half));
   if (height <= tangent) return 0.5 * flat + std::sqrt(height * (2.0 * noseRadius - height));
   return 0.5 * flat + noseRadius * std::cos(half) + (height - tangent) * std::tan(half);
+}
+
+ThreadEdge::ThreadEdge(const ThreadCut& cut, double noseRadius)
+    : m_halfFlat(0.5 * cut.flat),
+      m_nose(noseRadius),
+      m_tangent(noseRadius * std::cos(0.5 * cut.angle)),
+      m_atTangent(noseRadius * (1.0 - std::sin(0.5 * cut.angle))),
+      m_slope(std::tan(0.5 * cut.angle)) {}
+
+double ThreadEdge::heightAt(double distance) const {
+  const double beside = std::abs(distance) - m_halfFlat;
+  if (!(beside > 0.0)) return 0.0;
+  if (beside <= m_tangent) return m_nose - std::sqrt(m_nose * m_nose - beside * beside);
+  return m_atTangent + (beside - m_tangent) / m_slope;
 }
 
 }  // namespace handwheel

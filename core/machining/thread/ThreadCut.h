@@ -32,6 +32,20 @@ struct ThreadCut {
   double distanceAt(double height, double noseRadius) const;
 };
 
+// The edge of a groove: its bottom, a circle of the nose's radius, and the flank, each tangent to the next. For the
+// heights of many places.
+class ThreadEdge {
+ public:
+  ThreadEdge(const ThreadCut& cut, double noseRadius);
+
+  double heightAt(double distance) const;  // as ThreadCut has it
+
+ private:
+  double m_halfFlat, m_nose;
+  double m_tangent, m_atTangent;  // where the circle ends: beside the flat, and above the bottom
+  double m_slope;                 // tan of half the angle
+};
+
 // The ISO metric profile (ISO 68-1, with the rounded root of ISO 965-1, R = H/6): a groove of this depth, with this
 // radius of the nose, leaves a crest of P/8 and the thread's nominal pitch diameter. mm.
 inline double isoMetricDepth(double pitch) {

@@ -61,7 +61,11 @@ std::vector<ProfilePoint> thinned(const std::vector<ProfilePoint>& line) {
 }  // namespace
 
 ThreadGroove::ThreadGroove(const TurningPass& pass, std::vector<ProfilePoint> bottom)
-    : m_cut(*pass.thread), m_side(pass.side), m_nose(pass.noseRadius), m_bottom(std::move(bottom)) {
+    : m_cut(*pass.thread),
+      m_side(pass.side),
+      m_nose(pass.noseRadius),
+      m_edge(m_cut, m_nose),
+      m_bottom(std::move(bottom)) {
   const auto [least, largest] = std::minmax_element(
       m_bottom.begin(), m_bottom.end(), [](const ProfilePoint& a, const ProfilePoint& b) { return a.x() < b.x(); });
   m_deepest = m_side == TurningSide::Bore ? largest->x() : least->x();
@@ -99,7 +103,7 @@ double ThreadGroove::radius(double z, double angle) const {
   const double nearest = std::round(above / m_cut.pitch);
   for (const double groove : {nearest - 1.0, nearest, nearest + 1.0}) {
     const double distance = above - groove * m_cut.pitch;
-    const double bottom = bottomAt(z - distance), height = m_cut.heightAt(distance, m_nose);
+    const double bottom = bottomAt(z - distance), height = m_edge.heightAt(distance);
     best = isBore ? std::max(best, bottom - height) : std::min(best, bottom + height);
   }
   return best;

@@ -44,6 +44,7 @@ class ThreadGroove {
   ThreadCut m_cut;
   TurningSide m_side = TurningSide::Outside;
   double m_nose = 0.0;
+  ThreadEdge m_edge;
   double m_deepest = 0.0;
   std::vector<ProfilePoint> m_bottom;  // (r, z), rising in z
 };

@@ -157,6 +157,7 @@ void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   m_now.tip = patch.tip;
 
   m_sincePublished += dt;
+  m_sinceThreaded += dt;
   if (m_sincePublished * kShownRate >= 1.0) publish();
 }
 
@@ -164,14 +165,15 @@ void LatheSimulation::publish() {
   m_sincePublished = 0.0;
   if (!m_changed.isEmpty()) m_surface.update(m_run.profile(), m_changed);
   m_changed = {};
-  if (!m_threaded.isEmpty()) {
+  if (!m_threaded.isEmpty() && m_sinceThreaded * kThreadRate >= 1.0) {
     std::shared_ptr<const PartThreads> threads = m_surface.threads();
     for (; m_shownPasses < m_passes.size(); ++m_shownPasses)
       threads = PartThreads::with(threads, m_passes[m_shownPasses]);
     m_shownPasses = m_passes.size() - 1;  // the last one may go on
     m_surface.setThreads(m_run.profile(), std::move(threads), m_threaded);
+    m_threaded = {};
+    m_sinceThreaded = 0.0;
   }
-  m_threaded = {};
   m_now.profile = m_run.profile();
   m_now.finish = m_finish.finish();
   m_now.surface = m_surface;
@@ -193,6 +195,7 @@ void LatheSimulation::publish() {
 }
 
 void LatheSimulation::finish() {
+  m_sinceThreaded = 1.0 / kThreadRate;
   publish();
 }
 

@@ -58,6 +58,7 @@ struct LatheMoment : SimulationState {
 class LatheSimulation : public Simulation {
  public:
   static constexpr double kShownRate = 125.0;  // changes of the shown part in a second, at most
+  static constexpr double kThreadRate = 25.0;  // of the triangles of a thread, which take some milliseconds
   static constexpr double kFinger = 0.5;       // mm, radius of what feels the part while no tool is held
 
   // base: mm, z of the part's lower end in the scene. The channel has one simulation at a time. finish: of the part,
@@ -94,6 +95,7 @@ class LatheSimulation : public Simulation {
   TurnedProfile::Range m_threaded;  // whose triangles miss the last part of a thread
   std::size_t m_shownPasses = 0;    // whose threads are shown whole
   double m_sincePublished = 0.0;    // s
+  double m_sinceThreaded = 0.0;     // s, since the threads were shown
   bool m_isPlacing = false;         // a device acts
   ProfilePatch m_part;              // of the last input
   std::uint32_t m_number;           // in the channel

@@ -84,6 +84,24 @@ class ClayStrokeTest : public QObject {
     QCOMPARE(stroke.dabs()[1].strength, 0.4);
   }
 
+  // What works by itself where it rests does so twenty times a second at most: of 64 places in each of two seconds
+  // every fourth. What moves material along needs a way.
+  void aBrushThatRests() {
+    const auto dabsOf = [](ClayAction action) {
+      ClayBrush brush;
+      brush.action = action;
+      ClayStroke stroke(brush);
+      for (int i = 0; i <= 128; ++i) stroke.move({1.0, 2.0, 3.0}, i / 64.0, Vec3::UnitX());
+      for (const ClayDab& dab : stroke.dabs())
+        if (!isNear(dab.centre, {1.0, 2.0, 3.0}) || !isNear(dab.direction, Vec3::UnitX())) return std::size_t{0};
+      return stroke.dabs().size();
+    };
+    QCOMPARE(dabsOf(ClayAction::Smooth), std::size_t{1 + 32});
+    QCOMPARE(dabsOf(ClayAction::Inflate), std::size_t{1 + 32});
+    QCOMPARE(dabsOf(ClayAction::Carve), std::size_t{1});  // it is swept
+    QCOMPARE(dabsOf(ClayAction::Move), std::size_t{0});
+  }
+
   // Upright as seen from outside: by z on walls, by y on what lies flat.
   void stampsAreUpright() {
     const auto dabOn = [](const Vec3& normal, double turn) {

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "LatheFixture.h"
+#include "TestClass.h"
+#include "simulation/turning/LatheForce.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr double kLeadOfNut = 1.5;  // mm: a part of the pitch of the lead screw, which finds the same thread again
+constexpr double kThreadSpeed = 200.0;
+
+// A rod of ⌀40 with the threading tool in the post, and the spindle at 200 r/min.
+struct ThreadingBench : LatheFixture {
+  explicit ThreadingBench(double power = 0.0) {
+    setup.stations[0].tool = "threading-60";
+    setup.spindle.power = power;
+    setup.spindle.torque = 0.0;
+    loop.replace(make());
+    send(LatheDo::Spindle, 1.0);
+    send(LatheDo::Speed, kThreadSpeed);
+    run(1.0);
+  }
+  void goTo(double r, double z) {
+    send(LatheDo::Place, r, z);
+    run(2.0);
+    send(LatheDo::Release, 0.0);
+  }
+  // Along the lead screw from before the end of the rod, and out of the groove.
+  void thread(double depth, double seconds = 1.6) {
+    goTo(25.0, 104.0);
+    goTo(20.0 - depth, 104.0);
+    send(LatheDo::HalfNut, -kLeadOfNut);
+    run(seconds);
+    send(LatheDo::Turn, 5.0, 0.0, LatheAxis::Cross);
+    run(0.2);
+    send(LatheDo::HalfNut, 0.0);
+    run(0.1);
+  }
+  std::unique_ptr<Simulation> finished() {
+    auto taken = loop.take();
+    static_cast<LatheSimulation&>(*taken).finish();
+    return taken;
+  }
+};
+
+// From the middle of one groove to that of the other, less the grooves between them; mm.
+double betweenGrooves(const ThreadCut& a, const ThreadCut& b) {
+  const double apart = a.offset - b.offset;
+  return apart - a.pitch * std::round(apart / a.pitch);
+}
+
+}  // namespace
+
+// A thread by the half-nut in the simulation: what is recorded of it, and what is shown while it is cut.
+class LatheThreadingTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Each time that the tool follows the screw is a pass, on the helix of the one before. The profile stays: the groove
+  // is in it.
+  void eachRunIsAPass() {
+    ThreadingBench bench;
+    bench.thread(0.5);
+    bench.thread(0.8);
+    const auto taken = bench.finished();
+    const auto& lathe = static_cast<const LatheSimulation&>(*taken);
+    const auto& last = static_cast<const LatheMoment&>(*lathe.state());
+    QVERIFY(last.collisions->empty() && last.isCut && last.profile == bench.rod);
+    QCOMPARE(lathe.passes().size(), std::size_t{2});
+    for (const TurningPass& pass : lathe.passes()) {
+      QVERIFY(pass.thread && pass.thread->pitch == kLeadOfNut && !pass.thread->isLeft);
+      QVERIFY(std::abs(betweenGrooves(*pass.thread, *lathe.passes().front().thread)) < 1e-6);
+      QVERIFY(pass.times.size() == pass.path.size() && pass.speeds.size() == pass.path.size());
+    }
+  }
+
+  // The part shows its groove while it is cut, as deep as the tool stands; and as the passes leave it in the end.
+  void theGrooveIsShown() {
+    ThreadingBench bench;
+    const auto deepestShown = [](const LatheMoment& moment) {
+      double least = 20.0;
+      for (const auto& block : moment.surface.blocks())
+        for (const Vec3& p : block->points)
+          if (p.z() > 92.0 && p.z() < 98.0) least = std::min(least, std::hypot(p.x(), p.y()));
+      return least;
+    };
+    QCOMPARE(deepestShown(bench.moment()), 20.0);
+    bench.thread(0.5, 4.0);
+    QVERIFY(std::abs(deepestShown(bench.moment()) - 19.5) < 0.02);
+    bench.thread(0.8, 4.0);
+    const auto taken = bench.finished();
+    const auto& lathe = static_cast<const LatheSimulation&>(*taken);
+    const auto& last = static_cast<const LatheMoment&>(*lathe.state());
+    QVERIFY(std::abs(deepestShown(last) - 19.2) < 0.02);
+    std::shared_ptr<const PartThreads> byPasses;
+    for (const TurningPass& pass : lathe.passes()) byPasses = PartThreads::with(byPasses, pass);
+    QVERIFY(last.surface.threads());
+    for (double z = 90.0; z < 97.0; z += 0.1)
+      QVERIFY(std::abs(last.surface.threads()->radius(TurningSide::Outside, 20.0, 0.0, z, 1.0) -
+                       byPasses->radius(TurningSide::Outside, 20.0, 0.0, z, 1.0)) < 1e-3);
+  }
+
+  // With 0.3 kW the groove slows the spindle down: the straight run tells both speeds, as long as its points.
+  void aSlowedThreadSaysWhatWasAskedFor() {
+    ThreadingBench bench(0.3);
+    bench.thread(0.8, 3.0);
+    const auto taken = bench.finished();
+    const auto& passes = static_cast<const LatheSimulation&>(*taken).passes();
+    QCOMPARE(passes.size(), std::size_t{1});
+    const TurningPass& pass = passes.front();
+    QCOMPARE(pass.askedSpeeds.size(), pass.path.size());
+    QCOMPARE(pass.speeds.size(), pass.path.size());
+    const auto slowest = std::min_element(pass.speeds.begin(), pass.speeds.end());
+    QVERIFY(*slowest > 30.0 && *slowest < 0.9 * kThreadSpeed);
+    QCOMPARE(pass.askedSpeeds[static_cast<std::size_t>(slowest - pass.speeds.begin())], kThreadSpeed);
+  }
+
+  // A hand that lets the button go stops the slides, which it has told to go further.
+  void aHandLetsGo() {
+    LatheFixture bench;
+    bench.loop.setGesture(1);
+    bench.channel->inputs->setDeviceGesture(1);
+    LatheForce force(bench.channel, bench.material, {}, kLower);
+    const ProfilePoint from = bench.moment().tip;
+    const auto tick = [&](bool isHeld) {
+      TipState tip;
+      tip.position = Vec3(from.x(), 0.0, from.y() + 100.0 + kLower);
+      tip.buttons = isHeld ? 1u : 0u;
+      tip.isRestart = false;
+      ForceOut out;
+      force.advance(tip, out);
+      bench.loop.runSteps(1);
+    };
+    tick(false);
+    for (int i = 0; i < 100; ++i) tick(true);
+    tick(false);
+    bench.run(2.0);
+    const double way = bench.moment().tip.y() - from.y(), most = 0.101 * bench.setup.handSpeed;
+    QVERIFY2(way > 1.0 && way <= most + 1e-9, qPrintable(QString::number(way)));
+    QVERIFY(bench.moment().machine.demands == (std::array<double, kLatheAxes>{}));
+  }
+};
+
+HANDWHEEL_TEST(LatheThreadingTest)
+#include "LatheThreadingTest.moc"
