@@ -161,7 +161,7 @@ std::optional<ProgramValue> LinuxCncRun::systemVariable(int n) const {
   };
   if (n >= 5161 && n <= 5169) return pair(m_machine.home[0], n - 5161);
   if (n >= 5181 && n <= 5189) return pair(m_machine.home[1], n - 5181);
-  if (n >= 5211 && n <= 5219) return pair(m_machine.shift(), n - 5211);
+  if (n >= 5211 && n <= 5219) return pair(m_savedShift, n - 5211);  // also while G92.2 has ended it
   if (n == 5220) return ProgramValue{m_machine.system() + 1.0, false};
   if (n >= 5221 && n <= 5390) {
     const int system = (n - 5221) / 20;

@@ -243,6 +243,13 @@ class PartDrawingTest : public QObject {
     QVERIFY(hasText(sheet, "Ra 3.2"));
   }
 
+  // The faces of a length are those of the outside: between other heights nothing is toleranced.
+  void lengthsBetweenNoFacesAreLeftOut() {
+    const DrawingTitle title{"Bolt", "C45", {{DrawnTolerance::Of::Length, 17.0, "±0.1", 23.0, 40.0}}, 1e-3, {}, {}};
+    const Sheet sheet = drawingSheet(along({{10, 0}, {10, 20}, {15, 20}, {15, 40}, {10, 40}, {10, 60}}), title);
+    QVERIFY(hasText(sheet, "Ø30") && countOf(sheet, "17") == 0);
+  }
+
   // The nearest places with a gap: of a crowd its middle stays, single ones stay where they are.
   void spreading() {
     QCOMPARE(spread({0.0, 10.0, 20.0}, 5.0), (std::vector<double>{0.0, 10.0, 20.0}));

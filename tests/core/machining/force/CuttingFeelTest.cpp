@@ -145,6 +145,12 @@ class CuttingFeelTest : public QObject {
              std::string("Rubbing: a chip of less than 0.001 mm is not cut but rubbed; 0.009 mm is the least."));
     QVERIFY(textOf({CutWarning::Rule::Rubbing, 0.002, 0.009}).find("a chip of 0.002 mm") != std::string::npos);
   }
+
+  void pressingInWords() {
+    const std::string text = textOf({CutWarning::Rule::Pressing, 0.2, 0.01});
+    QVERIFY(text.starts_with("Pressing: ") && text.ends_with("all its force goes 0.01 mm."));
+    QVERIFY(text.find("cannot be fed 0.2 mm into it") != std::string::npos);
+  }
 };
 
 HANDWHEEL_TEST(CuttingFeelTest)

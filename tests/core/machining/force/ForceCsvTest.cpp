@@ -63,6 +63,13 @@ class ForceCsvTest : public QObject {
     QVERIFY(std::abs(sample.cut.speed - 100.0 * M_PI) < 1e-9);
   }
 
+  // RFC 4180: a quote within quotes is written twice; a comma there is none between fields.
+  void quotesWithinQuotes() {
+    const auto table = forceSamplesFromCsv("\"a \"\"b\"\", c\",ap,f,v,Fc\n\"x,\"\"y\"\"\",1,0.2,100,500\n");
+    QVERIFY(table.hasValue());
+    QCOMPARE(table->samples, (std::vector<ForceSample>{{{1.0, 0.2, 100.0}, 500.0}}));
+  }
+
   void refusesWithTheLine_data() {
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<int>("line");

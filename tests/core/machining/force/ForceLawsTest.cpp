@@ -233,6 +233,27 @@ class ForceLawsTest : public QObject {
       "cutting":[],"radial":[1],"feed":[1],"verified_cutting_at":[]}]})"));
   }
 
+  void tablesWithoutRowsAreRefused() {
+    const auto refused = KosilovaTables::fromJson(R"({"rows":[{"id":"a"}],"sources":{},"corrections":[]})");
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode(ErrorCode::ElementMalformed));
+    QCOMPARE(refused.error().arguments.at(0), std::string("the table of forces"));
+    QVERIFY(!KosilovaTables::fromJson("{}"));
+  }
+
+  // The range of the handbook's tables of feeds, depths and speeds for turning.
+  void theHandbookCoversUsualCuts() {
+    const auto model = kosilovaModel(KosilovaTables::standard(), steel(), {});
+    QVERIFY(model->covers({0.1, 0.05, 10.0}) && model->covers({12.0, 2.0, 600.0}));
+    for (const CutConditions& cut : {CutConditions{0.09, 0.2, 100.0},
+                                     {13.0, 0.2, 100.0},
+                                     {1.0, 0.04, 100.0},
+                                     {1.0, 2.1, 100.0},
+                                     {1.0, 0.2, 9.0},
+                                     {1.0, 0.2, 601.0}})
+      QVERIFY(!model->covers(cut));
+  }
+
   // Whatever a device says: a finite force that pushes, and none where nothing is cut.
   void extremesGiveFiniteForces() {
     const KosilovaTables& tables = KosilovaTables::standard();

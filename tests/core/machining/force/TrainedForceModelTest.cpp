@@ -173,6 +173,9 @@ class TrainedForceModelTest : public QObject {
     row("another format", "{\"format\": \"mesh\"}");
     row("long", good + std::string(kMostModelBytes, ' '));
     row("newer", changed(good, "\"version\": 1", "\"version\": 2"));
+    row("older", changed(good, "\"version\": 1", "\"version\": 0"));
+    row("law beyond its range",
+        changed(good, "\"power_law_lnC_x_y_n\": [\n", "\"power_law_lnC_x_y_n\": [101,1,1,1],\"a\":[\n"));
     row("many neurons", changed(good, "\"hidden\": 10", "\"hidden\": 4000000000"));
     row("no neurons", changed(good, "\"hidden\": 10", "\"hidden\": 0"));
     row("wrong count", changed(good, "\"hidden\": 10", "\"hidden\": 9"));

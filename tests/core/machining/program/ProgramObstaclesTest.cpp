@@ -89,6 +89,16 @@ class ProgramObstaclesTest : public QObject {
     QVERIFY(trial.run("G0 X60 Z16\nG0 X22\nG1 X60 F60").empty());
   }
 
+  // The holder of the threading tool begins 8.5 mm behind its tip. A thread takes nothing of the envelope, so that it
+  // meets the bar where the tip is deeper.
+  void aThreadHasAHolder() {
+    const BodyTrial trial(40.0, "threading-60");
+    QVERIFY(trial.run("G0 X23.2 Z15\nG33 Z-20 K1.5\nG0 X60").empty());
+    const auto met = trial.run("G0 X22.8 Z15\nG33 Z-20 K1.5\nG0 X60");
+    QVERIFY(!met.empty() && met[0].kind == ProgramCollision::Kind::Contact);
+    QVERIFY(met[0].moving == LathePart::Holder && met[0].struck == LathePart::Work && met[0].line == 4);
+  }
+
   // A table as text gives the same tools again, bodies included; what a line does not say follows from its body.
   void tablesWithBodies() {
     for (const ProgramDialect dialect : {ProgramDialect::LinuxCnc, ProgramDialect::Fanuc}) {

@@ -240,6 +240,23 @@ class ProgramSimulationTest : public QObject {
     QVERIFY(removedBy(simulated) > 0.99 * M_PI * 400.0 * 0.5);
   }
 
+  // A thread in two moves of one lead is one pass, whose spindle turns on; with another lead they are two.
+  void threadsGoOn() {
+    const std::string begin = "G21 G18 G7\nF60 S500 M3\nG0 X44 Z5\nX38.5\nG33 Z-20 K1.5\n";
+    const auto threadsOf = [](const Simulated& simulated) {
+      std::vector<TurningPass> threads;
+      for (const TurningPass& pass : simulated.passes)
+        if (pass.thread) threads.push_back(pass);
+      return threads;
+    };
+    const auto one = threadsOf(simulate(begin + "G33 Z-30 K1.5\nG0 X44\n"));
+    QCOMPARE(one.size(), std::size_t{1});
+    QCOMPARE(one[0].path.size(), std::size_t{3});
+    QVERIFY(std::abs(one[0].path.back().y() - 70.0) < 1e-9 && std::abs(one[0].thread->pitch - 1.5) < 1e-9);
+    QVERIFY(std::abs(one[0].times.back() - 35.0 / 1.5 / 500.0 * 60.0) < 1e-6);
+    QCOMPARE(threadsOf(simulate(begin + "G33 Z-30 K2\nG0 X44\n")).size(), std::size_t{2});
+  }
+
   void timesOfAPassBeginWithIt() {
     const Simulated simulated =
         simulate("G21 G18 G7\nF60 S500 M3\nG0 X44 Z2\nX38\nG1 Z-20\nX44\nG0 Z2\nX36\nG1 Z-20\n");

@@ -156,6 +156,15 @@ class SampledProfileTest : public QObject {
     QVERIFY(std::abs(ball->volume() - 4.0 / 3.0 * M_PI * 125.0) < 1e-6);
   }
 
+  // Lines stay lines: a cylinder of 10 mm below a cone to 6 mm.
+  void ofLines() {
+    const auto shaft = sectionOf(ProfileCurve::polyline({{0, 0}, {5, 0}, {5, 20}, {3, 30}, {0, 30}}).value(), 1e-3);
+    QVERIFY(shaft.hasValue());
+    QCOMPARE(shaft->segments().size(), std::size_t{4});
+    for (const ProfileSegment& segment : shaft->segments()) QVERIFY(!segment.isArc());
+    QVERIFY(std::abs(shaft->volume() - M_PI * (25.0 * 20.0 + 10.0 / 3.0 * (25.0 + 15.0 + 9.0))) < 1e-9);
+  }
+
   // ⌀20 from Z 30 on, parted off from a bar of ⌀40: the end piece alone, and all of what is in one piece.
   void theEndPiece() {
     TurnedProfile part(StockCylinder{40.0, 100.0, 0.0}, 0.02);

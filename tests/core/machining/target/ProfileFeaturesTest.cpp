@@ -110,6 +110,7 @@ class ProfileFeaturesTest : public QObject {
     QCOMPARE(same.size(), few.size());
     for (std::size_t i = 0; i < few.size(); ++i) QCOMPARE(same[i].kind, few[i].kind);
     QVERIFY(withCurves({}).empty());
+    QCOMPARE(std::string(nameOf(FeatureKind::Taper)), std::string("taper"));
     QCOMPARE(std::string(nameOf(FeatureKind::Curve)), std::string("curve"));
   }
 

@@ -174,6 +174,9 @@ class TargetProfileTest : public QObject {
     QCOMPARE(refusal(through({{5, 0}, {-5, 10}})), ErrorCode(TargetError::CrossesAxis));
     QCOMPARE(refusal({arcAround({3, 0}, 4.0, M_PI / 2, 1.5 * M_PI)}), ErrorCode(TargetError::CrossesAxis));
     QCOMPARE(refusal(through({{5, 0}, {0, 10}, {5, 20}})), ErrorCode(TargetError::TouchesAxis));
+    // A groove of 5 mm in a rod of 10 mm: the arc touches the axis between its ends.
+    QCOMPARE(refusal({{{5, 0}, {5, 10}, 0.0}, *arcThrough({5, 10}, {0, 15}, {5, 20}), {{5, 20}, {5, 30}, 0.0}}),
+             ErrorCode(TargetError::TouchesAxis));
     QCOMPARE(refusal({{{5, 0}, {5, 10}, 0.0}, {{5, 11}, {5, 20}, 0.0}}), ErrorCode(TargetError::NotJoined));
     QCOMPARE(refusal(through({{0, 0}, {10, 0}, {10, 20}, {5, 20}, {15, 10}, {0, 10}})),
              ErrorCode(TargetError::CrossesItself));

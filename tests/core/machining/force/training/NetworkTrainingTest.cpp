@@ -198,6 +198,47 @@ class NetworkTrainingTest : public QObject {
     });
   }
 
+  // A power law is fitted exactly without any fifth of it. The network learns it, too: within 10 % on the average,
+  // where guessing the mean force would be off by half.
+  void modelsAreJudgedOnHeldOutCuts() {
+    ForceSamples samples;
+    samples.samples = lawSamples();
+    samples.origin = "by formula";
+    samples.isSynthetic = true;
+    TrainingOptions options;
+    options.epochs = 50;
+    JobState state;
+    const auto training = trainForceModel(samples, options, "brass", Progress(state));
+    QVERIFY(training.hasValue());
+    QCOMPARE(training->conditions, std::size_t(60));
+    QVERIFY(training->powerLaw.cuts == 60 && training->powerLaw.worst < 1e-9);
+    QVERIFY(training->network.cuts == 60 && training->network.mean < 0.1);
+    QVERIFY(training->network.median <= training->network.worst && training->seconds > 0.0);
+    const TrainedForceModel::Origin& origin = training->model.origin();
+    QVERIFY(origin.data == "by formula" && origin.isSynthetic && origin.material == "brass" && origin.cuts == 60);
+    QVERIFY(origin.heldOutError == training->network.mean && origin.epochs == training->epochs());
+    QVERIFY(state.fraction > 0.3 && state.fraction <= 1.0);  // judging is what goes on after the training
+    // Far outside it is the power law.
+    const CutConditions far{20.0, 1.0, 100.0};
+    QVERIFY(std::abs(training->model.at(far).cutting / training->model.powerLaw().at(far) - 1.0) < 1e-9);
+    state.cancelled = true;
+    const auto cancelled = trainForceModel(samples, options, {}, Progress(state));
+    QVERIFY(!cancelled && cancelled.error().code == ErrorCode::Cancelled);
+  }
+
+  // Off by 10 %, 30 % and 20 %.
+  void errorsOfALaw() {
+    const std::vector<ForceSample> samples = {{{1, 0.1, 100}, 100}, {{2, 0.1, 100}, 200}, {{3, 0.1, 100}, 300}};
+    const HeldOutErrors errors = errorsOf(
+        [](const CutConditions& cut) { return cut.depth * (cut.depth < 2   ? 110
+                                                           : cut.depth < 3 ? 70
+                                                                           : 120); }, samples);
+    QCOMPARE(errors.cuts, std::size_t(3));
+    QVERIFY(std::abs(errors.mean - 0.2) < 1e-12 && std::abs(errors.median - 0.2) < 1e-12);
+    QVERIFY(std::abs(errors.worst - 0.3) < 1e-12);
+    QCOMPARE(errorsOf([](const CutConditions&) { return 1.0; }, {}).cuts, std::size_t(0));
+  }
+
   void refusesTooFewConditions() {
     ForceSamples samples;
     for (int i = 0; i < 100; ++i) samples.samples.push_back({{1.0, 0.1, 10.0 + i % 7}, 100.0 + i});

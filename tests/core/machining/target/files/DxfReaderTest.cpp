@@ -51,6 +51,17 @@ class DxfReaderTest : public QObject {
     }
   }
 
+  // AutoCAD's codes: microinches, mils, yards, micrometres, decimetres; 3, miles, is none for a part.
+  void rareUnits() {
+    for (const auto& [code, factor] :
+         {std::pair{8, 25.4e-6}, {9, 0.0254}, {10, 914.4}, {13, 1e-3}, {14, 100.0}, {3, 1.0}}) {
+      const auto read = readDxf(fileOf("0 LINE 10 1 20 2 11 3 21 4", " 9 $INSUNITS 70 " + std::to_string(code)));
+      QVERIFY(read.hasValue());
+      QCOMPARE(read->hasUnit, code != 3);
+      QVERIFY(std::abs(read->curves[0].to.x() / factor - 3.0) < 1e-12);
+    }
+  }
+
   void arcs() {
     const auto all = curvesIn("0 ARC 10 5 20 6 40 2 50 270 51 90");
     QCOMPARE(all.size(), std::size_t{1});
@@ -135,6 +146,17 @@ class DxfReaderTest : public QObject {
     JobState state;
     state.cancelled = true;
     QCOMPARE(readDxf(fileOf("0 LINE 10 1 20 1"), Progress(state)).error().code, ErrorCode(ErrorCode::Cancelled));
+  }
+
+  void limits() {
+    std::string many;
+    for (std::size_t i = 0; i <= TargetProfile::kMostSegments; ++i) many += " 0 LINE 10 1 20 2 11 3 21 4";
+    const Error segments = readDxf(fileOf(many.substr(1))).error();
+    QCOMPARE(segments.code, ErrorCode(ErrorCode::FileTooLarge));
+    QCOMPARE(segments.arguments.at(0), std::string("segments"));
+    const Error bytes = readDxf(std::string((std::size_t{64} << 20) + 1, '\n')).error();
+    QCOMPARE(bytes.code, ErrorCode(ErrorCode::FileTooLarge));
+    QCOMPARE(bytes.arguments.at(0), std::string("bytes"));
   }
 
   void recognised() {

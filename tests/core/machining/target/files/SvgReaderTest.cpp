@@ -134,6 +134,14 @@ class SvgReaderTest : public QObject {
     QVERIFY(!readSvgTransform("turn(3)").hasValue() && !readSvgTransform("scale(").hasValue());
   }
 
+  // By 45° x and y are added: (1, 2) becomes (3, 2), or (1, 3).
+  void skewing() {
+    const auto x = readSvgTransform("skewX(45)"), y = readSvgTransform("skewY(45)");
+    QVERIFY(x && ((*x) * Eigen::Vector2d(1, 2) - Eigen::Vector2d(3, 2)).norm() < 1e-12);
+    QVERIFY(y && ((*y) * Eigen::Vector2d(1, 2) - Eigen::Vector2d(1, 3)).norm() < 1e-12);
+    QVERIFY(!readSvgTransform("skewX(45 3)").hasValue());
+  }
+
   void units() {
     const std::string line = "<line x1=\"0\" y1=\"0\" x2=\"1\" y2=\"1\"/>";
     const auto x = [&](const char* attributes) { return curves(line, attributes)[0].to.x(); };
@@ -180,6 +188,31 @@ class SvgReaderTest : public QObject {
     JobState state;
     state.cancelled = true;
     QCOMPARE(readSvg(svg("<path d=\"M0 0 H 9\"/>"), Progress(state)).error().code, ErrorCode(ErrorCode::Cancelled));
+  }
+
+  void limits() {
+    const auto refusal = [](const std::string& content) {
+      const auto read = readSvg(svg(content));
+      return read ? Error{} : read.error();
+    };
+    const Error far = refusal("<path transform=\"scale(1e200)\" d=\"M 0 0 L 1e200 1\"/>");
+    QCOMPARE(far.code, ErrorCode(ErrorCode::ElementMalformed));
+    QCOMPARE(far.arguments.at(1), std::string("a coordinate is too large"));
+    std::string path = "M 0 0 H 1", lines;
+    for (std::size_t i = 0; i <= TargetProfile::kMostSegments; ++i) path += i % 2 ? "h1" : "v1";
+    QCOMPARE(refusal("<path d=\"" + path + "\"/>").code, ErrorCode(ErrorCode::FileTooLarge));
+    for (std::size_t i = 0; i <= TargetProfile::kMostSegments / 1000; ++i)
+      lines += "<polyline points=\"" + [] {
+        std::string points;
+        for (int k = 0; k <= 1000; ++k) points += std::to_string(k) + "," + std::to_string(k % 2) + " ";
+        return points;
+      }() + "\"/>";
+    QCOMPARE(refusal(lines).arguments.at(0), std::string("segments"));
+  }
+
+  void recognised() {
+    QVERIFY(looksLikeSvg("\xef\xbb\xbf<?xml version=\"1.0\"?>\n<svg:svg>") && looksLikeSvg(" <svg/>"));
+    for (const char* const other : {"", "<html><body/>", "svg", "solid <svg"}) QVERIFY(!looksLikeSvg(other));
   }
 
   void mutations() {
