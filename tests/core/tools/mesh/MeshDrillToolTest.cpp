@@ -219,6 +219,23 @@ class MeshDrillToolTest : public QObject {
     QCOMPARE(bench.offers, std::vector<std::string>{"the mesh was changed meanwhile"});
   }
 
+  // A twist drill of 60 mm does not come onto a slope through the wall opposite: it would cut with its side.
+  void aWallBehindTheDrill() {
+    TriangleSoup slope = test::box({-5.0, -5.0, -5.0}, {10.0, 10.0, 10.0});
+    for (Vec3& p : slope.points) p = Eigen::AngleAxisd(0.25 * M_PI, Vec3::UnitY()) * p;
+    for (const double distance : {25.0, 100.0}) {
+      TriangleSoup walled = slope;
+      test::append(walled, test::box({distance, -10.0, -5.0}, {5.0, 20.0, 150.0}));
+      MeshDrillBench bench(walled);
+      bench.runner.setSetting("head", PropertyValue(1.0));
+      QVERIFY(bench.tool->setup().tool.shape == DrillShape::Twist);
+      QCOMPARE(bench.event(PointerEvent::Kind::Press, 3.5, 0.0), ToolReply::Used);
+      QCOMPARE(bench.tool->isLive(), distance > 60.0);
+      if (distance < 60.0)
+        QCOMPARE(bench.says(), std::string("the drill would cut sideways here: begin on a free surface"));
+    }
+  }
+
   // What cannot be drilled says why, before anything is drilled, and offers a volume.
   void refused_data() {
     QTest::addColumn<int>("shape");
@@ -227,6 +244,7 @@ class MeshDrillToolTest : public QObject {
     QTest::newRow("two that intersect") << 1 << "triangles of the mesh intersect one another: resolve that first";
     QTest::newRow("inside out") << 2 << "a body is inside out: turn it over first";
     QTest::newRow("none") << 3 << "there are no triangles";
+    QTest::newRow("huge") << 4 << "the voxels are too small for a part of this size";
   }
   void refused() {
     QFETCH(int, shape);
@@ -236,12 +254,22 @@ class MeshDrillToolTest : public QObject {
     if (shape == 1) test::append(soup, test::box({2.0, 3.0, -2.0}, {40.0, 5.0, 9.0}));
     if (shape == 2) soup = test::turnedOver(soup);
     if (shape == 3) soup = {};
+    if (shape == 4) soup = drilledPlate(1e6);
     MeshDrillBench bench(soup);
     QCOMPARE(bench.says(), reason.toStdString());
     QCOMPARE(bench.event(PointerEvent::Kind::Press, -5.0, -5.0), ToolReply::Used);
     QVERIFY(!bench.tool->isLive());
     QCOMPARE(bench.offers, std::vector<std::string>{reason.toStdString()});
     QCOMPARE(bench.document->history()->count(), bench.document->openingSteps());
+  }
+
+  // A part that would be gone stays, and it is said why.
+  void nothingWouldBeLeft() {
+    MeshDrillBench bench(test::box({-0.5, -0.5, -1.0}, {1.0, 1.0, 1.0}));
+    QVERIFY(bench.drill(0.1, 0.0, 2.0));
+    QCOMPARE(bench.offers, std::vector<std::string>{"nothing would be left of the mesh"});
+    QCOMPARE(bench.document->history()->count(), bench.document->openingSteps());
+    QCOMPARE(bench.document->mesh().liveFaceCount(), std::size_t{12});
   }
 
   // Beside the part the camera has the mouse; the voxel follows the head, and can be chosen within limits of it.
