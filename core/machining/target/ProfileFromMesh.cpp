@@ -76,15 +76,20 @@ class MeshRings {
     }
     std::sort(m_places.begin(), m_places.end(), [](const Place& a, const Place& b) { return a.z < b.z; });
     split(0, m_places.size(), &Place::z, [this](std::size_t first, std::size_t last) {
+      // Those of one flat are at one height, so that an end is as wide as its face.
+      const double low = m_places[first].z, high = m_places[last - 1].z;
+      if (high - low <= kRingWidth) std::for_each(at(first), at(last), [&](Place& p) { p.z = 0.5 * (low + high); });
       std::sort(at(first), at(last), [](const Place& a, const Place& b) { return a.r < b.r; });
       split(first, last, &Place::r, [this](std::size_t f, std::size_t l) { addRing(f, l); });
     });
   }
 
   std::size_t ringOf(std::size_t point) const { return m_ring[point]; }
+  // From the lower to the higher, those of one height outwards.
+  std::size_t count() const { return m_rings.size(); }
   const ProfilePoint& place(std::size_t ring) const { return m_rings[ring]; }
-  // How far the widest gap of a ring leaves the circle by its chord, mm.
-  double deviation() const { return m_deviation; }
+  // How far the widest gap of the ring leaves its circle by its chord, mm.
+  double deviation(std::size_t ring) const { return m_deviations[ring]; }
   double largestRadius() const { return m_largest; }
 
  private:
@@ -113,36 +118,91 @@ class MeshRings {
       m_ring[m_places[i].point] = m_rings.size();
     }
     if (middle.x() <= kRingWidth) middle.x() = 0.0;
+    const auto [low, high] =
+        std::minmax_element(at(first), at(last), [](const Place& a, const Place& b) { return a.z < b.z; });
+    middle.y() = std::clamp(middle.y(), low->z, high->z);  // not beside them by rounding
     m_rings.push_back(middle);
     m_largest = std::max(m_largest, middle.x());
     std::sort(angles.begin(), angles.end());
     double gap = angles.front() + 2.0 * M_PI - angles.back();
     for (std::size_t i = 1; i < angles.size(); ++i) gap = std::max(gap, angles[i] - angles[i - 1]);
-    m_deviation = std::max(m_deviation, middle.x() * (1.0 - std::cos(0.5 * std::min(gap, 2.0 * M_PI))));
+    m_deviations.push_back(middle.x() * (1.0 - std::cos(0.5 * std::min(gap, 2.0 * M_PI))));
   }
 
   std::vector<Place> m_places;
   std::vector<ProfilePoint> m_rings;
   std::vector<std::size_t> m_ring;  // of each point
-  double m_deviation = 0.0, m_largest = 0.0;
+  std::vector<double> m_deviations;
+  double m_largest = 0.0;
 };
 
-// The lines from ring to ring, once each.
-std::vector<ProfileSegment> linesBetween(const TriangleSoup& soup, const MeshRings& rings) {
-  std::set<std::pair<std::size_t, std::size_t>> joined;
-  for (const Triangle& t : soup.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t a = rings.ringOf(t[static_cast<std::size_t>(k)]);
-      const std::size_t b = rings.ringOf(t[static_cast<std::size_t>((k + 1) % 3)]);
-      if (a != b) joined.insert(std::minmax(a, b));
+// The outline through the rings of a mesh. Points within a flat end or shoulder may lie as they like: the flat is one
+// line.
+class RingOutline {
+ public:
+  RingOutline(const TriangleSoup& soup, const Axis& axis, const MeshRings& rings)
+      : m_rings(rings), m_hasWall(rings.count()) {
+    std::set<std::pair<std::size_t, std::size_t>> joined, flat;
+    for (const Triangle& t : soup.triangles) {
+      bool isFlatTriangle = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t a = rings.ringOf(t[k]), b = rings.ringOf(t[(k + 1) % 3]);
+        isFlatTriangle = isFlatTriangle && isFlat(a, b);
+        if (a != b) (isFlat(a, b) ? flat : joined).insert(std::minmax(a, b));
+      }
+      if (isFlatTriangle && isAcross(axis, soup, t)) m_acrossAxis.insert(rings.ringOf(t[0]));
+    }
+    for (const auto& [a, b] : joined) {
+      m_hasWall[a] = m_hasWall[b] = true;
+      add(rings.place(a), rings.place(b));
+    }
+    addFlats(flat);
+    for (std::size_t i = 0; i < rings.count(); ++i)
+      if (m_hasWall[i]) m_deviation = std::max(m_deviation, rings.deviation(i));
+  }
+
+  const std::vector<ProfileSegment>& lines() const { return m_lines; }
+  double deviation() const { return m_deviation; }  // mm, the largest of the rings of walls
+
+ private:
+  bool isFlat(std::size_t a, std::size_t b) const {
+    return std::abs(m_rings.place(a).y() - m_rings.place(b).y()) <= kRingWidth;
+  }
+  // Whether the axis goes through a triangle.
+  static bool isAcross(const Axis& axis, const TriangleSoup& soup, const Triangle& t) {
+    int left = 0, right = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 from = soup.points[t[k]] - axis.point, to = soup.points[t[(k + 1) % 3]] - axis.point;
+      const double side = axis.direction.dot(from.cross(to));
+      left += side > 0.0;
+      right += side < 0.0;
+    }
+    return (left == 0) != (right == 0);
+  }
+  void add(const ProfilePoint& from, const ProfilePoint& to) {
+    if (from.x() > 0.0 || to.x() > 0.0) m_lines.push_back({from, to, 0.0});
+  }
+
+  // Flats of one height do not overlap, and their rings follow one another.
+  void addFlats(const std::set<std::pair<std::size_t, std::size_t>>& edges) {
+    for (auto edge = edges.begin(); edge != edges.end();) {
+      const std::size_t inner = edge->first;
+      std::size_t outer = edge->second;
+      const auto goesOn = [&] { return edge->first < outer || (edge->first == outer && !m_hasWall[outer]); };
+      while (++edge != edges.end() && goesOn()) outer = std::max(outer, edge->second);
+      const auto across = m_acrossAxis.lower_bound(inner);
+      const bool isDisc = across != m_acrossAxis.end() && *across <= outer;
+      const ProfilePoint& from = m_rings.place(inner);
+      add(isDisc ? ProfilePoint(0.0, from.y()) : from, m_rings.place(outer));
     }
   }
-  std::vector<ProfileSegment> lines;
-  for (const auto& [a, b] : joined) {
-    if (rings.place(a).x() > 0.0 || rings.place(b).x() > 0.0) lines.push_back({rings.place(a), rings.place(b), 0.0});
-  }
-  return lines;
-}
+
+  const MeshRings& m_rings;
+  std::vector<bool> m_hasWall;         // for each ring, whether it bounds a face that is not flat
+  std::set<std::size_t> m_acrossAxis;  // rings of flat triangles that the axis goes through
+  std::vector<ProfileSegment> m_lines;
+  double m_deviation = 0.0;
+};
 
 }  // namespace
 
@@ -160,17 +220,18 @@ Result<ProfileFromMesh> profileFromMesh(const TriangleSoup& soup, Progress progr
        {lines.along(Vec3::UnitZ()), lines.along(Vec3::UnitX()), lines.along(Vec3::UnitY()), lines.best()}) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     const MeshRings rings(soup, axis);
+    const RingOutline found(soup, axis, rings);
     const double allowed = turnedMeshTolerance(rings.largestRadius());
-    if (rings.deviation() < least) {
-      least = rings.deviation();
+    if (found.deviation() < least) {
+      least = found.deviation();
       tolerance = allowed;
     }
-    if (!(rings.deviation() <= allowed)) continue;
-    Result<std::vector<ProfileSegment>> outline = joinedOutline(linesBetween(soup, rings), kRingGap, progress);
+    if (!(found.deviation() <= allowed)) continue;
+    Result<std::vector<ProfileSegment>> outline = joinedOutline(found.lines(), kRingGap, progress);
     if (!outline) return outline.error();
     Result<TargetProfile> target = TargetProfile::make(std::move(outline.value()), progress);
     if (!target) return target.error();
-    return ProfileFromMesh{std::move(target.value()), rings.deviation()};
+    return ProfileFromMesh{std::move(target.value()), found.deviation()};
   }
   return Error{TargetError::MeshNotTurned, {roundedText(least, 3), roundedText(tolerance, 3)}, {}, {}};
 }

@@ -9,11 +9,11 @@
 namespace handwheel {
 
 // The half section of a turned part, recovered from a triangle mesh. Of triangles as CAD programs write them: their
-// points lie on rings around one axis. The axis is found from the normals, which all meet it; z runs along it, with the
-// sign that the coordinates of the mesh have most.
+// points lie on rings around one axis; those within a flat end or shoulder lie as they like. The axis is found from the
+// normals, which all meet it; z runs along it, with the sign that the coordinates of the mesh have most.
 struct ProfileFromMesh {
   TargetProfile target;
-  double deviation = 0.0;  // mm, of the chords of the rings from their circles
+  double deviation = 0.0;  // mm, of the chords of the walls' rings from their circles
 };
 
 // The largest deviation that counts as turned, mm, for a part of this radius (mm).

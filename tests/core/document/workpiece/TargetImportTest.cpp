@@ -27,6 +27,16 @@ std::string dxfWith(std::string entities, const std::string& header = "") {
 constexpr const char* kPinLines =
     "0 LINE 10 0 20 0 11 0 21 10 0 LINE 10 0 20 10 11 50 21 10 0 LINE 10 50 20 10 11 50 21 0 ";
 
+// A third of a bar of ⌀50 × 100 mm, the rest turned down to ⌀30.
+WorkpieceSnapshot shaftToRead() {
+  WorkpieceSnapshot workpiece;
+  TurnedProfile profile(workpiece.stock, 0.1);
+  for (std::size_t i = 0; i < profile.size(); ++i)
+    if (profile.z(i) > 40.05) profile.limitOuter(i, 15.0);
+  workpiece.part = std::make_shared<const TurnedPart>(TurnedPart::of(std::move(profile), {}, 0.1));
+  return workpiece;
+}
+
 }  // namespace
 
 // Targets from files of other programs, and what is said of how they were read.
@@ -79,8 +89,19 @@ class TargetImportTest : public QObject {
     QVERIFY(!importTarget(damaged, UnturnedFaces::Refuse));
   }
 
-  // A tetrahedron was never turned.
+  // What is exported is read again, with ends as wide as they are. A tetrahedron was never turned.
   void aMesh() {
+    const WorkpieceSnapshot shaft = shaftToRead();
+    for (const char* const name : {"shaft.stl", "shaft.obj"}) {
+      const auto imported = importTarget(exported(shaft, name), UnturnedFaces::Refuse);
+      QVERIFY(imported.hasValue());
+      QVERIFY(std::abs(imported->profile.volume() / shaft.part->volume() - 1.0) < 2e-3);
+      QVERIFY(std::abs(imported->profile.extentAt(imported->profile.lowerEnd())->outer - 25.0) < 1e-3);
+      QVERIFY(std::abs(imported->profile.extentAt(imported->profile.upperEnd())->outer - 15.0) < 1e-3);
+      QCOMPARE(imported->notes.size(), std::size_t{1});
+      const double chord = std::stod(imported->notes.front().arguments.at(0));
+      QVERIFY2(chord > 1e-4 && chord < 0.02, imported->notes.front().arguments.at(0).c_str());
+    }
     const auto other =
         written("tetrahedron.obj", "v 0 0 0\nv 9 0 0\nv 0 8 0\nv 0 0 7\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
     const auto refused = importTarget(other, UnturnedFaces::Refuse);

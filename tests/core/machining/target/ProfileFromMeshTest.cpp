@@ -56,10 +56,51 @@ class ProfileFromMeshTest : public QObject {
     QVERIFY(std::abs(found->target.length() - 50.0) < 1e-4);
     QVERIFY(std::abs(found->target.largestRadius() - 15.0) < 1e-4);
     QCOMPARE(found->target.isClosed(), isBored);
+    const double low = found->target.extentAt(found->target.lowerEnd())->outer;
+    const double high = found->target.extentAt(found->target.upperEnd())->outer;
+    QVERIFY(std::abs(low + high - 25.0) < 2e-4 && std::abs(std::abs(low - high) - 5.0) < 2e-4);
     // The shoulder is as wide as a sample: 0.1 mm.
     const double shoulder = 0.1 / 3.0 * (225.0 + 150.0 + 100.0);
     const double expected = M_PI * (19.9 * 225.0 + shoulder + 30.0 * 100.0 - (isBored ? 50.0 * 25.0 : 0.0));
     QVERIFY2(std::abs(found->target.volume() / expected - 1.0) < 1e-5, QByteArray::number(found->target.volume()));
+  }
+
+  // Points within a flat lie anywhere: what is flat is exact. The ends of a bar of 200 sides, a ring of five points in
+  // the upper end, and the lower end without a point in its middle.
+  void pointsWithinFlats() {
+    constexpr std::uint32_t kSides = 200, kInner = 5;
+    TriangleSoup bar;
+    const auto ring = [&](std::uint32_t count, double radius, double z) {
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const double angle = 2.0 * M_PI * i / count;
+        bar.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+      }
+    };
+    ring(kSides, 20.0, 0.0);
+    ring(kSides, 20.0, 50.0);
+    ring(kInner, 8.0, 50.0);
+    bar.points.emplace_back(0.0, 0.0, 50.0);
+    const std::uint32_t inner = 2 * kSides, middle = inner + kInner;
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+      const std::uint32_t next = (i + 1) % kSides, near = inner + i * kInner / kSides;
+      const std::uint32_t nearNext = inner + (i + 1) * kInner / kSides % kInner;
+      bar.triangles.push_back({i, next, kSides + next});
+      bar.triangles.push_back({i, kSides + next, kSides + i});
+      bar.triangles.push_back({kSides + i, kSides + next, near});
+      if (near != nearNext) bar.triangles.push_back({near, kSides + next, nearNext});
+      if (i > 0 && i + 1 < kSides) bar.triangles.push_back({0, i + 1, i});
+    }
+    for (std::uint32_t i = 0; i < kInner; ++i) bar.triangles.push_back({inner + i, inner + (i + 1) % kInner, middle});
+    const auto isTheBar = [](const Result<ProfileFromMesh>& found) {
+      return found && std::abs(found->target.volume() / (M_PI * 400.0 * 50.0) - 1.0) < 1e-9 &&
+             std::abs(found->deviation - 20.0 * (1.0 - std::cos(M_PI / kSides))) < 1e-9;
+    };
+    QVERIFY(isTheBar(profileFromMesh(bar)));
+    // Without the point in the middle the flat reaches the axis all the same.
+    std::erase_if(bar.triangles, [&](const Triangle& t) { return t[2] == middle; });
+    bar.points.pop_back();
+    for (std::uint32_t i = 1; i + 1 < kInner; ++i) bar.triangles.push_back({inner, inner + i, inner + i + 1});
+    QVERIFY(isTheBar(profileFromMesh(bar)));
   }
 
   // A flat of 1 mm depth is described by its figure; a box has no axis.
