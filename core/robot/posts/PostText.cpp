@@ -290,13 +290,16 @@ Error LineReader::malformed(const char* element, const char* reason) const {
   return {ErrorCode::ElementMalformed, {element, reason}, InputPosition::line(m_line), {}};
 }
 
+Status checkTextSize(std::string_view text) {
+  if (text.size() <= PostProcessor::kLargestText) return Done{};
+  return Error{ErrorCode::FileTooLarge,
+               {"bytes", std::to_string(text.size()), std::to_string(PostProcessor::kLargestText)},
+               {},
+               {}};
+}
+
 Result<std::vector<std::string_view>> programLines(std::string_view text, std::string_view comment) {
-  if (text.size() > PostProcessor::kLargestText) {
-    return Error{ErrorCode::FileTooLarge,
-                 {"bytes", std::to_string(text.size()), std::to_string(PostProcessor::kLargestText)},
-                 {},
-                 {}};
-  }
+  if (const Status fits = checkTextSize(text); !fits) return fits.error();
   std::vector<std::string_view> lines;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());

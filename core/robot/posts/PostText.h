@@ -98,6 +98,8 @@ class LineReader {
   std::size_t m_line;
 };
 
+// Error: FileTooLarge, beyond PostProcessor::kLargestText.
+Status checkTextSize(std::string_view text);
 // The lines of a text without what follows a comment sign outside of quotes; empty: there is no such sign. Error:
 // FileTooLarge.
 Result<std::vector<std::string_view>> programLines(std::string_view text, std::string_view comment);

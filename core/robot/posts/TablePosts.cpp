@@ -165,6 +165,7 @@ class JsonPost : public PostProcessor {
   }
 
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override {
+    if (const Status fits = checkTextSize(text); !fits) return fits.error();
     const Result<nlohmann::json> json = parseJson(text, "program");
     if (!json) return json.error();
     const auto wrong = [](const char* reason) {

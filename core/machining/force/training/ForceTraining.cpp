@@ -37,6 +37,7 @@ Status judge(ForceTraining& training, const ForceSamples& samples, const Trainin
     const Result<TrainedNetwork> network =
         trainNetwork(split.training, options, progress.part(share(fold), share(fold + 1)));
     if (!network) return network.error();
+    progress.set(share(fold + 1));  // also where it has learned enough before its last epoch
     const PowerLaw law = fittedPowerLaw(split.training);
     // As it will be used: a held-out cut beyond the range of the others falls to the power law.
     const TrainedForceModel model(network->network, law, {});

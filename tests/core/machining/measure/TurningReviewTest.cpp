@@ -7,6 +7,7 @@
 #include "machining/force/ChipGrowth.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -241,16 +242,30 @@ class TurningReviewTest : public QObject {
     QCOMPARE(reviewOf({})->seconds(), 0.0);
   }
 
+  // 22 passes of 200 cuts are more than are kept. Of two neighbours the heavier stays: so does the one cut, first of
+  // its pair or second, that asked for ten times the speed of all others, at the 40 mm that the bar has.
   void manyMomentsAreJoined() {
-    TurningPass pass;
-    for (int i = 0; i < 20'000; ++i) {
-      pass.path.emplace_back(20.0, 100.0 - 0.003 * i);
-      pass.times.push_back(0.01 * i);
+    for (const int heavy : {100, 101}) {
+      std::vector<PassPointer> passes;
+      for (int number = 1; number <= 22; ++number) {
+        TurningPass pass;
+        pass.noseRadius = 0.8;
+        for (int i = 0; i <= 200; ++i) {
+          pass.path.emplace_back(20.8 - 0.25 * number, 100.0 - 0.5 * i);
+          pass.times.push_back(0.2 * i);
+          pass.askedSpeeds.push_back(number == 1 && i == heavy ? 6000.0 : 600.0);
+        }
+        passes.push_back(std::make_shared<const TurningPass>(pass));
+      }
+      const auto review = reviewOf(passes, {600.0, 0.0, 80.0, 1.0});
+      const std::vector<CutMoment>& moments = review->moments();
+      QVERIFY(moments.size() >= TurningReview::kMostMoments && moments.size() < 2 * TurningReview::kMostMoments);
+      for (std::size_t i = 1; i < moments.size(); ++i) QVERIFY(moments[i].time > moments[i - 1].time);
+      const auto most = std::max_element(moments.begin(), moments.end(),
+                                         [](const CutMoment& a, const CutMoment& b) { return a.asked < b.asked; });
+      QVERIFY(std::abs(most->asked - M_PI * 40.0 * 6000.0 / 1000.0) < 1e-6);
+      QVERIFY(std::abs(most->time - 0.2 * heavy) < 1e-9);
     }
-    const auto review = reviewOf({std::make_shared<const TurningPass>(pass)});
-    QVERIFY(review && review->moments().size() < 2 * TurningReview::kMostMoments);
-    for (std::size_t i = 1; i < review->moments().size(); ++i)
-      QVERIFY(review->moments()[i].time > review->moments()[i - 1].time);
   }
 
   void extremes() {

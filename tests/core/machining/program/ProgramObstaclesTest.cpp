@@ -121,6 +121,23 @@ class ProgramObstaclesTest : public QObject {
       QVERIFY(!bare->at(7).body);
     }
   }
+
+  void tablesAreRefused() {
+    const auto refusal = [](const std::string& text) {
+      const auto read = readToolTable(text);
+      if (read) return std::string();
+      const Error& error = read.error();
+      return std::to_string(error.position.value) + ": " + error.arguments.at(1) + ": " + error.arguments.at(2);
+    };
+    QCOMPARE(refusal("; X1\n\n  T1 P1 X0 Z0 D0.8 Q2\r\n"), std::string());
+    QCOMPARE(refusal("T1 D0.8\nT2 D\n"), std::string("2: D: this is not a word of a tool table"));
+    QCOMPARE(refusal("T1 D0,8\n"), std::string("1: ,8: this is not a word of a tool table"));
+    QCOMPARE(refusal("T1 X2000000\n"), std::string("1: X2000000: this is not a word of a tool table"));
+    QCOMPARE(refusal("T1\nX1 Z2\n"), std::string("2: T: the line has no tool number"));
+    std::string many;
+    for (int i = 0; i <= 1000; ++i) many += "T" + std::to_string(i) + "\n";
+    QCOMPARE(refusal(many), std::string("1001: T: there are too many tools"));
+  }
 };
 
 HANDWHEEL_TEST(ProgramObstaclesTest)

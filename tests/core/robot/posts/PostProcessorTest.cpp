@@ -139,6 +139,10 @@ class PostProcessorTest : public QObject {
     row("urscript", "movec(p[0,0,0,0,0,0],p[0,0,0,0,0,0])", "PostStatementUnread");
     row("csv", "motion\n1,a,joint,1,0,1,2\n", "ElementMalformed");
     row("csv", "motion\nnot,a,number\n", "ElementMalformed");
+    row("csv", "motion\n1,a,round,1,0,1,2\n", "ElementMalformed");
+    row("rapid", "CONST jointtarget p1;", "ElementMalformed");
+    row("rapid", "CONST robtarget p1:=p2;", "ElementMalformed");
+    row("rapid", "MoveL CalcRobT[1],v100,fine,tool0;", "ElementMalformed");
     row("json", "{}", "ElementMalformed");
     row("json", R"({"motions": [{"q": [1]}]})", "ElementMalformed");
   }
@@ -166,6 +170,21 @@ class PostProcessorTest : public QObject {
       if (!isTable) continue;
       const auto check = checkWritten(*post, program, post->write(program));
       QVERIFY(check && check->distance < 1e-6);
+    }
+  }
+
+  void programsTooLong() {
+    RobotProgram program = programOf("irb120");
+    const ProgramMotion motion{ProgramMotion::Kind::Joint, ArmValues::Zero(6), 0.5, 0.0, {}};
+    program.motions.assign(PostProcessor::kMostMotions, motion);
+    const std::string text(PostProcessor::kLargestText + 1, '\n');
+    for (const auto& post : posts()) QVERIFY2(post->refusals(program).empty(), post->id());
+    program.motions.push_back(motion);
+    for (const auto& post : posts()) {
+      const std::vector<Error> refusals = post->refusals(program);
+      QVERIFY(refusals.size() == 1 && refusals[0].code == PostError::TooManyMotions);
+      QCOMPARE(refusals[0].arguments, (std::vector<std::string>{"100001", "100000"}));
+      QVERIFY2(post->read(text, program).error().code == ErrorCode::FileTooLarge, post->id());
     }
   }
 

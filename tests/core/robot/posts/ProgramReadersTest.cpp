@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AnyProgram.h"
 #include "TestClass.h"
+#include "base/Units.h"
 #include "robot/posts/PostErrors.h"
 
 #include <QTest>
