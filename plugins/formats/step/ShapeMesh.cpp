@@ -3,6 +3,7 @@
 #include "step/ShapeMesh.h"
 
 #include "step/LibraryProgress.h"
+#include "step/MeshDeviation.h"
 
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -12,6 +13,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -106,11 +108,13 @@ Result<ShapeMesh> meshOf(const TopoDS_Shape& shape, double chordShare, Progress 
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) ++mesh.faces;
   if (mesh.faces == 0) return notMeshed("the file contains no surface");
   IMeshTools_Parameters parameters;
-  parameters.Deflection = mesh.chord = chordShare * diagonalOf(shape);
+  parameters.Deflection = chordShare * diagonalOf(shape);
   parameters.Angle = kAngle;
-  if (!(mesh.chord > 0.0 && std::isfinite(mesh.chord))) return notMeshed("its surfaces have zero size");
+  if (!(parameters.Deflection > 0.0 && std::isfinite(parameters.Deflection)))
+    return notMeshed("its surfaces have zero size");
   const Handle(LibraryProgress) indicator = new LibraryProgress(progress.part(0.0, 0.9));
   const BRepMesh_IncrementalMesh mesher(shape, parameters, indicator->Start());
+  mesh.chord = std::max(parameters.Deflection, meshDeviation(shape));
 
   Triangles all;
   for (TopExp_Explorer each(shape, TopAbs_FACE); each.More(); each.Next()) {

@@ -13,7 +13,7 @@ namespace handwheel {
 
 // The triangles of a shape.
 struct ShapeMesh {
-  double chord = 0.0;  // mm: how far they may be from its surfaces
+  double chord = 0.0;  // mm: how far they may be from its surfaces; the chord asked for, or more
   std::size_t faces = 0;
   std::size_t facesLost = 0;  // that cannot be cut into triangles
   std::string ply;            // binary, in the byte order of this machine

@@ -6,6 +6,7 @@
 #include "document/UndoCommand.h"
 #include "document/cell/CellDisplay.h"
 #include "document/cell/JointEdit.h"
+#include "document/cell/RobotsEdit.h"
 
 #include <rapidcheck.h>
 #include <QSignalSpy>
@@ -44,6 +45,7 @@ class RobotCellDocumentTest : public QObject {
   void dragsAreOneStep();
   void editsKeepLimits();
   void snapshotsStay();
+  void whatAStepHolds();
   void undoIsTheInverse();
 
  private:
@@ -183,6 +185,37 @@ void RobotCellDocumentTest::snapshotsStay() {
     moved += !shownA.parts[i].pose.isApprox(shownB.parts[i].pose);
   }
   QCOMPARE(moved, 1);
+}
+
+// What an undo step keeps counts with the surfaces that nothing else has, with places, names and values.
+void RobotCellDocumentTest::whatAStepHolds() {
+  const auto bytesOf = [](const RobotCellSnapshot& cell) { return RobotsEdit(cell, {}, {}).bytes(); };
+  const auto near = [](std::size_t bytes, std::size_t least) { return bytes >= least && bytes < least + least / 10; };
+  RobotCellSnapshot cell = static_cast<const RobotCellSnapshot&>(*m_document->snapshot());
+  const std::size_t before = bytesOf(cell);
+  CellPlans plans = *cell.plans;
+  for (int i = 0; i < 1000; ++i) {
+    plans.configurations.push_back({std::string(100, 'c'), values({0, 1})});
+    plans.targets.push_back({.name = std::string(100, 't'), .frame = std::string(50, 'f')});
+    plans.frames.push_back({.name = std::string(100, 'f'), .link = std::string(50, 'l')});
+  }
+  RobotPath path;
+  path.places.assign(1000, {.joints = values({0, 1}),
+                            .name = std::string(30, 'p'),
+                            .target = PlaceTarget{std::string(40, 't')},
+                            .configuration = std::string(20, 'c')});
+  path.process = PathProcess{.values = {{"curve", std::string(70'000, 'v')}, {"speed", 1.0}}};
+  plans.paths = {path};
+  cell.plans = std::make_shared<const CellPlans>(std::move(plans));
+  const std::size_t ofNames = 1000 * (100 + 150 + 150 + 90) + 70'000, ofValues = 2 * 1000 * 2 * sizeof(double);
+  const std::size_t ofPlaces =
+      1000 * (sizeof(NamedConfiguration) + sizeof(NamedTarget) + sizeof(NamedFrame) + sizeof(Waypoint));
+  QVERIFY(near(bytesOf(cell) - before, ofNames + ofValues + ofPlaces));
+
+  // A box and a mesh, of 8 points and 12 triangles each, which another version of the robot may have, too.
+  const std::size_t alone = bytesOf(cell);
+  const CellRobot other = *cell.robot;
+  QCOMPARE(bytesOf(cell), alone - 2 * (8 * sizeof(Vec3) + 12 * sizeof(Triangle)));
 }
 
 void RobotCellDocumentTest::undoIsTheInverse() {

@@ -6,7 +6,10 @@
 #include "document/DocumentErrors.h"
 #include "document/cell/CellDisplay.h"
 #include "document/formats/MeshFileErrors.h"
+#include "document/scene/BodyChanges.h"
 #include "mesh/structure/MeshErrors.h"
+#include "scene/PrimitiveGeometry.h"
+#include "scene/RigidPose.h"
 
 #include <QTest>
 #include <cmath>
@@ -30,6 +33,9 @@ class RobotCellKindTest : public QObject {
 
  private slots:
   void recognises();
+  void makes();
+  void checksLinks();
+  void describesPlaces();
   void imports();
   void meshesInMetres();
   void tablesWithMeshes();
@@ -50,8 +56,58 @@ class RobotCellKindTest : public QObject {
 
 void RobotCellKindTest::recognises() {
   QVERIFY(kKind.recognises("<?xml?><robot name='r'>", "anything.xml"));
-  QVERIFY(kKind.recognises("", "r.urdf"));
+  QVERIFY(kKind.recognises("", "r.urdf") && kKind.recognises("", "R.URDF"));
   QVERIFY(!kKind.recognises("solid a", "part.stl"));
+  QCOMPARE(kKind.title(), std::string("Robot cell"));
+  for (const FileFormat& format : kKind.formats()) {
+    const bool isRobot = format.endings.front() == ".urdf" || format.endings.front() == ".dh.json";
+    QVERIFY2(format.reads == isRobot && format.writes == !isRobot, format.name.c_str());
+  }
+}
+
+// As every document is made, with its content.
+void RobotCellKindTest::makes() {
+  OpenedFile opened = importOrThrow(m_package.urdf());
+  const SnapshotPointer content = opened.content;
+  const std::unique_ptr<Document> document = kKind.make(std::move(opened));
+  const SnapshotPointer shown = document->snapshot();
+  const auto& made = static_cast<const RobotCellSnapshot&>(*shown);
+  const auto& given = static_cast<const RobotCellSnapshot&>(*content);
+  QVERIFY(made.robot == given.robot && made.joints == given.joints);
+}
+
+// The file of a body's shape is looked for where the cell is; what is missing is said.
+void RobotCellKindTest::checksLinks() {
+  Body part{.name = "part", .geometry = *PrimitiveGeometry::make(Primitive::Cuboid, {10, 10, 10})};
+  part.link = BodyLink{m_package.path("gone.stl").toStdString(), {}, "00"};
+  RobotCellDocument document(importOrThrow(m_package.urdf()));
+  document.commit("Add", std::move(addBodyEdit(document.bodies(), std::move(part))).value());
+  QCOMPARE(kKind.linkedFiles(*document.snapshot()).size(), std::size_t{1});
+  std::vector<Note> notes;
+  const SnapshotPointer checked =
+      kKind.withCheckedLinks(document.snapshot(), m_package.path("").toStdString(), notes, {});
+  QCOMPARE(notes.size(), std::size_t{1});
+  QVERIFY(static_cast<const RobotCellSnapshot&>(*checked).bodies.withId(1)->link->state == LinkState::Missing);
+}
+
+// Places that plans name: on what they stand, and where.
+void RobotCellKindTest::describesPlaces() {
+  auto cell = withJoints(cellIn(importOrThrow(m_package.urdf())), values({100, M_PI_2}));
+  CellPlans plans = *cell->plans;
+  plans.configurations.push_back({"home", values({250, 0})});
+  plans.frames.push_back({.name = "table", .pose = poseOf({1, 2, 3}, {0, 0, 0})});
+  plans.frames.push_back({.name = "hand", .pose = Pose::Identity(), .link = "tool0"});
+  plans.workFrame = "hand";
+  plans.targets.push_back({.name = "pick", .pose = poseOf({4, 5, 6}, {0, 0, M_PI}), .frame = "table"});
+  cell->plans = std::make_shared<const CellPlans>(std::move(plans));
+  const nlohmann::json d = kKind.describe(*cell);
+  QVERIFY(d["configurations"][0]["name"] == nlohmann::json("home"));
+  const nlohmann::json &table = d["frames"][0], &hand = d["frames"][1], &pick = d["targets"][0];
+  QVERIFY(table["name"] == nlohmann::json("table") && table["link"].is_null() && table["body"].is_null());
+  QVERIFY(table["position"] == nlohmann::json({1.0, 2.0, 3.0}) && table["chosen"] == nlohmann::json(false));
+  QVERIFY(hand["link"] == nlohmann::json("tool0") && hand["chosen"] == nlohmann::json(true));
+  QVERIFY(pick["frame"] == nlohmann::json("table") && pick["position"] == nlohmann::json({4.0, 5.0, 6.0}));
+  QVERIFY(std::abs(std::abs(pick["quaternion"][3].get<double>()) - 1.0) < 1e-12);
 }
 
 void RobotCellKindTest::imports() {

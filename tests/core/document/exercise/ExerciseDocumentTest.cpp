@@ -105,6 +105,54 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(changed > 60);
   }
 
+  // What is dragged is one undo step, however often it changes on the way; another criterion is another one.
+  void aDragIsOneStep() {
+    const auto document = shoulderDocument();
+    const auto dragTo = [&](const char* id, double place, DragPhase phase) {
+      ExerciseSnapshot exercise = document->exercise();
+      for (MarkingCriterion& c : exercise.exercise.criteria)
+        if (c.id == id) c.arguments[0] = place;
+      document->change("Move", std::move(exercise), id, phase);
+    };
+    const auto placeOf = [&](const char* id) { return document->exercise().exercise.find(id)->arguments[0]; };
+    for (const double place : {63.0, 64.0, 65.0}) dragTo("d", place, DragPhase::Continues);
+    dragTo("d", 66.0, DragPhase::Ends);
+    QCOMPARE(document->history()->count(), 1);
+    dragTo("d", 67.0, DragPhase::Continues);
+    dragTo("ra", 70.0, DragPhase::Ends);
+    QCOMPARE(document->history()->count(), 3);
+    for (int i = 0; i < 2; ++i) document->history()->undo();
+    QVERIFY(placeOf("d") == 66.0 && placeOf("ra") == 62.0);
+    document->history()->undo();
+    QCOMPARE(placeOf("d"), 62.0);
+  }
+
+  // What undo keeps counts with its texts, which are not shared.
+  void whatAStepHolds() {
+    ExerciseSnapshot exercise = shoulderDocument()->exercise();
+    const std::size_t before = ExerciseEdit(exercise).bytes();
+    exercise.exercise.text += std::string(10'000, 'x');
+    exercise.exercise.steps.push_back({"Measure", std::string(5000, 'y'), {std::string(2000, 'z')}, {}});
+    const std::size_t after = ExerciseEdit(exercise).bytes();
+    QVERIFY(after >= before + 17'000 && after < before + 18'000);
+  }
+
+  // A figure of a newer version stays what it was; where it is measured can be set as a list.
+  void aFigureThatIsNotKnown() {
+    nlohmann::json description = shoulderDescription();
+    description["criteria"].push_back(
+        {{"id", "new"}, {"figure", "waviness"}, {"arguments", {62.5, 99.0}}, {"upper", 1.0}});
+    const auto document = documentOf(exerciseFrom(kindOfDocument(), description));
+    QVERIFY(!document->property("criterion.new.figure")->problem.empty());
+    QVERIFY(document->property("criterion.new.arguments")->value == PropertyValue(std::string("62.5; 99")));
+    QVERIFY(document->setProperty("criterion.new.arguments", std::string(" 61;98.25 ")));
+    QCOMPARE(document->exercise().exercise.find("new")->arguments, (std::vector{61.0, 98.25}));
+    QVERIFY(!document->setProperty("criterion.new.arguments", std::string("61; wide")));
+    QVERIFY(!document->setProperty("criterion.new.arguments", 61.0));
+    QVERIFY(!document->setProperty("criterion.new.hidden", 1.0) && !document->setProperty("allowed_minutes", true));
+    QCOMPARE(document->exercise().exercise.find("new")->figure, std::string("waviness"));
+  }
+
   // Time and collisions are on no drawing: they have no nominal size.
   void sizesOfADrawingAlone() {
     const auto document = shoulderDocument();

@@ -134,6 +134,49 @@ class ExerciseKindTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // A description is a file like any other: written, recognised, and imported as the same exercise.
+  void descriptionsAreFiles() {
+    const ExerciseKind& kind = kindUnderTest();
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("shoulder.exercise.json").toStdString();
+    const auto exercise = exerciseFrom(kind, shoulderDescription());
+    QVERIFY(kind.exportTo(*exercise, path, {}).hasValue());
+    const auto opened = kind.import(path, {}, {});
+    QVERIFY(opened.hasValue() && opened->kind == &kind && opened->file.damage.empty());
+    QVERIFY(isSame(savedAs(static_cast<const ExerciseSnapshot&>(*opened->content)), savedAs(*exercise)));
+    OpenedFile copy = *opened;
+    QCOMPARE(kind.make(std::move(copy))->snapshot(), opened->content);
+
+    QCOMPARE(kind.title(), std::string("Exercise"));
+    QVERIFY(kind.recognises(R"({"subject": "turning"})", "a.exercise.json"));
+    QVERIFY(!kind.recognises(R"({"subject": "turning"})", "a.json") && !kind.recognises("{}", "a.exercise.json"));
+    const std::filesystem::path damaged = folder.filePath("damaged.exercise.json").toStdString();
+    QCOMPARE(kind.import(damaged, {}, {}).error().code, ErrorCode::FileMissing);
+    QFile file(damaged);
+    QVERIFY(file.open(QFile::WriteOnly) && file.write("{\"subject\": ") > 0);
+    file.close();
+    const Error error = kind.import(damaged, {}, {}).error();
+    QVERIFY(error.code == ErrorCode::ElementMalformed && error.subject == damaged.string());
+  }
+
+  // Each format that is offered can be written, but for a PDF without a window; no other is.
+  void drawingsOfTheTarget() {
+    const ExerciseKind& kind = kindUnderTest();
+    const QTemporaryDir folder;
+    const auto exercise = exerciseFrom(kind, shoulderDescription());
+    std::vector<std::string> written;
+    for (const FileFormat& format : kind.formats()) {
+      QVERIFY(format.writes);
+      for (const std::string& ending : format.endings) {
+        const std::filesystem::path path = folder.filePath("drawing").toStdString() + ending;
+        if (kind.exportTo(*exercise, path, {})) written.push_back(ending);
+        QCOMPARE(std::filesystem::exists(path), ending != ".pdf");
+      }
+    }
+    std::sort(written.begin(), written.end());
+    QCOMPARE(written, (std::vector<std::string>{".dxf", ".exercise.json", ".svg"}));
+  }
+
   void comesBackTheSame() {
     QVERIFY(rc::check("what is saved is loaded", [] {
       ExerciseSnapshot exercise = *exerciseFrom(kindUnderTest(), shoulderDescription());

@@ -5,11 +5,13 @@
 #include "MeshChecks.h"
 #include "StepFiles.h"
 #include "TestClass.h"
+#include "document/formats/step/StepFidelity.h"
 #include "mesh/structure/Weld.h"
 #include "nurbs/StepWriter.h"
 #include "nurbs/StockCylinder.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <thread>
 
@@ -72,19 +74,29 @@ class StepReaderTest : public QObject {
     }
   }
 
-  // Every point of every triangle is within the tolerance of the sphere; those of its corners are on it.
+  // The corners of every triangle are on the sphere. All of it is as near to that as the note says: about what was
+  // asked for, at every preset of the setting, and what is finer has more triangles.
   void aSphere() {
-    for (double chord : {1e-2, 1e-3}) {
+    const FidelitySetting setting = stepChordSetting();
+    QCOMPARE(setting.standard, ReadOptions().stepChord);
+    std::size_t before = 0;
+    for (const double chord : {setting.largest, setting.presets[0], setting.presets[1]}) {
       const MeshFile file = readOrFail(test::stepFile("sphere.step"), chord);
       const TriangleSoup soup = weld(file.soup);
       QVERIFY(test::countEdges(soup).sound());
-      const double skin = chord * 20 * std::sqrt(3.0);
+      const double asked = chord * 20 * std::sqrt(3.0), noted = std::stod(file.notes.front().arguments.at(1));
+      QVERIFY2(noted > 0.99 * asked && noted < 3.0 * asked, std::to_string(noted / asked).c_str());
+      double deepest = 0.0;
       for (const Triangle& t : soup.triangles) {
         const Vec3 &a = soup.points[t[0]], &b = soup.points[t[1]], &c = soup.points[t[2]];
         QVERIFY(std::abs(a.norm() - 10) < 1e-7);
-        QVERIFY(10 - ((a + b + c) / 3).norm() < skin);
+        for (const Vec3& p : {Vec3((a + b + c) / 3), Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)})
+          deepest = std::max(deepest, 10 - p.norm());
         QVERIFY((a + b + c).dot((b - a).cross(c - a)) > 0);  // outwards
       }
+      QVERIFY2(deepest < 1.01 * noted, std::to_string(deepest / noted).c_str());
+      QVERIFY(soup.triangles.size() > before);
+      before = soup.triangles.size();
     }
   }
 

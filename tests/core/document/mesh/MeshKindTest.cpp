@@ -7,11 +7,13 @@
 #include "TestClass.h"
 #include "document/mesh/MeshBlobs.h"
 #include "mesh/repair/Repair.h"
+#include "mesh/structure/MeshErrors.h"
 #include "mesh/structure/MeshValidator.h"
 
 #include <rapidcheck.h>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 using namespace handwheel;
@@ -72,6 +74,40 @@ class MeshKindTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // Whatever no other kind takes is a mesh; its formats are those of mesh files.
+  void whatItReads() {
+    QCOMPARE(kKind.title(), std::string("Mesh"));
+    QVERIFY(kKind.recognises("anything", "of.any.name"));
+    const std::vector<std::string> endings = kinds().readEndings();
+    for (const char* const each : {".stl", ".obj", ".ply", ".off", ".3mf", ".step", ".handwheel"})
+      QVERIFY2(std::count(endings.begin(), endings.end(), each) == 1, each);
+    const std::vector<std::string> written = writtenEndings(kKind.formats());
+    QVERIFY(std::count(written.begin(), written.end(), ".stl") == 1);
+    QVERIFY(std::count(written.begin(), written.end(), ".step") == 0);  // triangles are no surfaces
+  }
+
+  // A flat grid of 3 × 3 squares has 18 triangles and one boundary; two triangles at its corner beside it have another.
+  void surfacesOfOtherDocuments() {
+    TriangleSoup soup = grid(3);
+    const auto mesh = kKind.ofSurface(soup, "of a volume", {});
+    QVERIFY(mesh.hasValue());
+    nlohmann::json described = kKind.describe(**mesh);
+    QVERIFY(described ==
+            nlohmann::json({{"triangles", 18}, {"boundary_loops", 1}, {"non_manifold_edges", 0}, {"parts", 1}}));
+    QVERIFY(meshOf(*mesh).numbers == NumberType::Float64);
+    const auto at = static_cast<std::uint32_t>(soup.points.size());
+    for (const Vec3& p : {Vec3(9, 0, 0), Vec3(10, 0, 0), Vec3(9, 1, 0), Vec3(10, 1, 0)}) soup.points.push_back(p);
+    soup.triangles.push_back({at, at + 1, at + 2});
+    soup.triangles.push_back({at + 1, at + 3, at + 2});
+    described = kKind.describe(**kKind.ofSurface(soup, {}, {}));
+    QVERIFY(described ==
+            nlohmann::json({{"triangles", 20}, {"boundary_loops", 2}, {"non_manifold_edges", 0}, {"parts", 2}}));
+    QCOMPARE(kKind.ofSurface({}, {}, {}).error().code, MeshError::NoTriangles);
+    JobState state;
+    state.cancelled = true;
+    QCOMPARE(kKind.ofSurface(soup, {}, Progress(state)).error().code, ErrorCode::Cancelled);
+  }
+
   // What is saved comes back slot for slot, dead slots, marks and all, whatever edits went before.
   void loadingIsTheInverseOfSaving() {
     const bool held = rc::check([] {

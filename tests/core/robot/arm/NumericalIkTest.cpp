@@ -4,6 +4,9 @@
 
 #include "Arms.h"
 #include "TestClass.h"
+#include "robot/arm/IkFidelity.h"
+
+#include <cmath>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -38,6 +41,24 @@ class NumericalIkTest : public QObject {
       RC_ASSERT(found.isSolved && arm.isWithinLimits(found.values));
       RC_ASSERT(difference(arm.tipPose(found.values), tip, 1000.0) < 2e-5);
       RC_ASSERT(found.distance < 2e-2 && found.angle < 2e-5);
+    }));
+  }
+
+  // Each of the six numbers of the error is within the tolerance, at every preset and both ends of the setting.
+  void asNearAsTheTolerance() {
+    const FidelitySetting setting = ikToleranceSetting();
+    QCOMPARE(setting.standard, NumericalIkSettings().tolerance);
+    std::vector<double> tolerances{setting.least, setting.largest};
+    tolerances.insert(tolerances.end(), setting.presets.begin(), setting.presets.end());
+    const SerialArm arm = libraryArm("irb120");
+    QVERIFY(rc::check([&] {
+      const Pose tip = arm.tipPose(anyValuesOf(arm));
+      NumericalIkSettings settings = patient();
+      settings.tolerance = *rc::gen::elementOf(tolerances);
+      const NumericalIkResult found = solvedNumerically(arm, tip, arm.middle(), settings);
+      RC_ASSERT(found.isSolved);
+      const double most = std::sqrt(3.0) * settings.tolerance + 1e-12;
+      RC_ASSERT(found.angle <= most && found.distance <= 1000.0 * most);
     }));
   }
 
