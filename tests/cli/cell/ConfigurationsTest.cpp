@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../PlannedCell.h"
+#include "PlannedCell.h"
 #include "TestClass.h"
 
 #include <QTest>

@@ -5,6 +5,7 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "WindowTestMain.h"
+#include "panels/defects/Inspection.h"
 
 #include <QLabel>
 #include <QtTest>

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "../Program.h"
+#include "../Shapes.h"
+
+#include <QTest>
+#include <csignal>
+
+// Folders of files to repair, and a batch under way.
+namespace handwheel {
+
+// An open tube that keeps the program busy for a second or more, also on a fast machine.
+inline QByteArray largeTube() {
+  const int n = 300;
+  const auto at = [n](int x, int y) {
+    const double u = 2 * M_PI * x / n;
+    return std::array<double, 3>{std::cos(u), std::sin(u), 0.01 * y};
+  };
+  return grid(n, n, at, [](int, int) { return false; }).off();
+}
+
+inline void putInto(const Bench& bench, const QString& name, const QByteArray& content) {
+  QVERIFY(QDir(bench.path()).mkpath(QFileInfo(name).path()));
+  bench.put(name, content);
+}
+
+// Good files of which one has a hole, and one in a folder below.
+inline void putGoodFiles(const Bench& bench) {
+  putInto(bench, "in/a.off", openCube().off());
+  putInto(bench, "in/sub/b.off", cube().off());
+  putInto(bench, "in/sub/c.off", tetrahedron().off());
+}
+
+// "a.off closed", for each file in the order of the report.
+inline QStringList states(const nlohmann::json& report) {
+  QStringList list;
+  for (const nlohmann::json& file : report.at("files")) {
+    list << QString::fromStdString(file.at("input").get<std::string>() + " " + file.at("state").get<std::string>());
+  }
+  return list;
+}
+
+inline QByteArray lineWith(const Ran& ran, const QByteArray& words) {
+  for (const QByteArray& line : ran.out.split('\n')) {
+    if (line.contains(words)) return line;
+  }
+  return {};
+}
+
+inline QByteArray contentOf(pid_t process, const char* name) {
+  QFile file(QString("/proc/%1/%2").arg(process).arg(name));
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// In /proc/PID/stat the state and the parent follow the program's name, which may hold anything.
+inline QList<QByteArray> stateAndParent(pid_t process) {
+  const QByteArray stat = contentOf(process, "stat");
+  return stat.mid(stat.lastIndexOf(')') + 2).split(' ').mid(0, 2);
+}
+inline pid_t parentOf(pid_t process) {
+  return stateAndParent(process).value(1).toInt();
+}
+// Or only its parent has not heard of its end yet.
+inline bool isGone(pid_t process) {
+  const QByteArray state = stateAndParent(process).value(0);
+  return state.isEmpty() || state == "Z";
+}
+
+// A batch that is under way.
+class Batch {
+ public:
+  Batch(const Bench& bench, const QStringList& words) {
+    m_process.setWorkingDirectory(bench.path());
+    auto environment = QProcessEnvironment::systemEnvironment();
+    // A signal ends the program with the sanitizers as it does without.
+    environment.insert("ASAN_OPTIONS", environment.value("ASAN_OPTIONS") + ":handle_segv=0");
+    m_process.setProcessEnvironment(environment);
+    m_process.start(HANDWHEEL_PROGRAM, QStringList{"repair"} + words);
+    if (!m_process.waitForStarted()) qFatal("the program does not start");
+  }
+  // The processes that repair a file: those that have become the program.
+  QList<pid_t> children() const {
+    QList<pid_t> found;
+    for (const QString& name : QDir("/proc").entryList(QDir::Dirs)) {
+      const pid_t process = name.toInt();
+      if (process == 0 || parentOf(process) != m_process.processId()) continue;
+      if (contentOf(process, "cmdline").contains("--json")) found << process;
+    }
+    return found;
+  }
+  // The one that repairs a file of this name; 0: none at present.
+  pid_t childFor(const QByteArray& name) const {
+    for (pid_t child : children()) {
+      if (contentOf(child, "cmdline").contains(name)) return child;
+    }
+    return 0;
+  }
+  void send(int signal) { ::kill(static_cast<pid_t>(m_process.processId()), signal); }
+  Ran finish() {
+    if (!m_process.waitForFinished(kLongestRun)) return {};
+    const int code = m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
+    return {code, m_process.readAllStandardOutput(), m_process.readAllStandardError()};
+  }
+
+ private:
+  QProcess m_process;
+};
+
+inline bool tellsOf(const Bench& bench, const char* file) {
+  const QByteArray report = bench.content("out/repair-report.json");
+  return report.contains(file);
+}
+
+}  // namespace handwheel

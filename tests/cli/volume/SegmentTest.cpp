@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../Program.h"
+#include "MadeDicom.h"
+#include "TestClass.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+// A MetaImage of two balls of 1000 in 0, with radius 8 and 3 mm, the value falling linearly over a step of samples.
+void putBalls(const Bench& bench, const char* ending) {
+  constexpr int kSize = 48;
+  QByteArray samples;
+  for (int z = 0; z < kSize; ++z)
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) {
+        const double depth = std::max(8.0 - std::hypot(std::hypot(x - 15.0, y - 20.0), z - 24.0),
+                                      3.0 - std::hypot(std::hypot(x - 36.0, y - 20.0), z - 24.0));
+        const auto value = static_cast<std::int16_t>(500.0 * std::clamp(depth, -1.0, 1.0) + 500.0);
+        samples.append(reinterpret_cast<const char*>(&value), 2);
+      }
+  const QByteArray head =
+      "ObjectType = Image\nNDims = 3\nDimSize = 48 48 48\nElementSpacing = 1 1 1\n"
+      "ElementType = MET_SHORT\nElementDataFile = ";
+  if (QByteArray(ending) == "mha") {
+    bench.put("balls.mha", head + "LOCAL\n" + samples);
+  } else {
+    bench.put("balls.mhd", head + "balls.raw\n");
+    bench.put("balls.raw", samples);
+  }
+}
+
+constexpr double kBallVolume = 4.0 / 3.0 * M_PI;  // of radius 1
+
+nlohmann::json figuresIn(const QByteArray& out) {
+  return nlohmann::json::parse(out.toStdString());
+}
+
+// A made-up head in slices: a ball of 1000 in air, as above; the folder has the name of the patient.
+void putSeries(const Bench& bench) {
+  test::MadeSlice slice;
+  slice.width = slice.height = 40;
+  slice.spacing = 1.0;
+  slice.syntax = gdcm::TransferSyntax::JPEGLosslessProcess14_1;
+  slice.value = [](const Vec3& p) {
+    return std::round(1000.0 * std::clamp(12.0 - (p - Vec3(20, 20, 0)).norm(), -1.0, 1.0));
+  };
+  QDir(bench.path()).mkdir("Erika");
+  for (int i = 0; i < 16; ++i) {
+    if (i == 5) continue;
+    slice.origin.z() = 2.0 * i - 16.0;
+    const std::string bytes = test::dicomOf(slice);
+    bench.put(QString("Erika/%1").arg(i), QByteArray(bytes.data(), static_cast<int>(bytes.size())));
+  }
+}
+
+}  // namespace
+
+class SegmentTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aMesh_data() {
+    QTest::addColumn<QByteArray>("ending");
+    QTest::newRow("one file") << QByteArray("mha");
+    QTest::newRow("two files") << QByteArray("mhd");
+  }
+  void aMesh() {
+    QFETCH(QByteArray, ending);
+    const Bench bench;
+    putBalls(bench, ending.constData());
+    const Ran ran =
+        bench.run({"segment", "balls." + ending, "-o", "a.stl", "--range", "500:", "--json"}, "de_DE.UTF-8");
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto figures = figuresIn(ran.out);
+    QCOMPARE(figures["components"].get<int>(), 2);
+    QCOMPARE(figures["components_kept"].get<int>(), 2);
+    QCOMPARE(figures["spacing_mm"].get<std::vector<double>>(), (std::vector<double>{1, 1, 1}));
+    QVERIFY(figures["warnings"].empty());
+    // Of voxels of 1 mm³, each all or nothing: those at the surface may be on either side of it.
+    const double voxels = figures["voxels"].get<double>(), volume = figures["volume_mm3"].get<double>();
+    QCOMPARE(voxels, std::round(voxels));
+    QVERIFY2(std::abs(voxels / (kBallVolume * (512.0 + 27.0)) - 1.0) < 0.06, QByteArray::number(voxels));
+    QVERIFY2(std::abs(volume / (kBallVolume * (512.0 + 27.0)) - 1.0) < 0.02, QByteArray::number(volume));
+    const auto mesh = figuresIn(bench.run({"inspect", "a.stl", "--json"}).out);
+    QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
+    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / (kBallVolume * (512.0 + 27.0)) - 1.0) < 0.02);
+  }
+
+  void theLargest() {
+    const Bench bench;
+    putBalls(bench, "mha");
+    const Ran ran = bench.run({"segment", "balls.mha", "-o", "a.handwheel", "--range", "500:2000", "--largest", "1",
+                               "--voxel", "0.5", "--smooth", "--json"});
+    QCOMPARE(ran.code, 0);
+    const auto figures = figuresIn(ran.out);
+    QCOMPARE(figures["components"].get<int>(), 2);
+    QCOMPARE(figures["components_kept"].get<int>(), 1);
+    QVERIFY(std::abs(figures["volume_mm3"].get<double>() / (kBallVolume * 512.0) - 1.0) < 0.02);
+    const auto inspected = figuresIn(bench.run({"inspect", "a.handwheel", "--json"}).out);
+    QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.5);
+  }
+
+  // Through every file that holds a volume, and back to a mesh: the ball stays.
+  void files_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("vdb") << "a.vdb";
+    QTest::newRow("nrrd") << "a.nrrd";
+  }
+  void files() {
+    QFETCH(QString, name);
+    const Bench bench;
+    putBalls(bench, "mha");
+    QCOMPARE(bench.run({"segment", "balls.mha", "-o", name, "--range", "500:", "--largest", "1"}).code, 0);
+    const Ran remeshed = bench.run({"remesh", name, "-o", "b.stl"});
+    QCOMPARE(remeshed.err,
+             QByteArray("handwheel: The file: closed, manifold, oriented, free of self-intersections, one piece.\n"));
+    QCOMPARE(remeshed.code, 0);
+    const auto mesh = figuresIn(bench.run({"inspect", "b.stl", "--json"}).out);
+    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / (kBallVolume * 512.0) - 1.0) < 0.02);
+    QCOMPARE(bench.run({"voxelize", "b.stl", "-o", "c" + name.mid(1), "--voxel", "0.5"}).code, 0);
+    const auto again = figuresIn(bench.run({"inspect", "c" + name.mid(1), "--json"}).out);
+    QVERIFY(std::abs(again["document"]["volume"].get<double>() / (kBallVolume * 512.0) - 1.0) < 0.02);
+  }
+
+  // A range that nobody chose is said.
+  void otsu() {
+    const Bench bench;
+    putBalls(bench, "mha");
+    const Ran ran = bench.run({"segment", "balls.mha", "-o", "a.stl", "--json"});
+    QCOMPARE(ran.code, 0);
+    const double least = figuresIn(ran.out)["range"][0].get<double>();
+    QVERIFY(least > 100.0 && least < 900.0);
+    const Ran opened = bench.run({"remesh", "balls.mha", "-o", "b.stl"});
+    QCOMPARE(opened.code, 0);
+    QVERIFY(opened.err.contains("are taken as material"));
+  }
+
+  // A folder of DICOM, or one file of it; what is missing is said, and nothing of the patient is.
+  void dicom() {
+    const Bench bench;
+    putSeries(bench);
+    for (const char* input : {"Erika", "Erika/7"}) {
+      const Ran ran = bench.run({"segment", input, "-o", "a.handwheel", "--range", "0:", "--json"});
+      QCOMPARE(ran.code, 0);
+      const auto figures = figuresIn(ran.out);
+      QCOMPARE(figures["spacing_mm"].get<std::vector<double>>(), (std::vector<double>{1, 1, 2}));
+      QVERIFY(std::abs(figures["volume_mm3"].get<double>() / (kBallVolume * 1728.0) - 1.0) < 0.03);
+      QCOMPARE(figures["warnings"].size(), std::size_t{1});
+      QVERIFY(ran.err.contains("Slices are missing (1)"));
+      const QByteArray inspected = bench.run({"inspect", "a.handwheel", "--json"}).out;
+      for (const QByteArray& said : {ran.out, ran.err, bench.content("a.handwheel"), inspected})
+        QVERIFY(!said.contains("Mustermann") && !said.contains("Erika"));
+    }
+  }
+
+  void refusals_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("no output") << QStringList{"balls.mha"} << QByteArray("The option -o OUT is missing.");
+    QTest::newRow("no range") << QStringList{"balls.mha", "-o", "b.stl", "--range", "5"} << QByteArray("300:2000");
+    QTest::newRow("turned") << QStringList{"balls.mha", "-o", "b.stl", "--range", "5:1"} << QByteArray("the lower one");
+    QTest::newRow("nothing") << QStringList{"balls.mha", "-o", "b.stl", "--range", "5000:"}
+                             << QByteArray("from 0 to 1000");
+    QTest::newRow("ending") << QStringList{"balls.mha", "-o", "b.txt"} << QByteArray(".vdb");
+    QTest::newRow("itself") << QStringList{"balls.mha", "-o", "balls.mha"} << QByteArray("is an input");
+    QTest::newRow("no image") << QStringList{"b.off", "-o", "b.stl"} << QByteArray("b.off");
+    QTest::newRow("no data") << QStringList{"lost.mhd", "-o", "b.stl"} << QByteArray("lost.raw");
+    QTest::newRow("data elsewhere") << QStringList{"away.mhd", "-o", "b.stl"} << QByteArray("outside of the folder");
+    QTest::newRow("empty folder") << QStringList{"empty", "-o", "b.stl"} << QByteArray("no DICOM files");
+    QTest::newRow("missing") << QStringList{"none", "-o", "b.stl"} << QByteArray("none");
+    // What it is predicted to need is refused first, and the voxels themselves where somebody insists.
+    QTest::newRow("memory") << QStringList{"balls.mha", "-o", "b.stl", "--voxel", "1e-4"}
+                            << QByteArray("voxels of 0.0001 mm would need 1.05e+07 MB, and ");
+    QTest::newRow("memory, advice") << QStringList{"balls.mha", "-o", "b.stl", "--voxel", "1e-4"}
+                                    << QByteArray(" MB are available. Choose larger voxels, or close other programs.");
+    QTest::newRow("too fine") << QStringList{"balls.mha", "-o", "b.stl", "--voxel", "1e-4", "--yes"}
+                              << QByteArray("voxels of 1e-04 mm are too fine for a part of 48 mm");
+  }
+  void refusals() {
+    QFETCH(QStringList, words);
+    QFETCH(QByteArray, text);
+    const Bench bench;
+    putBalls(bench, "mha");
+    QDir(bench.path()).mkdir("empty");
+    bench.put("b.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
+    const QByteArray head =
+        "ObjectType = Image\nNDims = 3\nDimSize = 1 1 1\nElementType = MET_SHORT\nElementDataFile = ";
+    bench.put("lost.mhd", head + "lost.raw\n");
+    bench.put("away.mhd", head + "../../etc/hostname\n");
+    const Ran ran = bench.run(QStringList{"segment"} + words);
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.contains(text), ran.err.constData());
+    QVERIFY(!bench.names().contains("b.stl"));
+  }
+};
+
+HANDWHEEL_TEST(SegmentTest)
+#include "SegmentTest.moc"

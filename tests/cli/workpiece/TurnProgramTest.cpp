@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../Program.h"
+#include "TestClass.h"
+
+#include <QTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+
+namespace {
+
+nlohmann::json figuresOf(const Ran& ran) {
+  return nlohmann::json::parse(ran.out.toStdString());
+}
+
+// A shoulder of 30 mm at Z -40 on a bar of 40 mm, in three passes of an ideal point.
+const QByteArray kShoulder =
+    "G21 G18 G7\nG97 S800 M3\nG95 F0.2\nG0 X44 Z2\nX36\nG1 Z-40\nX42\nG0 Z2\nX33\nG1 Z-40\nX42\nG0 Z2\nX30\nG1 "
+    "Z-40\nX42\nG0 Z2\nM2\n";
+
+}  // namespace
+
+// 'handwheel turn --program': a program cuts a bar.
+class TurnProgramTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The volume between two cylinders; the time from lengths, feeds and the rapid speed; power and force together.
+  void aShoulderIsTurned() {
+    const Bench bench;
+    bench.put("p.ngc", kShoulder);
+    const Ran ran = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "part.step", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json json = figuresOf(ran);
+    QCOMPARE(json.size(), std::size_t{7});
+    const double expected = M_PI * (400.0 - 225.0) * 40.0;
+    QVERIFY2(std::abs(json["removed_mm3"].get<double>() / expected - 1.0) < 1e-3, ran.out);
+    QCOMPARE(json["collisions"].get<int>(), 0);
+    QVERIFY(json["profile_error_mm"].is_null());
+    // Cut lengths 3·42 + 3 + 4.5 + 6 at 0.2 mm · 800/min.
+    QVERIFY(json["time_s"].get<double>() > (3 * 42.0 + 13.5) / 160.0 * 60.0);
+    // Kienzle, medium carbon steel: 1.5 to 2 mm deep at 0.2 mm are several hundred newtons.
+    QVERIFY(json["max_force_N"].get<double>() > 300.0 && json["max_force_N"].get<double>() < 3000.0);
+    const double speed = M_PI * 40.0 * 800.0 / 1000.0;  // m/min
+    QVERIFY(json["max_power_kW"].get<double>() < json["max_force_N"].get<double>() * speed / 60000.0 * 1.01);
+    QVERIFY(bench.names().contains("part.step"));
+    const Ran document = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "part.handwheel"});
+    QVERIFY2(document.code == 0, document.err);
+    QCOMPARE(bench.run({"turn", "part.handwheel", "--replay"}).code, 0);
+    // The part itself as a target.
+    const Ran same = bench.run(
+        {"turn", "cylinder:40x100", "--program", "p.ngc", "--target", "part.handwheel", "-o", "again.stl", "--json"});
+    QVERIFY2(same.code == 0, same.err);
+    QVERIFY(figuresOf(same)["profile_error_mm"].get<double>() < 0.02);
+  }
+
+  void fanucTurnsTheSame() {
+    const Bench bench;
+    bench.put("p.nc", "%\nO1\nG21 G18 G99\nT0101\nG97 S800 M3\nG0 X44. Z2.\nG90 X36. Z-40. F0.2\nX33.\nX30.\nM30\n%\n");
+    const Ran ran =
+        bench.run({"turn", "cylinder:40x100", "--program", "p.nc", "--dialect", "fanuc", "-o", "a.step", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const double expected = M_PI * (400.0 - 225.0) * 40.0;
+    QVERIFY(std::abs(figuresOf(ran)["removed_mm3"].get<double>() / expected - 1.0) < 1e-3);
+  }
+
+  // A nose of 2 mm leaves its fillet at the shoulder: the square minus the quarter circle, by Pappus' theorem.
+  void theNoseLeavesAFillet() {
+    const Bench bench;
+    bench.put("p.ngc", kShoulder);
+    const Ran ran =
+        bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "--nose", "2", "-o", "a.step", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const double r = 2.0, area = r * r * (1.0 - 0.25 * M_PI);
+    const double centroid = 15.0 + (10.0 - 3.0 * M_PI) / (12.0 - 3.0 * M_PI) * r;  // of what is left, from the axis
+    const double expected = M_PI * (400.0 - 225.0) * 40.0 - 2.0 * M_PI * centroid * area;
+    QVERIFY2(std::abs(figuresOf(ran)["removed_mm3"].get<double>() / expected - 1.0) < 1e-3, ran.out);
+  }
+
+  void aStillSpindleIsTold() {
+    const Bench bench;
+    bench.put("p.ngc", "G21 G18 G7 S500\nF100\nG0 X44 Z2\nX36\nG1 Z-20\nM2\n");
+    const Ran ran = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.stl", "--json"});
+    QCOMPARE(figuresOf(ran)["collisions"].get<int>(), 1);
+    QVERIFY2(ran.err.contains("line 5: feed into material with the spindle at rest"), ran.err);
+  }
+
+  void collisionsAreCounted() {
+    const Bench bench;
+    bench.put("p.ngc", "G21 G18 G7 S500 M3\nF100\nG0 X44 Z2\nG0 X30 Z-20\nG0 X44\nG0 Z-105\nG0 X10\nM2\n");
+    const Ran ran = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.stl", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    QVERIFY(figuresOf(ran)["collisions"].get<int>() >= 2);
+    QVERIFY2(ran.err.contains("line 4: rapid move through material") && ran.err.contains("chuck"), ran.err);
+  }
+
+  // A word for a bar is no file: what is wrong with it is said.
+  void impossibleBars() {
+    const Bench bench;
+    bench.put("p.ngc", kShoulder);
+    const std::pair<const char*, const char*> cases[] = {
+        {"cylinder:0x100", "diameter of the bar has to be above 0"},
+        {"cylinder:-40x100", "diameter of the bar has to be above 0"},
+        {"cylinder:40x0", "length of the bar has to be above 0"},
+        {"cylinder:nanx100", "diameter of the bar has to be above 0"},
+        {"cylinder:40xinf", "length of the bar has to be at most"},
+        {"cylinder:1e9x100", "diameter of the bar has to be at most"},
+        {"cylinder:40x1e999", "length of the bar has to be at most"},
+        {"cylinder:1e-9x100", "diameter of the bar has to be at least"},
+        {"cylinder:40", "with an x between them"},
+        {"cylinder:40x", "length of the bar is missing"},
+        {"cylinder:x100", "diameter of the bar is missing"},
+        {"cylinder:40,5x100", "not a number: 40,5. Write it with a point"},
+        {"cylinder:40xbar", "not a number: bar"}};
+    for (const auto& [word, sentence] : cases) {
+      const Ran turned = bench.run({"turn", word, "--program", "p.ngc", "-o", "a.step"});
+      QVERIFY2(turned.code == 1 && turned.err.contains(sentence), word + turned.err);
+      const Ran program = bench.run({"program", "p.ngc", "--stock", word, "-o", "a.ngc"});
+      QVERIFY2(program.code == 1 && program.err.contains(sentence), word + program.err);
+    }
+    QVERIFY(bench.run({"program", "p.ngc", "--stock", "40x100", "-o", "a.ngc"}).err.contains("cylinder:40x100"));
+  }
+
+  // A drawing becomes cycles, and these the part; recorded passes become a program, and this the same part.
+  void programsAreWritten() {
+    const Bench bench;
+    QByteArray drawing = "0\nSECTION\n2\nENTITIES\n";
+    const double corners[][2] = {{0, 0}, {0, 15}, {30, 15}, {30, 10}, {50, 10}, {50, 0}};
+    for (int i = 0; i < 5; ++i) {
+      drawing += "0\nLINE\n8\n0\n";
+      for (int k = 0; k < 2; ++k)
+        drawing += QStringLiteral("1%1\n%2\n2%1\n%3\n").arg(k).arg(corners[i + k][0]).arg(corners[i + k][1]).toUtf8();
+    }
+    bench.put("t.dxf", drawing + "0\nENDSEC\n0\nEOF\n");
+    for (const char* const dialect : {"linuxcnc", "fanuc"}) {
+      const Ran made =
+          bench.run({"program", "t.dxf", "--stock", "cylinder:40x100", "--dialect", dialect, "-o", "t.ngc"});
+      QVERIFY2(made.code == 0, made.err);
+      const Ran turned = bench.run({"turn", "cylinder:40x100", "--program", "t.ngc", "--dialect", dialect, "--nose",
+                                    "0.4", "--target", "t.dxf", "-o", "t.handwheel", "--json"});
+      QVERIFY2(turned.code == 0, turned.err);
+      QCOMPARE(figuresOf(turned)["collisions"].get<int>(), 0);
+      QVERIFY2(figuresOf(turned)["profile_error_mm"].get<double>() < 0.2, turned.out);  // the nose in the corner
+      QVERIFY2(bench.run({"program", "t.handwheel", "--dialect", dialect, "-o", "again.ngc"}).code == 0, "");
+      const Ran again = bench.run({"turn", "cylinder:40x100", "--program", "again.ngc", "--dialect", dialect, "--nose",
+                                   "0.4", "-o", "again.stl", "--json"});
+      QVERIFY2(again.code == 0, again.err);
+      const double ratio =
+          figuresOf(again)["removed_mm3"].get<double>() / figuresOf(turned)["removed_mm3"].get<double>();
+      QVERIFY2(std::abs(ratio - 1.0) < 2e-3, again.out);
+    }
+    QCOMPARE(bench.run({"program", "t.dxf", "--stock", "cylinder:20x100", "-o", "x.ngc"}).code, 1);
+    // No command writes over what it was given, nor a program over a document.
+    const auto keeps = [&](const char* name, const QStringList& words) {
+      const QByteArray before = bench.content(name);
+      return bench.run(words).code == 1 && bench.content(name) == before && !before.isEmpty();
+    };
+    QVERIFY(keeps("t.handwheel", {"program", "t.handwheel", "-o", "t.handwheel"}));
+    QVERIFY(keeps("t.handwheel", {"program", "t.dxf", "--stock", "cylinder:40x100", "-o", "t.handwheel"}));
+    QVERIFY(keeps("t.dxf", {"program", "t.dxf", "--stock", "cylinder:40x100", "-o", "t.dxf"}));
+    QVERIFY(keeps("t.dxf", {"target", "t.dxf", "-o", "t.dxf"}));
+    QVERIFY(keeps("t.handwheel", {"turn", "cylinder:40x100", "--program", "again.ngc", "--target", "t.handwheel", "-o",
+                                  "t.handwheel"}));
+    QCOMPARE(bench.run({"program", "none.svg", "-o", "x.ngc"}).code, 1);
+  }
+
+  // A sleeve of 24 mm inside: without a drill its bore stays solid, 12 mm from the wall to the axis, and that is told.
+  void aBoreThatIsLeftIsTold() {
+    const Bench bench;
+    QByteArray drawing = "0\nSECTION\n2\nENTITIES\n";
+    const double corners[][2] = {{0, 12}, {0, 18}, {50, 18}, {50, 12}, {0, 12}};
+    for (int i = 0; i < 4; ++i) {
+      drawing += "0\nLINE\n8\n0\n";
+      for (int k = 0; k < 2; ++k)
+        drawing += QStringLiteral("1%1\n%2\n2%1\n%3\n").arg(k).arg(corners[i + k][0]).arg(corners[i + k][1]).toUtf8();
+    }
+    bench.put("t.dxf", drawing + "0\nENDSEC\n0\nEOF\n");
+    const Ran left = bench.run({"program", "t.dxf", "--stock", "cylinder:40x100", "-o", "t.ngc"});
+    QVERIFY2(left.code == 0, left.err);
+    QVERIFY2(left.err.contains("leaves up to 12 mm over the target, in its bore") && left.err.contains("--drill 20."),
+             left.err);
+    const Ran bored = bench.run({"program", "t.dxf", "--stock", "cylinder:40x100", "--drill", "auto", "-o", "b.ngc"});
+    QVERIFY2(bored.code == 0 && !bored.err.contains("leaves"), bored.err);
+  }
+
+  void mistakesHaveLineAndColumn() {
+    const Bench bench;
+    bench.put("p.ngc", "G21 G18\nG0 X10\nG1 X8 Y2 F100\nM2\n");
+    const Ran ran = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.step"});
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.contains("p.ngc") && ran.err.contains("line 3") && ran.err.contains("column 7, Y2"), ran.err);
+    QVERIFY(!bench.names().contains("a.step"));
+    // A target that cannot be read is reported before anything is cut or written.
+    bench.put("good.ngc", kShoulder);
+    bench.put("bad.dxf", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n");
+    for (const char* const target : {"none.dxf", "bad.dxf"})
+      QCOMPARE(bench.run({"turn", "cylinder:40x100", "--program", "good.ngc", "--target", target, "-o", "a.step"}).code,
+               1);
+    QVERIFY(!bench.names().contains("a.step"));
+    bench.put("air.ngc", "G0 X100\nM2\n");
+    QCOMPARE(bench.run({"turn", "cylinder:40x100", "--program", "air.ngc", "-o", "a.step"}).code, 2);
+    for (const char* const stock :
+         {"cylinder:40", "cylinder:0x100", "cylinder:axb", "cylinder:nanx1", "none.handwheel"})
+      QCOMPARE(bench.run({"turn", stock, "--program", "p.ngc", "-o", "a.step"}).code, 1);
+    QCOMPARE(bench.run({"turn", "cylinder:40x9", "--program", "p.ngc", "-o", "a.step", "--material", "cheese"}).code,
+             1);
+    QCOMPARE(bench.run({"turn", "cylinder:40x9", "--program", "p.ngc", "-o", "a.step", "--dialect", "x"}).code, 1);
+  }
+};
+
+HANDWHEEL_TEST(TurnProgramTest)
+#include "TurnProgramTest.moc"

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowTestMain.h"
+
+#include <QLabel>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// What a student reads of an exercise in the window.
+class LessonWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The sizes of a drawing stand where the read-out and programs have them: from its finished face at Z 80.
+  void sizesCountFromTheDrawing() {
+    WindowDriver driver;
+    driver.choose("openFirstLesson");
+    QVERIFY(driver.settle());
+    QString sizes;  // of the page of a student's file, and of the panel beside the work
+    for (const QLabel* const each : driver.window().findChildren<QLabel*>("lesson/sizes")) sizes += each->text();
+    QVERIFY2(sizes.contains(QStringLiteral("From Z -27 mm, To Z -1 mm")), qPrintable(sizes));
+    QVERIFY2(sizes.contains(QStringLiteral("between the faces at Z -30 mm and Z 0 mm")), qPrintable(sizes));
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(LessonWindowTest)
+#include "LessonWindowTest.moc"
