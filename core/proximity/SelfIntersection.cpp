@@ -179,6 +179,7 @@ class Search {
     const bool isTurned = b.id() < a.id();
     const BoxedItem &low = isTurned ? b : a, &high = isTurned ? a : b;
     const std::span<const BoxedItem> pieces = piecesOf(low.id()), others = piecesOf(high.id());
+    // Both have pieces. As a and b meet, some pair of these does: the last one, if none before it.
     const std::size_t n = others.size(), last = pieces.size() * n - 1;
     std::size_t first = 0;
     while (first < last && !pieces[first / n].box.meets(others[first % n].box)) ++first;

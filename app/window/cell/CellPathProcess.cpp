@@ -91,7 +91,7 @@ std::vector<Property> CellPaths::processProperties() const {
   if (m_tree->current().kind != PlanTree::Entry::Kind::Path || !present || !present->process) return {};
   const WantedProcess* const now = wanted(present->name);
   std::vector<Property> all =
-      pathProcessSettings(now ? now->values : valuesOf(*present->process), processEnds(cell().robot(), plans()));
+      settingsOfStoredPath(now ? now->values : valuesOf(*present->process), processEnds(cell().robot(), plans()));
   for (Property& each : all) each.id = kField + each.id;
   return all;
 }

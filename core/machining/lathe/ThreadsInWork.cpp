@@ -79,7 +79,7 @@ double ThreadsInWork::surfaceAt(const TurnedProfile& part, TurningSide side, dou
     const double distance = above - helix.thread.pitch * std::round(above / helix.thread.pitch);
     const double* const bottom = helix.at(z - distance, part.spacing());
     if (!bottom) continue;
-    surface = deeper(side, surface, *bottom + outward(side) * helix.thread.heightAt(distance, helix.nose));
+    surface = deeper(side, surface, *bottom + outward(side) * helix.edge.heightAt(distance));
   }
   return surface;
 }
@@ -130,7 +130,8 @@ ThreadsInWork::Helix& ThreadsInWork::helixOf(const TurnedProfile& part, const La
   if (m_helices.size() == kMostHelices) m_helices.pop_front();
   const double beyond = std::ceil(thread.pitch / part.spacing());
   const std::size_t count = part.size() + 2 * static_cast<std::size_t>(beyond);
-  m_helices.push_back({thread, tool.side, recordedNose(tool), static_cast<std::ptrdiff_t>(beyond),
+  const double nose = recordedNose(tool);
+  m_helices.push_back({thread, tool.side, nose, ThreadEdge(thread, nose), static_cast<std::ptrdiff_t>(beyond),
                        std::vector<double>(count, nowhere(tool.side))});
   return m_helices.back();
 }

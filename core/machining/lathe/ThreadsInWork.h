@@ -49,7 +49,8 @@ class ThreadsInWork {
   struct Helix {
     ThreadCut thread;
     TurningSide side;
-    double nose;                  // mm
+    double nose;  // mm
+    ThreadEdge edge;
     std::ptrdiff_t beyond;        // samples before and behind the part, where its flanks still reach that
     std::vector<double> bottoms;  // mm, radius; infinite, in a bore 0, where it did not come
 

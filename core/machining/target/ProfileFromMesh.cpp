@@ -76,7 +76,7 @@ class MeshRings {
     }
     std::sort(m_places.begin(), m_places.end(), [](const Place& a, const Place& b) { return a.z < b.z; });
     split(0, m_places.size(), &Place::z, [this](std::size_t first, std::size_t last) {
-      // Those of one flat are at one height, so that an end is as wide as its face.
+      // One height for all points of a flat: rounding would tilt it, and the end lose its width.
       const double low = m_places[first].z, high = m_places[last - 1].z;
       if (high - low <= kRingWidth) std::for_each(at(first), at(last), [&](Place& p) { p.z = 0.5 * (low + high); });
       std::sort(at(first), at(last), [](const Place& a, const Place& b) { return a.r < b.r; });
@@ -120,7 +120,7 @@ class MeshRings {
     if (middle.x() <= kRingWidth) middle.x() = 0.0;
     const auto [low, high] =
         std::minmax_element(at(first), at(last), [](const Place& a, const Place& b) { return a.z < b.z; });
-    middle.y() = std::clamp(middle.y(), low->z, high->z);  // not beside them by rounding
+    middle.y() = std::clamp(middle.y(), low->z, high->z);  // the mean may be rounded beyond its points
     m_rings.push_back(middle);
     m_largest = std::max(m_largest, middle.x());
     std::sort(angles.begin(), angles.end());
@@ -136,33 +136,44 @@ class MeshRings {
   double m_largest = 0.0;
 };
 
-// The outline through the rings of a mesh. Points within a flat end or shoulder may lie as they like: the flat is one
-// line.
+// The outline through the rings of a mesh, which is kept by reference. Points within a flat end or shoulder may lie as
+// they like: the flat is one line.
 class RingOutline {
  public:
-  RingOutline(const TriangleSoup& soup, const Axis& axis, const MeshRings& rings)
-      : m_rings(rings), m_hasWall(rings.count()) {
-    std::set<std::pair<std::size_t, std::size_t>> joined, flat;
+  RingOutline(const TriangleSoup& soup, const MeshRings& rings)
+      : m_soup(soup), m_rings(rings), m_hasWall(rings.count()) {
     for (const Triangle& t : soup.triangles) {
-      bool isFlatTriangle = true;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t a = rings.ringOf(t[k]), b = rings.ringOf(t[(k + 1) % 3]);
+        if (a != b && !isFlat(a, b)) m_hasWall[a] = m_hasWall[b] = true;
+      }
+    }
+  }
+
+  // The largest of the rings of walls, mm. O(rings).
+  double deviation() const {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < m_rings.count(); ++i)
+      if (m_hasWall[i]) largest = std::max(largest, m_rings.deviation(i));
+    return largest;
+  }
+
+  // O(n log n) of the triangles. Once.
+  std::vector<ProfileSegment> lines(const Axis& axis) && {
+    std::set<std::pair<std::size_t, std::size_t>> joined, flat;
+    for (const Triangle& t : m_soup.triangles) {
+      bool isFlatTriangle = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t a = m_rings.ringOf(t[k]), b = m_rings.ringOf(t[(k + 1) % 3]);
         isFlatTriangle = isFlatTriangle && isFlat(a, b);
         if (a != b) (isFlat(a, b) ? flat : joined).insert(std::minmax(a, b));
       }
-      if (isFlatTriangle && isAcross(axis, soup, t)) m_acrossAxis.insert(rings.ringOf(t[0]));
+      if (isFlatTriangle && isAcross(axis, m_soup, t)) m_acrossAxis.insert(m_rings.ringOf(t[0]));
     }
-    for (const auto& [a, b] : joined) {
-      m_hasWall[a] = m_hasWall[b] = true;
-      add(rings.place(a), rings.place(b));
-    }
+    for (const auto& [a, b] : joined) add(m_rings.place(a), m_rings.place(b));
     addFlats(flat);
-    for (std::size_t i = 0; i < rings.count(); ++i)
-      if (m_hasWall[i]) m_deviation = std::max(m_deviation, rings.deviation(i));
+    return std::move(m_lines);
   }
-
-  const std::vector<ProfileSegment>& lines() const { return m_lines; }
-  double deviation() const { return m_deviation; }  // mm, the largest of the rings of walls
 
  private:
   bool isFlat(std::size_t a, std::size_t b) const {
@@ -197,11 +208,11 @@ class RingOutline {
     }
   }
 
+  const TriangleSoup& m_soup;
   const MeshRings& m_rings;
   std::vector<bool> m_hasWall;         // for each ring, whether it bounds a face that is not flat
   std::set<std::size_t> m_acrossAxis;  // rings of flat triangles that the axis goes through
   std::vector<ProfileSegment> m_lines;
-  double m_deviation = 0.0;
 };
 
 }  // namespace
@@ -220,18 +231,18 @@ Result<ProfileFromMesh> profileFromMesh(const TriangleSoup& soup, Progress progr
        {lines.along(Vec3::UnitZ()), lines.along(Vec3::UnitX()), lines.along(Vec3::UnitY()), lines.best()}) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     const MeshRings rings(soup, axis);
-    const RingOutline found(soup, axis, rings);
-    const double allowed = turnedMeshTolerance(rings.largestRadius());
-    if (found.deviation() < least) {
-      least = found.deviation();
+    RingOutline found(soup, rings);
+    const double deviation = found.deviation(), allowed = turnedMeshTolerance(rings.largestRadius());
+    if (deviation < least) {
+      least = deviation;
       tolerance = allowed;
     }
-    if (!(found.deviation() <= allowed)) continue;
-    Result<std::vector<ProfileSegment>> outline = joinedOutline(found.lines(), kRingGap, progress);
+    if (!(deviation <= allowed)) continue;
+    Result<std::vector<ProfileSegment>> outline = joinedOutline(std::move(found).lines(axis), kRingGap, progress);
     if (!outline) return outline.error();
     Result<TargetProfile> target = TargetProfile::make(std::move(outline.value()), progress);
     if (!target) return target.error();
-    return ProfileFromMesh{std::move(target.value()), found.deviation()};
+    return ProfileFromMesh{std::move(target.value()), deviation};
   }
   return Error{TargetError::MeshNotTurned, {roundedText(least, 3), roundedText(tolerance, 3)}, {}, {}};
 }

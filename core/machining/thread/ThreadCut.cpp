@@ -10,10 +10,6 @@ bool ThreadCut::isSound() const {
          isBetween(angle, kLeastAngle, kLargestAngle) && isBetween(flat, 0.0, pitch) && std::isfinite(offset);
 }
 
-double ThreadCut::heightAt(double distance, double noseRadius) const {
-  return ThreadEdge(*this, noseRadius).heightAt(distance);
-}
-
 double ThreadCut::distanceAt(double height, double noseRadius) const {
   const double half = 0.5 * angle;
   const double tangent = noseRadius * (1.0 - std::sin(half));

@@ -26,19 +26,19 @@ struct ThreadCut {
   bool isSound() const;                                      // all within the limits
   bool operator==(const ThreadCut&) const = default;
 
-  // The height of the groove's edge above its bottom at this distance (mm) from its middle, along the axis; mm.
-  double heightAt(double distance, double noseRadius) const;
-  // The distance at which the edge is this high (mm, not negative) above the bottom: the inverse.
+  // The distance from the middle of the groove, along the axis, at which its edge is this high above the bottom; mm,
+  // not negative. The inverse of ThreadEdge::heightAt().
   double distanceAt(double height, double noseRadius) const;
 };
 
-// The edge of a groove: its bottom, a circle of the nose's radius, and the flank, each tangent to the next. For the
-// heights of many places.
+// The edge of a groove. It is the bottom, a circle of the nose's radius, and the flank, each tangent to the next. Keeps
+// the trigonometry for many heights.
 class ThreadEdge {
  public:
   ThreadEdge(const ThreadCut& cut, double noseRadius);
 
-  double heightAt(double distance) const;  // as ThreadCut has it
+  // Above the bottom at this distance from the middle of the groove, along the axis; mm.
+  double heightAt(double distance) const;
 
  private:
   double m_halfFlat, m_nose;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace handwheel {
@@ -195,7 +196,7 @@ void LatheSimulation::publish() {
 }
 
 void LatheSimulation::finish() {
-  m_sinceThreaded = 1.0 / kThreadRate;
+  m_sinceThreaded = std::numeric_limits<double>::infinity();
   publish();
 }
 

@@ -58,7 +58,7 @@ struct LatheMoment : SimulationState {
 class LatheSimulation : public Simulation {
  public:
   static constexpr double kShownRate = 125.0;  // changes of the shown part in a second, at most
-  static constexpr double kThreadRate = 25.0;  // of the triangles of a thread, which take some milliseconds
+  static constexpr double kThreadRate = 25.0;  // those of a thread, whose triangles take some milliseconds
   static constexpr double kFinger = 0.5;       // mm, radius of what feels the part while no tool is held
 
   // base: mm, z of the part's lower end in the scene. The channel has one simulation at a time. finish: of the part,

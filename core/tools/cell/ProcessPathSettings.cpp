@@ -46,7 +46,7 @@ std::vector<Property> processPathSettings(const OperationValues& values, const s
   return all;
 }
 
-std::vector<Property> pathProcessSettings(const OperationValues& values, const std::vector<std::string>& ends) {
+std::vector<Property> settingsOfStoredPath(const OperationValues& values, const std::vector<std::string>& ends) {
   std::vector<Property> all = processPathSettings(values, ends);
   std::erase_if(all, [](const Property& each) { return each.id == "along"; });
   for (Property& each : all) each.group = QT_TRANSLATE_NOOP("Property", "Process of the path");

@@ -13,10 +13,10 @@ namespace handwheel {
 // Names of the configurations that such a path may come from or go to.
 std::vector<std::string> processEnds(const CellRobot& robot, const CellPlans& plans);
 
-// All of them; ends: of processEnds().
+// All settings of the operation. ends: of processEnds().
 std::vector<Property> processPathSettings(const OperationValues& values, const std::vector<std::string>& ends);
 // Those of a path whose curve is chosen: without what the tool follows.
-std::vector<Property> pathProcessSettings(const OperationValues& values, const std::vector<std::string>& ends);
+std::vector<Property> settingsOfStoredPath(const OperationValues& values, const std::vector<std::string>& ends);
 
 // Sets a value from one of these; nothing happens for an unknown id or a value of another type.
 void takeProcessSetting(OperationValues& values, const std::vector<std::string>& ends, std::string_view id,

@@ -118,10 +118,10 @@ std::optional<DrillBit> drillBitOf(std::string_view word) {
   return isWidth(tool.width, diameter) ? std::optional(tool) : std::nullopt;
 }
 
-std::string drillWordOf(const DrillBit& tool) {
+std::string wordOf(const DrillBit& bit) {
   const std::string word =
-      std::string(kShapes[static_cast<std::size_t>(tool.shape)].first) + ":" + shortestText(tool.diameter);
-  return tool.shape == DrillShape::Saw ? word + ":" + shortestText(tool.width) : word;
+      std::string(kShapes[static_cast<std::size_t>(bit.shape)].first) + ":" + shortestText(bit.diameter);
+  return bit.shape == DrillShape::Saw ? word + ":" + shortestText(bit.width) : word;
 }
 
 }  // namespace handwheel

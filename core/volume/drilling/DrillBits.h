@@ -29,7 +29,7 @@ const std::vector<DrillBitType>& drillBits();
 // The drill bit of a word, as "ball:6", "twist:6", "burr:4", "saw:30" or "saw:30:0.8": the id and the diameter in mm,
 // and the width of a saw. None where it is no such word.
 std::optional<DrillBit> drillBitOf(std::string_view word);
-// The word of a drill bit of this shape, its diameter and width.
-std::string drillWordOf(const DrillBit& tool);
+// The inverse of drillBitOf().
+std::string wordOf(const DrillBit& bit);
 
 }  // namespace handwheel

@@ -72,8 +72,9 @@ Result<SparseVolume> volumeOfSegment(const ImageVolume& image, const Segment& se
 
 Result<SparseVolume> volumeOfSmoothed(const ImageVolume& image, const Segment& segment, std::optional<double> voxel,
                                       bool isSmoothed, Progress progress) {
+  if (!isSmoothed) return volumeOfSegment(image, segment, voxel, progress);
   Result<SparseVolume> volume = volumeOfSegment(image, segment, voxel, progress.part(0.0, 0.7));
-  if (!volume || !isSmoothed) return volume;
+  if (!volume) return volume;
   smooth(*volume, progress.part(0.7, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (volume->isEmpty()) return nothingInRange(segment.range(), image);

@@ -6,10 +6,10 @@
 
 namespace handwheel {
 
-// The largest distance of a shape's surfaces from its triangles (mm). It is measured over the centre of each triangle
-// and the middles of its sides; faces without triangles, or without parameters at their corners, count as 0. The mesher
-// of Open CASCADE keeps the deflection that it is asked for at edges, but within faces only about: on a ball the
-// distance is up to twice that. O(triangles).
+// Estimates the largest distance of a shape's surfaces from its triangles, mm. It is measured from the plane of each
+// triangle at four places: its centre and the middles of its sides. Faces without triangles, or without parameters at
+// their corners, count as 0. The mesher of Open CASCADE keeps its deflection along edges; within faces it may exceed
+// it, on a ball by somewhat more than twice. O(triangles).
 double meshDeviation(const TopoDS_Shape& shape);
 
 }  // namespace handwheel

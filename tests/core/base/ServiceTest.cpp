@@ -152,7 +152,7 @@ void ServiceTest::timesOfClockAndProcessor() {
   burn(1000.0);
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
   const CpuTimes used = CpuTimes::now() - before;
-  QVERIFY(used.cpu >= 1.0 && used.clock >= 5.9);
+  QVERIFY(used.cpu >= 1.0 && used.cpu < used.clock);
   const CpuTimes twice = used + used;
   QVERIFY(twice.cpu == 2.0 * used.cpu && twice.clock == 2.0 * used.clock);
 }

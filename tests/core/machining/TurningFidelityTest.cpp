@@ -15,16 +15,6 @@ class TurningFidelityTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void defaultsAndPresetsArePossible() {
-    for (const FidelitySetting& setting :
-         {turnSpacingSetting(), turnMethodSetting(), turnResolutionSetting(), turnStepSetting(), forceModelSetting()}) {
-      QVERIFY2(checkValue(setting, setting.standard), setting.id.c_str());
-      for (const double preset : setting.presets) QVERIFY2(checkValue(setting, preset), setting.id.c_str());
-      QVERIFY2(setting.id.starts_with("turn.") && !setting.label.empty(), setting.id.c_str());
-      QVERIFY2(!setting.error.unit.empty() && !setting.cost.unit.empty(), setting.id.c_str());
-    }
-  }
-
   // The words are in the order of the values in the code.
   void choicesHaveTheOrderOfTheirValues() {
     const FidelitySetting method = turnMethodSetting(), law = forceModelSetting();
@@ -34,14 +24,6 @@ class TurningFidelityTest : public QObject {
     QCOMPARE(textOf(law, static_cast<double>(ForceLaw::Kienzle)), std::string("kienzle"));
     QCOMPARE(textOf(law, static_cast<double>(ForceLaw::Network)), std::string("network"));
     QCOMPARE(FidelityValues().of(law), static_cast<double>(ForceLaw::Kienzle));  // which every material has
-  }
-
-  // No preset is coarser than one that is said to be less exact.
-  void presetsBecomeFiner() {
-    for (const FidelitySetting& setting : {turnSpacingSetting(), turnResolutionSetting(), turnStepSetting()}) {
-      QVERIFY(setting.presetValue(FidelityPreset::Draft) >= setting.presetValue(FidelityPreset::Balanced));
-      QVERIFY(setting.presetValue(FidelityPreset::Balanced) >= setting.presetValue(FidelityPreset::Exact));
-    }
   }
 };
 

@@ -46,7 +46,7 @@ std::shared_ptr<TurningChannel> channelWithBar() {
 }  // namespace
 
 // A scene that changes while a hand presses on something: the new source of force goes on where the one before was, if
-// it feels the same thing. Else the hand, which is in the material, would be let in.
+// it feels the same thing. Else the hand, which is in the material, would lose its resistance.
 class ForceHandoverTest : public QObject {
   Q_OBJECT
 

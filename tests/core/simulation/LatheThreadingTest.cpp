@@ -107,6 +107,34 @@ class LatheThreadingTest : public QObject {
                        byPasses->radius(TurningSide::Outside, 20.0, 0.0, z, 1.0)) < 1e-3);
   }
 
+  // It is shown at 25 Hz at most, and whole where the work ends in the middle of a cut.
+  void theGrooveIsShownInTheMiddleOfACut() {
+    ThreadingBench bench;
+    bench.goTo(25.0, 104.0);
+    bench.goTo(19.5, 104.0);
+    bench.send(LatheDo::HalfNut, -kLeadOfNut);
+    bench.run(1.5);
+    int shown = 0;
+    std::shared_ptr<const PartThreads> before = bench.moment().surface.threads();
+    for (int i = 0; i < 1000; ++i) {
+      bench.run(0.001);
+      const auto now = bench.moment().surface.threads();
+      shown += now != before;
+      before = now;
+    }
+    QVERIFY2(shown >= 20 && shown <= 25, QByteArray::number(shown));
+    bench.run(0.013);  // since it was shown last
+    const auto taken = bench.finished();
+    const auto& lathe = static_cast<const LatheSimulation&>(*taken);
+    const auto& threads = static_cast<const LatheMoment&>(*lathe.state()).surface.threads();
+    const auto byPasses = PartThreads::with(nullptr, lathe.passes().back());
+    const double end = lathe.passes().back().path.back().y();
+    QVERIFY(end < 96.0);
+    for (double z = end - 1.0; z < end + 3.0; z += 0.05)
+      QVERIFY(std::abs(threads->radius(TurningSide::Outside, 20.0, 0.0, z, 1.0) -
+                       byPasses->radius(TurningSide::Outside, 20.0, 0.0, z, 1.0)) < 1e-3);
+  }
+
   // With 0.3 kW the groove slows the spindle down: the straight run tells both speeds, as long as its points.
   void aSlowedThreadSaysWhatWasAskedFor() {
     ThreadingBench bench(0.3);

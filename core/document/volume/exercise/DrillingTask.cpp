@@ -227,7 +227,7 @@ Json toJson(const DrillingTask& task) {
   json[kForbidden] = Json::array();
   for (const SolidBall& ball : task.plan.forbidden)
     json[kForbidden].push_back({ball.centre.x(), ball.centre.y(), ball.centre.z(), ball.radius});
-  json[kDrill] = drillWordOf(task.tool);
+  json[kDrill] = wordOf(task.tool);
   json[kMaterial] = task.material;
   // What is usual is not written: keys of descriptions without one follow from their tasks.
   if (task.failedTries != FailedTries::CostTheMark)
@@ -258,7 +258,7 @@ DrillingTask drillingTaskFrom(const Json& json, std::vector<Error>& damage) {
   } else {
     damage.push_back(malformedTask(kMaterial, "it is not known"));
   }
-  if (const auto tool = drillIn(stringAt(json, kDrill, drillWordOf(task.tool)))) {
+  if (const auto tool = drillIn(stringAt(json, kDrill, wordOf(task.tool)))) {
     task.tool = *tool;
   } else {
     damage.push_back(malformedTask(kDrill, "it is no drill"));
@@ -296,7 +296,7 @@ std::vector<Property> propertiesOf(const DrillingTask& task) {
                           QT_TRANSLATE_NOOP("Property", "Forbidden balls (mm): x; y; z; radius, with | between"),
                           forbiddenText(task)));
   all.push_back(textProperty(kDrill, drillGroup(), QT_TRANSLATE_NOOP("Property", "Drill: ball:6, burr:4 or twist:3"),
-                             drillWordOf(task.tool)));
+                             wordOf(task.tool)));
   Property material;
   material.id = kMaterial;
   material.group = drillGroup();

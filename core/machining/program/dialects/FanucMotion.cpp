@@ -63,7 +63,8 @@ void FanucRun::runOnce(const ProgramBlock& block, int number, const ProgramWord&
 void FanucRun::home(int number, const ProgramWord& g) {
   const bool hasX = has('X') || has('U'), hasZ = has('Z') || has('W');
   if (number == 30)
-    if (const ProgramWord* const p = word('P')) whole(*p, 2, 2);
+    if (const ProgramWord* const p = word('P'); p && p->number != 2.0)
+      refuse(p->place, p->text(), "there is only the second reference position here", "Write P2, or nothing.");
   m_machine.rapid(target(), g.place);
   ProfilePoint to = m_machine.fromMachine(m_machine.home[number == 28 ? 0 : 1]);
   if (hasX && !hasZ) to.y() = m_machine.at().y();

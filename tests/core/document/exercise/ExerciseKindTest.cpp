@@ -147,7 +147,6 @@ class ExerciseKindTest : public QObject {
     OpenedFile copy = *opened;
     QCOMPARE(kind.make(std::move(copy))->snapshot(), opened->content);
 
-    QCOMPARE(kind.title(), std::string("Exercise"));
     QVERIFY(kind.recognises(R"({"subject": "turning"})", "a.exercise.json"));
     QVERIFY(!kind.recognises(R"({"subject": "turning"})", "a.json") && !kind.recognises("{}", "a.exercise.json"));
     const std::filesystem::path damaged = folder.filePath("damaged.exercise.json").toStdString();

@@ -54,14 +54,6 @@ class TurningTargetsTest : public QObject {
     QVERIFY(isNear(2.0 * targetOf(*made).extentAt(80.0)->outer, 29.9, 5e-3));
     QVERIFY(isNear(2.0 * targetOf(*made).extentAt(40.0)->outer, 40.0, 5e-3));
     QCOMPARE(m_subject.targetMove(blank, **made), 0.0);  // there was none before
-
-    // A groove to the axis has parted the bar.
-    const nlohmann::json parting = {
-        {"passes", {{{"nose_radius", 0.8}, {"feed", 0.1}, {"points", {{22, 70}, {-1, 70}, {22, 70}}}}}}};
-    const auto pieces = m_subject.makeWork(blank, parting, {});
-    QVERIFY(pieces.hasValue());
-    QCOMPARE(m_subject.withTarget(blank, **pieces).error().arguments.back(),
-             std::string("the part is in several pieces"));
   }
 
   // The upper 40 mm of ⌀30 lie at the chuck then, and the same places are the ends.
@@ -173,8 +165,7 @@ class TurningTargetsTest : public QObject {
     QVERIFY(isNear(title.tolerances.back().size, 29.95));
   }
 
-  void whatTheSubjectIs() {
-    QCOMPARE(m_subject.title(), std::string("Turning"));
+  void figures() {
     std::vector<std::string> ids;
     for (const MeasurementType& type : m_subject.figures()) ids.push_back(type.id);
     for (const char* const id : {"diameter", "length", "bore", "roughness", "force", "crashes"})

@@ -9,6 +9,7 @@
 #include "mesh/structure/Weld.h"
 #include "nurbs/StepWriter.h"
 #include "nurbs/StockCylinder.h"
+#include "proximity/ClosestPoint.h"
 
 #include <QTest>
 #include <algorithm>
@@ -74,8 +75,8 @@ class StepReaderTest : public QObject {
     }
   }
 
-  // The corners of every triangle are on the sphere. All of it is as near to that as the note says: about what was
-  // asked for, at every preset of the setting, and what is finer has more triangles.
+  // The corners of every triangle are on the sphere, and its plane is as near to that as the note says: what was asked
+  // for, or somewhat more, as the mesher leaves it. What is finer has more triangles.
   void aSphere() {
     const FidelitySetting setting = stepChordSetting();
     QCOMPARE(setting.standard, ReadOptions().stepChord);
@@ -90,8 +91,7 @@ class StepReaderTest : public QObject {
       for (const Triangle& t : soup.triangles) {
         const Vec3 &a = soup.points[t[0]], &b = soup.points[t[1]], &c = soup.points[t[2]];
         QVERIFY(std::abs(a.norm() - 10) < 1e-7);
-        for (const Vec3& p : {Vec3((a + b + c) / 3), Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)})
-          deepest = std::max(deepest, 10 - p.norm());
+        deepest = std::max(deepest, 10 - closestOnTriangle(Vec3::Zero(), a, b, c).norm());
         QVERIFY((a + b + c).dot((b - a).cross(c - a)) > 0);  // outwards
       }
       QVERIFY2(deepest < 1.01 * noted, std::to_string(deepest / noted).c_str());

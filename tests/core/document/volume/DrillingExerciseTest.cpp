@@ -127,7 +127,6 @@ class DrillingExerciseTest : public QObject {
   // A drilling has no drawing and no sizes: what a turned part has is refused or empty.
   void whatATurnedPartHas() {
     const DrillingTask task = ballTask();
-    QCOMPARE(m_subject.title(), std::string("Drilling"));
     QVERIFY(m_subject.withTurnedTarget(task).error().code == ExerciseError::WithoutTarget);
     QVERIFY(m_subject.withRoundedTarget(task, 0.1, 1.0).error().code == ExerciseError::WithoutTarget);
     const auto written = m_subject.exportDrawing(Exercise(), task, "drawing.pdf", {});

@@ -119,7 +119,6 @@ class VolumeMakingTest : public QObject {
 
   // It is shown by the triangles of its surface.
   void shown() {
-    QCOMPARE(m_kind.title(), std::string("Volume"));
     const DisplayModel model = m_kind.display(*madeBall());
     QCOMPARE(model.parts.size(), std::size_t{1});
     const TriangleSoup& soup = *model.parts.front().soup;

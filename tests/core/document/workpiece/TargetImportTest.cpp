@@ -27,7 +27,7 @@ std::string dxfWith(std::string entities, const std::string& header = "") {
 constexpr const char* kPinLines =
     "0 LINE 10 0 20 0 11 0 21 10 0 LINE 10 0 20 10 11 50 21 10 0 LINE 10 50 20 10 11 50 21 0 ";
 
-// A third of a bar of ⌀50 × 100 mm, the rest turned down to ⌀30.
+// A bar of ⌀50 × 100 mm, turned down to ⌀30 from 40 mm on.
 WorkpieceSnapshot shaftToRead() {
   WorkpieceSnapshot workpiece;
   TurnedProfile profile(workpiece.stock, 0.1);

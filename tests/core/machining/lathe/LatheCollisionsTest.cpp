@@ -60,7 +60,7 @@ class LatheCollisionsTest : public QObject {
     QVERIFY(!contactBetween(moved, {6.0, -1.01}, others));
   }
 
-  // A tool is the same as its copy, and another one with any other property.
+  // A tool is the same as its copy, and another one with another nose, holder or edge.
   void toolsAreCompared() {
     const LatheTool tool = *toolNamed(shippedLatheTools(), "right-finishing");
     QVERIFY(tool == LatheTool(tool));

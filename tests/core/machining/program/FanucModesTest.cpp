@@ -88,7 +88,7 @@ class FanucModesTest : public QObject {
     row("G0 G1 X1.\n", "1: G1: it contradicts G0 in the same line. Remove one of them.");
     row("G53\n", "1: G53: X or Z is missing. Write G53 X0 or G53 Z0.");
     row("G98 G2 X2. Z-1. R1. F9.\nG53 X0\n", "2: G53: it needs G0 or G1. Write G53 G0 X... Z...");
-    row("G30 P3 U0\n", "1: P3: this is a whole number from 2 to 2. Correct it.");
+    row("G30 P3 U0\n", "1: P3: there is only the second reference position here. Write P2, or nothing.");
     row("G65 P9\n", "1: P9: there is no macro with this number. Put it into the same file.");
     row("M98 P9\n", "1: P9: there is no subprogram with this number. Put it into the same file.");
     row("M115\n",

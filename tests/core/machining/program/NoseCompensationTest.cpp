@@ -38,7 +38,10 @@ std::vector<NoseStep> noseMoves(int side, const PlanePoint& at, const std::vecto
   nose.begin(side, kNose, tip, at);
   for (const NoseStep& step : contour) nose.move(step);
   const PlanePoint end = nose.end();
-  if (!contour.empty() && end != contour.back().to) emitted.clear();
+  if (!contour.empty() && end != contour.back().to) {
+    qWarning("the nose does not end where the contour does");
+    emitted.clear();
+  }
   return emitted;
 }
 

@@ -182,9 +182,10 @@ class ThreadSurfaceTest : public QObject {
     cut.pitch = 2.5;
     const double height = std::sqrt(3.0) / 2.0 * 2.5, depth = isoMetricDepth(2.5), nose = isoMetricNose(2.5);
     QVERIFY(std::abs(depth - 0.61343 * 2.5) < 1e-4);
-    QVERIFY(std::abs(cut.heightAt(2.5 / 2.0 - 2.5 / 16.0, nose) - depth) < 1e-12);
-    QVERIFY(std::abs(cut.heightAt(2.5 / 4.0, nose) - (depth - 3.0 / 8.0 * height)) < 1e-12);
-    for (double h : {0.0, 0.05, 0.3, 1.2}) QVERIFY(std::abs(cut.heightAt(cut.distanceAt(h, nose), nose) - h) < 1e-12);
+    const ThreadEdge edge(cut, nose);
+    QVERIFY(std::abs(edge.heightAt(2.5 / 2.0 - 2.5 / 16.0) - depth) < 1e-12);
+    QVERIFY(std::abs(edge.heightAt(2.5 / 4.0) - (depth - 3.0 / 8.0 * height)) < 1e-12);
+    for (double h : {0.0, 0.05, 0.3, 1.2}) QVERIFY(std::abs(edge.heightAt(cut.distanceAt(h, nose)) - h) < 1e-12);
   }
 };
 

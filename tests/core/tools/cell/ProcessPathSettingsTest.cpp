@@ -91,7 +91,7 @@ class ProcessPathSettingsTest : public QObject {
   // A path keeps its kind of curve, and says whose settings these are.
   void ofAPath() {
     const OperationValues values(processPathOperation());
-    const auto all = pathProcessSettings(values, kProcessEnds);
+    const auto all = settingsOfStoredPath(values, kProcessEnds);
     QCOMPARE(all.size() + 1, processPathSettings(values, kProcessEnds).size());
     QVERIFY(!propertyNamed(all, "along"));
     for (const Property& each : all) QCOMPARE(each.group, std::string("Process of the path"));

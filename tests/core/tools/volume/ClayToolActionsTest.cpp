@@ -167,8 +167,8 @@ class ClayToolActionsTest : public QObject {
     }
   }
 
-  // The first three ways of a hand at a device: it cuts as it carves, goes freely as it adds and moves, and else rests
-  // on the surface.
+  // What a device feels by action: it cuts as it carves, goes freely as it adds and moves, and else rests on the
+  // surface.
   void feltAtADevice() {
     ClayBench bench;
     for (int i = 0; i <= static_cast<int>(ClayAction::Mask); ++i) {

@@ -124,7 +124,8 @@ class SegmentOperationTest : public QObject {
     QVERIFY(!refused && refused.error().code == VolumeErrors::NeedsConsent);
   }
 
-  // The steps of voxels of a ball of two values are taken off: its radius varies less. It keeps it within a voxel.
+  // The steps of voxels of a ball of two values are taken off: its radius varies less, at most by four fifths. On
+  // average it stays within a voxel, which is of 1 mm.
   void smoothed() {
     const Vec3 middle = Vec3::Constant(9.5);
     const ImageGrid grid{{20, 20, 20}, Vec3::Zero(), Eigen::Matrix3d::Identity()};
@@ -133,7 +134,7 @@ class SegmentOperationTest : public QObject {
     const auto variation = [&](bool isSmooth) {
       const Result<Segmented> done =
           segment(ball, valuesWith({{"range", std::string("50:")}, {"smooth", isSmooth}}), {});
-      if (!done) qFatal("it is not segmented");
+      if (!done) return std::pair(kOpen, kOpen);
       const VolumeSampler reader(done->volume);
       double sum = 0.0, squares = 0.0;
       for (int i = 0; i < 300; ++i) {
@@ -142,17 +143,23 @@ class SegmentOperationTest : public QObject {
         sum += depth;
         squares += depth * depth;
       }
-      if (std::abs(sum / 300.0) > kSpacing) qFatal("it has another radius");
-      return std::sqrt(squares / 300.0 - std::pow(sum / 300.0, 2));
+      return std::pair(sum / 300.0, std::sqrt(squares / 300.0 - std::pow(sum / 300.0, 2)));
     };
-    QVERIFY2(variation(true) < 0.8 * variation(false), QByteArray::number(variation(true) / variation(false)));
+    const auto [smoothMean, smooth] = variation(true);
+    const auto [steppedMean, stepped] = variation(false);
+    QVERIFY(std::abs(smoothMean) < 1.0 && std::abs(steppedMean) < 1.0);
+    QVERIFY2(smooth < 0.8 * stepped, QByteArray::number(smooth / stepped));
   }
 
   void cancelledAndFollowed() {
     const ImageVolume image = largeAndSmallBall();
+    for (const bool isSmooth : {false, true}) {
+      JobState job;
+      const auto values = valuesWith({{"range", std::string("0:")}, {"smooth", isSmooth}});
+      QVERIFY(segment(image, values, Progress(job)).hasValue());
+      QCOMPARE(job.fraction.load(), 1.0);
+    }
     JobState job;
-    QVERIFY(segment(image, valuesWith({{"range", std::string("0:")}}), Progress(job)).hasValue());
-    QVERIFY(job.fraction.load() > 0.3 && job.fraction.load() <= 1.0);
     job.cancelled = true;
     const Result<Segmented> cancelled = segment(image, valuesWith({{"range", std::string("0:")}}), Progress(job));
     QVERIFY(!cancelled && cancelled.error().code == ErrorCode::Cancelled);

@@ -225,7 +225,7 @@ class DrillRunTest : public QObject {
     QVERIFY(drillBitOf("saw:20")->shape == DrillShape::Saw && drillBitOf("saw:20")->diameter == 20.0);
     QCOMPARE(drillBitOf("saw:20:0.8")->width, 0.8);
     for (const char* const word : {"ball:6", "twist:2.5", "burr:4", "saw:20:0.8"})
-      QCOMPARE(drillWordOf(*drillBitOf(word)), std::string(word));
+      QCOMPARE(wordOf(*drillBitOf(word)), std::string(word));
     for (const char* const bad : {"", "ball", "ball:", "ball:x", "ball:-1", "ball:1e9", "ball:nan", ":3", "chisel:3",
                                   "ball:3:1", "saw", "saw:20:", "saw:20:0", "saw:20:21", "saw:20:1:1", "saw:20:nan"})
       QVERIFY2(!drillBitOf(bad), bad);

@@ -9,6 +9,7 @@
 #include "document/volume/VolumeDocument.h"
 #include "document/volume/exercise/DrillingTask.h"
 #include "mesh/structure/TriangleSoup.h"
+#include "panels/ActionButton.h"
 #include "plot/PlotWidget.h"
 #include "tools/mesh/voxels/MeshDrillTool.h"
 #include "tools/volume/DrillingTool.h"
@@ -20,6 +21,7 @@
 #include <QHelpEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QToolTip>
 #include <cmath>
 
@@ -86,6 +88,13 @@ class DrillWindowTest : public QObject {
     return driver.settle() && runner(driver).tool() && runner(driver).tool()->id() == "drill";
   }
 
+  // What the pointer shows that rests on a button of an action.
+  static QString restsOn(QWidget& button) {
+    QHelpEvent rest(QEvent::ToolTip, button.rect().center(), QPoint(20, 20));
+    QCoreApplication::sendEvent(&button, &rest);
+    return QToolTip::text();
+  }
+
   // Where the pointer rests on its entry in the menu.
   static void showsTheReason(WindowDriver& driver, const char* name) {
     auto* const action = driver.find<QAction>(name);
@@ -147,6 +156,15 @@ class DrillWindowTest : public QObject {
       QVERIFY2(!action->isEnabled() && action->property(kDisabledReason).toString().contains("drilled"), name);
     }
     showsTheReason(driver, "volumeSmooth");
+    QAction* const smooth = driver.find<QAction>("volumeSmooth");
+    QToolButton toolButton;
+    toolButton.setDefaultAction(smooth);
+    ActionButton button(smooth);
+    for (QWidget* const each : {static_cast<QWidget*>(&toolButton), static_cast<QWidget*>(&button)}) {
+      each->show();
+      const QString text = restsOn(*each);
+      QVERIFY2(text.contains("drilled") && text.contains(smooth->toolTip()), qPrintable(text));
+    }
     runner(driver).setSetting("feed", PropertyValue(2.0));
     point(driver, PointerEvent::Kind::Press);
     auto* const verdict = driver.find<QLabel>("drillVerdict");

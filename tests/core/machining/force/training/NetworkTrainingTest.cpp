@@ -213,7 +213,7 @@ class NetworkTrainingTest : public QObject {
     QCOMPARE(training->conditions, std::size_t(60));
     QVERIFY(training->powerLaw.cuts == 60 && training->powerLaw.worst < 1e-9);
     QVERIFY(training->network.cuts == 60 && training->network.mean < 0.1);
-    QVERIFY(training->network.median <= training->network.worst && training->seconds > 0.0);
+    QVERIFY(training->network.median <= training->network.worst);
     const TrainedForceModel::Origin& origin = training->model.origin();
     QVERIFY(origin.data == "by formula" && origin.isSynthetic && origin.material == "brass" && origin.cuts == 60);
     QVERIFY(origin.heldOutError == training->network.mean && origin.epochs == training->epochs());

@@ -69,23 +69,6 @@ class CycleRefusalsTest : public QObject {
     QVERIFY(!turned);
     QCOMPARE(refusedBecause(turned.error()), std::string("target: it has an undercut at z = -22.5"));
   }
-
-  // Over E mm the tool comes from the crest to the full depth, and with L3 goes out so at the end. The pitch goes on
-  // along Z (LinuxCNC, G76).
-  void threadsMayBeginTapered() {
-    const auto moves = ProgramTrial().movesOf("S100 M3\nG0 X20 Z5\nG76 P2 Z-30 I-1 J0.5 K0.8 R1 E2 L3\n");
-    std::vector<ToolMove> threads;
-    for (const ToolMove& move : moves)
-      if (move.kind == ToolMove::Kind::Thread) threads.push_back(move);
-    QVERIFY(threads.size() >= 4);
-    const std::vector<ProfilePoint> last = {{19, 5}, {18.2, 3}, {18.2, -28}, {19, -30}};
-    for (std::size_t i = 0; i < last.size(); ++i) {
-      const ToolMove& move = threads[threads.size() - last.size() + i];
-      QVERIFY2((move.to - last[i]).norm() < 1e-9, qPrintable(QString("%1 %2").arg(move.to.x()).arg(move.to.y())));
-      const ProfilePoint way = move.to - move.from;
-      if (way.y() != 0.0) QVERIFY(std::abs(move.feed * std::abs(way.y()) / way.norm() - 2.0) < 1e-9);
-    }
-  }
 };
 
 HANDWHEEL_TEST(CycleRefusalsTest)
