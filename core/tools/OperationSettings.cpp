@@ -39,7 +39,7 @@ Property settingOf(const OperationValues& values, std::string_view id) {
   const Parameter& parameter = *setting->parameter;
   Property property = parameter.property;
   property.id = id;
-  property.value = *values.value(parameter.id());
+  if (const auto value = values.value(parameter.id())) property.value = *value;
   if (!setting->part) return property;
   property.label = parameter.parts[*setting->part].label;
   property.value = values.numbers(parameter.id())[*setting->part];

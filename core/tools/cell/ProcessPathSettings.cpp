@@ -28,10 +28,7 @@ std::vector<std::string> processEnds(const CellRobot& robot, const CellPlans& pl
 
 std::vector<Property> processPathSettings(const OperationValues& values, const std::vector<std::string>& ends) {
   std::vector<Property> all;
-  for (const char* const id : kShownSettings) {
-    all.push_back(settingOf(values, id));
-    if (std::string_view(id) == "clearance") all.back().value = values.given(id).value_or(0.0);
-  }
+  for (const char* const id : kShownSettings) all.push_back(settingOf(values, id));
   for (const char* const end : {"from", "to"}) {
     std::vector<std::string> choices{QT_TRANSLATE_NOOP("Property", "nowhere else"),
                                      QT_TRANSLATE_NOOP("Property", "Current position of the robot")};

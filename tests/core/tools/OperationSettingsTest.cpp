@@ -39,6 +39,10 @@ const Operation& milling() {
            .meaning = "Where it starts",
            .word = "X,Y",
            .parts = {{"x", "From x"}, {"y", "From y"}}},
+          {.property = {.id = "finish", .group = {}, .label = "Finish", .value = 0.25},
+           .meaning = "Left for the last pass; default: that of the tool",
+           .word = "MM",
+           .hasDefault = false},
       }};
   return operation;
 }
@@ -60,6 +64,15 @@ class OperationSettingsTest : public QObject {
     QCOMPARE(step.largest, 4.0);
     QCOMPARE(settingOf(values, "way").choices, std::vector<std::string>({"Climb", "Against"}));
     QCOMPARE(settingOf(values, "from_y").label, std::string("From y"));
+  }
+
+  // One that has no value yet, and no default, is shown as it is described.
+  void withoutAValue() {
+    OperationValues values(milling());
+    QVERIFY(!values.given("finish"));
+    QCOMPARE(std::get<double>(settingOf(values, "finish").value), 0.25);
+    QVERIFY(takeSetting(values, "finish", 0.5));
+    QCOMPARE(std::get<double>(settingOf(values, "finish").value), 0.5);
   }
 
   // As a panel sets them: brought between their limits.
