@@ -140,28 +140,33 @@ class JsonPost : public PostProcessor {
   const char* title() const override { return "JSON"; }
   const char* ending() const override { return ".program.json"; }
 
+  // A motion a line: with each number on a line of its own, the longest programs would be too large to be read.
   std::string write(const RobotProgram& program) const override {
+    constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
     nlohmann::ordered_json json = {{"version", 1},
                                    {"name", program.name},
                                    {"robot", program.robot},
                                    {"tool", poseNumbers(program.tool)},
                                    {"frame", poseNumbers(program.frame)},
                                    {"frame_name", program.frameName},
-                                   {"collision_shapes", program.hasPlainShapes ? "simplified" : "of the robot"},
-                                   {"motions", nlohmann::ordered_json::array()}};
+                                   {"collision_shapes", program.hasPlainShapes ? "simplified" : "of the robot"}};
     if (program.clearance) json["clearance_mm"] = *program.clearance;
     if (!program.remarks.empty()) json["remarks"] = program.remarks;
+    std::string motions;
     for (const ProgramMotion& motion : program.motions) {
       const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
-      json["motions"].push_back({{"kind", wordFor(motion.kind)},
-                                 {"name", motion.name},
-                                 {"q", std::vector<double>(motion.joints.begin(), motion.joints.end())},
-                                 {"q_deg", jointNumbers(program, motion)},
-                                 {"pose", poseNumbers(place)},
-                                 {"speed", motion.speed},
-                                 {"blend_mm", motion.blend}});
+      const nlohmann::ordered_json one = {{"kind", wordFor(motion.kind)},
+                                          {"name", motion.name},
+                                          {"q", std::vector<double>(motion.joints.begin(), motion.joints.end())},
+                                          {"q_deg", jointNumbers(program, motion)},
+                                          {"pose", poseNumbers(place)},
+                                          {"speed", motion.speed},
+                                          {"blend_mm", motion.blend}};
+      motions += (motions.empty() ? "\n  " : ",\n  ") + one.dump(-1, ' ', false, kReplace);
     }
-    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    std::string text = json.dump(1, ' ', false, kReplace);
+    text.resize(text.size() - 2);  // without the brace that ends it
+    return text + ",\n \"motions\": [" + motions + "\n ]\n}\n";
   }
 
   Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override {

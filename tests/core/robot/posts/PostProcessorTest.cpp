@@ -188,6 +188,20 @@ class PostProcessorTest : public QObject {
     }
   }
 
+  // As many motions as a program may have, of an arm of eight joints, with numbers of all digits and long names, are
+  // read again in the format that takes most room.
+  void theLargestProgramCanBeRead() {
+    RobotProgram program = programOf("irb120");
+    program.arm = armOf(std::vector<DhRow>(8, {.a = 100.0, .alpha = 0.5, .lower = -3.0, .upper = 3.0}));
+    constexpr std::size_t kMeasured = 100;
+    program.motions.assign(kMeasured, {ProgramMotion::Kind::Linear, ArmValues::Constant(8, -1.0 / 7.0), 1000.0 / 7.0,
+                                       10.0 / 7.0, std::string(100, 'n')});
+    const std::string text = postCalled("json")->write(program);
+    const std::string largest = text + std::string(text.size() * (PostProcessor::kMostMotions / kMeasured - 1), ' ');
+    const auto read = postCalled("json")->read(largest, program);
+    QVERIFY2(read && read->size() == kMeasured, QByteArray::number(quint64(largest.size())));
+  }
+
   // A line that is faster than the controller takes; joint motions are shares, and always below.
   void linesTooFast() {
     RobotProgram program = programOf("irb120");
