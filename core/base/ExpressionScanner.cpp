@@ -22,10 +22,6 @@ bool isAscii(char c) {
   return static_cast<unsigned char>(c) < 0x80u;
 }
 
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 bool continuesCharacter(char c) {
   return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u;  // of UTF-8
 }

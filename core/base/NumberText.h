@@ -37,6 +37,10 @@ std::optional<double> withinShownLimits(double value, double least, double large
 inline bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
+// The same of an ASCII letter.
+inline bool isLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
 
 inline std::string_view withoutPlus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/RobotArms.h"
 
+#include "base/NumberText.h"
 #include "robot/dh/DhTable.h"
 
 #include <algorithm>
@@ -29,8 +30,8 @@ std::vector<std::uint32_t> numbersOf(const std::vector<bool>& kept) {
 std::string plainName(std::string_view name) {
   std::string plain;
   for (const char c : name) {
-    const bool isLetter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-    plain += isLetter || (c >= '0' && c <= '9') || c == '-' ? c : '_';
+    const bool isBeyondAscii = static_cast<unsigned char>(c) >= 0x80;
+    plain += isBeyondAscii || isLetter(c) || isDigit(c) || c == '-' ? c : '_';
   }
   return plain.empty() ? "robot" : plain;
 }

@@ -21,10 +21,6 @@ char capital(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-bool isLetter(char c) {
-  return capital(c) >= 'A' && capital(c) <= 'Z';
-}
-
 }  // namespace
 
 void ProgramScanner::skip() {

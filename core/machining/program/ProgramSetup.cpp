@@ -22,9 +22,9 @@ bool nextWord(std::string_view line, std::size_t& at, char& letter, double& numb
   letter = line[at++];
   while (at < line.size() && (isDigit(line[at]) || line[at] == '+' || line[at] == '-' || line[at] == '.')) ++at;
   ErrorCode why;
-  const bool isLetter = (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');  // D0,8 is not D0
-  if (!isLetter || !parseDecimal(line.substr(begin + 1, at - begin - 1), number, why) || !std::isfinite(number) ||
-      std::abs(number) > 1e6)
+  // D0,8 is not D0 and another word
+  if (!isLetter(letter) || !parseDecimal(line.substr(begin + 1, at - begin - 1), number, why) ||
+      !std::isfinite(number) || std::abs(number) > 1e6)
     refuse({start.line, static_cast<std::uint32_t>(begin + 1)}, std::string(line.substr(begin, at - begin + 1)),
            "this is not a word of a tool table", kToolRemedy);
   return true;

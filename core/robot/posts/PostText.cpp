@@ -16,12 +16,8 @@ namespace {
 
 constexpr std::string_view kClearanceKept = "Clearance kept: ";
 
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 bool isNameCharacter(char c) {
-  return isLetter(c) || (c >= '0' && c <= '9') || c == '_';
+  return isLetter(c) || isDigit(c) || c == '_';
 }
 
 // So many decimal digits of the FNV-1a hash of a text.
