@@ -11918,6 +11918,35 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DefectList</name>
+    <message numerus="yes">
+        <source>%Ln edge(s), %1</source>
+        <translation>
+            <numerusform>%Ln Kante, %1</numerusform>
+            <numerusform>%Ln Kanten, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Area %1.</source>
+        <translation>Flächeninhalt %1.</translation>
+    </message>
+    <message>
+        <source>%1 from the best-fitting plane (RMS).</source>
+        <translation>%1 Abweichung von der Ausgleichsebene (RMS).</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln island(s) inside: remove them first (Hole boundaries tool).</source>
+        <translation>
+            <numerusform>%Ln Insel darin: entfernen Sie sie zuerst (Werkzeug „Lochränder“).</numerusform>
+            <numerusform>%Ln Inseln darin: entfernen Sie sie zuerst (Werkzeug „Lochränder“).</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DefectModel</name>
     <message>
         <source>searching…</source>
@@ -13491,35 +13520,6 @@
     <message>
         <source>Check the patch: %1.</source>
         <translation>Prüfen Sie die Füllfläche: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::Inspection</name>
-    <message numerus="yes">
-        <source>%Ln edge(s), %1</source>
-        <translation>
-            <numerusform>%Ln Kante, %1</numerusform>
-            <numerusform>%Ln Kanten, %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 — %2</source>
-        <translation>%1 – %2</translation>
-    </message>
-    <message>
-        <source>Area %1.</source>
-        <translation>Flächeninhalt %1.</translation>
-    </message>
-    <message>
-        <source>%1 from the best-fitting plane (RMS).</source>
-        <translation>%1 Abweichung von der Ausgleichsebene (RMS).</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln island(s) inside: remove them first (Hole boundaries tool).</source>
-        <translation>
-            <numerusform>%Ln Insel darin: entfernen Sie sie zuerst (Werkzeug „Lochränder“).</numerusform>
-            <numerusform>%Ln Inseln darin: entfernen Sie sie zuerst (Werkzeug „Lochränder“).</numerusform>
-        </translation>
     </message>
 </context>
 <context>

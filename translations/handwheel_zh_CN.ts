@@ -11844,6 +11844,33 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DefectList</name>
+    <message numerus="yes">
+        <source>%Ln edge(s), %1</source>
+        <translation>
+            <numerusform>%Ln 条边，%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+    <message>
+        <source>Area %1.</source>
+        <translation>面积 %1。</translation>
+    </message>
+    <message>
+        <source>%1 from the best-fitting plane (RMS).</source>
+        <translation>与最佳拟合平面的偏差 %1（均方根）。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln island(s) inside: remove them first (Hole boundaries tool).</source>
+        <translation>
+            <numerusform>内有 %Ln 个岛：请先移除（孔洞边界工具）。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DefectModel</name>
     <message>
         <source>searching…</source>
@@ -13402,33 +13429,6 @@
     <message>
         <source>Check the patch: %1.</source>
         <translation>请检查补片：%1。</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::Inspection</name>
-    <message numerus="yes">
-        <source>%Ln edge(s), %1</source>
-        <translation>
-            <numerusform>%Ln 条边，%1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 — %2</source>
-        <translation>%1 — %2</translation>
-    </message>
-    <message>
-        <source>Area %1.</source>
-        <translation>面积 %1。</translation>
-    </message>
-    <message>
-        <source>%1 from the best-fitting plane (RMS).</source>
-        <translation>与最佳拟合平面的偏差 %1（均方根）。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln island(s) inside: remove them first (Hole boundaries tool).</source>
-        <translation>
-            <numerusform>内有 %Ln 个岛：请先移除（孔洞边界工具）。</numerusform>
-        </translation>
     </message>
 </context>
 <context>

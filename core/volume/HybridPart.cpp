@@ -49,7 +49,7 @@ void HybridPart::Tile::countLost(const VoxelIndex& first) {
   SparseVolume own;
   for (int b = 0; b < SurfaceTile::kAllBlocks; ++b)
     own.setContent(SparseVolume::blockOf(first) + SurfaceTile::blockAt(b), blocks[static_cast<std::size_t>(b)]);
-  const VolumeSampler reader(own);
+  const VolumeSampler sampler(own);
   for (int b = 0; b < SurfaceTile::kAllBlocks; ++b) {
     const SparseVolume::Block& block = blocks[static_cast<std::size_t>(b)].block;
     for (int i = 0; block && i < static_cast<int>(VolumeBlock::kCount); ++i) {
@@ -59,7 +59,7 @@ void HybridPart::Tile::countLost(const VoxelIndex& first) {
       bool isOther = false;
       for (int k = 0; k < 27 && !isOther; ++k) {
         const VoxelIndex beside = first + in + VoxelIndex(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-        isOther = (reader.sample(beside) > 0) != (depth > 0);
+        isOther = (sampler.sample(beside) > 0) != (depth > 0);
       }
       ++near;
       if (!isOther) ++lost;

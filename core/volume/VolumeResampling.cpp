@@ -114,18 +114,18 @@ class Resampling {
     const Vec3 first = n * block.cast<double>();
     if (const auto isFull = uniformIn(toFrom(first), toFrom(first + Vec3::Constant(n - 1.0))))
       return {nullptr, *isFull};
-    const VolumeSampler reader(m_from);
+    const VolumeSampler sampler(m_from);
     const double voxel = m_made.voxel();
     // Depths that are interpolated grow by no more than this to a way, and the corners of a block are 6.1 voxels away.
     constexpr double kSteepest = 1.8, kFar = VolumeBlock::kFull / VolumeBlock::kUnit + kSteepest * 6.1;
-    const double middle = reader.depthAt(m_made.origin() + voxel * (first + Vec3::Constant(0.5 * (n - 1.0)))).depth;
+    const double middle = sampler.depthAt(m_made.origin() + voxel * (first + Vec3::Constant(0.5 * (n - 1.0)))).depth;
     if (std::abs(middle) > kFar * voxel) return {nullptr, middle > 0.0};
     // What is as deep as can be stored there can be as deep as can be stored here.
     const double limit = 0.999 * m_from.voxel() * VolumeBlock::kFull / VolumeBlock::kUnit;
     auto samples = std::make_shared<VolumeBlock>();
     for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
       const VoxelIndex at = VolumeBlock::kSize * block + VoxelIndex(i & 7, i >> 3 & 7, i >> 6);
-      const double depth = reader.depthAt(m_made.centre(at)).depth;
+      const double depth = sampler.depthAt(m_made.centre(at)).depth;
       std::int16_t& sample = samples->depths[static_cast<std::size_t>(i)];
       sample = depthSample(depth / voxel);
       if (std::abs(depth) >= limit) sample = depth > 0.0 ? VolumeBlock::kFull : VolumeBlock::kEmpty;

@@ -18,10 +18,10 @@ struct SampledCell {
   std::array<double, 8> corners;  // as they are stored
   Vec3 share;
 
-  SampledCell(const VolumeSampler& reader, const Vec3& at) {
+  SampledCell(const VolumeSampler& sampler, const Vec3& at) {
     const VoxelIndex base = at.array().floor().cast<int>();
     share = at - base.cast<double>();
-    const std::array<std::int16_t, 8> samples = reader.samplesFrom(base);
+    const std::array<std::int16_t, 8> samples = sampler.samplesFrom(base);
     for (std::size_t k = 0; k < 8; ++k) corners[k] = samples[k];
   }
 
@@ -96,7 +96,7 @@ namespace {
 class RayWalk {
  public:
   RayWalk(const SparseVolume& volume, const Vec3& origin, const Vec3& direction)
-      : m_reader(volume), m_origin((origin - volume.origin()) / volume.voxel()), m_way(direction / volume.voxel()) {}
+      : m_sampler(volume), m_origin((origin - volume.origin()) / volume.voxel()), m_way(direction / volume.voxel()) {}
 
   // The distance to the surface; none: it is not met.
   std::optional<double> hit(const Box& bounds) const {
@@ -117,9 +117,9 @@ class RayWalk {
  private:
   static constexpr double kStep = 0.5;  // voxels
 
-  double depth(double distance) const { return m_reader.depthAt(pointAt(distance)).depth; }
+  double depth(double distance) const { return m_sampler.depthAt(pointAt(distance)).depth; }
   Vec3 pointAt(double distance) const {
-    const SparseVolume& volume = m_reader.volume();
+    const SparseVolume& volume = m_sampler.volume();
     return volume.origin() + volume.voxel() * (m_origin + distance * m_way);
   }
 
@@ -142,7 +142,7 @@ class RayWalk {
   double leap(double distance) const {
     const Vec3 at = m_origin + distance * m_way;
     const VoxelIndex block = SparseVolume::blockOf(at.array().floor().cast<int>().matrix());
-    const SparseVolume& volume = m_reader.volume();
+    const SparseVolume& volume = m_sampler.volume();
     const SparseVolume::View here = volume.view(block);
     for (int k = 0; k < 8; ++k) {
       const SparseVolume::View next = volume.view(block + VoxelIndex(k & 1, k >> 1 & 1, k >> 2));
@@ -165,7 +165,7 @@ class RayWalk {
     return inside;
   }
 
-  VolumeSampler m_reader;
+  VolumeSampler m_sampler;
   Vec3 m_origin, m_way;  // voxels
 };
 

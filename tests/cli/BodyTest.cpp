@@ -38,7 +38,7 @@ class BodyTest : public QObject {
 
  private slots:
   void init() {
-    m_bench = std::make_unique<Bench>();
+    m_bench = std::make_unique<Fixture>();
     m_bench->put("r.urdf", kRobot);
     m_bench->put("part.stl", corner(30));
   }
@@ -160,7 +160,7 @@ class BodyTest : public QObject {
   }
 
  private:
-  std::unique_ptr<Bench> m_bench;
+  std::unique_ptr<Fixture> m_bench;
 };
 
 HANDWHEEL_TEST(BodyTest)

@@ -14,7 +14,7 @@ namespace {
 const QStringList kCalibrate{"measure", "--calibrate"};
 const char* const kFile = "Handwheel/Handwheel/calibration.json";  // where the window looks, below the cache folder
 
-std::set<std::string> keptIds(const Bench& cache) {
+std::set<std::string> keptIds(const Fixture& cache) {
   std::set<std::string> ids;
   const auto kept = cache.json(kFile);
   for (const auto& curve : kept.at("curves")) ids.insert(curve.at("setting").get<std::string>());
@@ -36,15 +36,15 @@ class CalibrateTest : public QObject {
 
   // One setting after the other: what was kept of the first stays.
   void whatWasMeasuredIsKept() {
-    const Bench bench;
-    const Ran first = bench.run(kCalibrate + QStringList{"nurbs.chord_mm"});
+    const Fixture fixture;
+    const Ran first = fixture.run(kCalibrate + QStringList{"nurbs.chord_mm"});
     QCOMPARE(first.code, 0);
     QCOMPARE(first.err, QByteArray());
     for (const char* words : {"Machine: ", "Saved in: ", "\n  setting ", "\n  nurbs.chord_mm  ms "})
       QVERIFY2(first.out.contains(words), words);
     QCOMPARE(keptIds(*m_cache), std::set<std::string>{"nurbs.chord_mm"});
 
-    const Ran second = bench.run(kCalibrate + QStringList{"document.undo_granularity", "--json", "--csv", "a.csv"});
+    const Ran second = fixture.run(kCalibrate + QStringList{"document.undo_granularity", "--json", "--csv", "a.csv"});
     QCOMPARE(second.code, 0);
     QCOMPARE(keptIds(*m_cache), (std::set<std::string>{"document.undo_granularity", "nurbs.chord_mm"}));
     const auto json = nlohmann::json::parse(second.out.toStdString());
@@ -53,7 +53,7 @@ class CalibrateTest : public QObject {
     QVERIFY(json.at("settings")[0].at("setting") == "document.undo_granularity");
     QVERIFY(json.at("machine") == kept.at("machine"));
     QCOMPARE(QString::fromStdString(json.at("file")), m_cache->path() + "/" + kFile);
-    QVERIFY(bench.content("a.csv").contains("document.undo_granularity,"));
+    QVERIFY(fixture.content("a.csv").contains("document.undo_granularity,"));
     // The figures that are shown are those that are kept.
     const auto& rows = json.at("settings")[0].at("rows");
     for (const auto& curve : kept.at("curves")) {
@@ -65,12 +65,12 @@ class CalibrateTest : public QObject {
 
   // What is of another machine is not mixed with what is of this one.
   void anotherMachineIsForgotten() {
-    const Bench bench;
-    QCOMPARE(bench.run(kCalibrate + QStringList{"nurbs.chord_mm"}).code, 0);
+    const Fixture fixture;
+    QCOMPARE(fixture.run(kCalibrate + QStringList{"nurbs.chord_mm"}).code, 0);
     auto other = m_cache->json(kFile);
     other["machine"] = "Abacus, 1 cores";
     m_cache->put(kFile, QByteArray::fromStdString(other.dump()));
-    QCOMPARE(bench.run(kCalibrate + QStringList{"document.undo_granularity"}).code, 0);
+    QCOMPARE(fixture.run(kCalibrate + QStringList{"document.undo_granularity"}).code, 0);
     QCOMPARE(keptIds(*m_cache), std::set<std::string>{"document.undo_granularity"});
     QVERIFY(m_cache->json(kFile).at("machine") != "Abacus, 1 cores");
   }
@@ -78,20 +78,20 @@ class CalibrateTest : public QObject {
   // It is shown all the same.
   void whatCannotBeKeptIsTold() {
     qputenv("XDG_CACHE_HOME", "/proc/nowhere");
-    const Bench bench;
-    const Ran ran = bench.run(kCalibrate + QStringList{"nurbs.chord_mm"});
+    const Fixture fixture;
+    const Ran ran = fixture.run(kCalibrate + QStringList{"nurbs.chord_mm"});
     QCOMPARE(ran.code, 1);
     QVERIFY(ran.out.contains("nurbs.chord_mm") && !ran.out.contains("Saved in"));
     QVERIFY(ran.err.startsWith("handwheel: ") && ran.err.count('\n') == 1);
   }
 
   void wrongWords() {
-    const Bench bench;
+    const Fixture fixture;
     for (const QStringList& words :
          {QStringList{"--steps", "3"}, QStringList{"--repeats=2"}, QStringList{"--list"},
           QStringList{"--input", "a.stl"}, QStringList{"--budget", "ms=1"}, QStringList{"--write-curves", "."},
           QStringList{"view.coarse"}, QStringList{"servo.velocity_window"}}) {
-      const Ran ran = bench.run(kCalibrate + words);
+      const Ran ran = fixture.run(kCalibrate + words);
       QCOMPARE(ran.code, 1);
       QCOMPARE(ran.out, QByteArray());
       QVERIFY(ran.err.endsWith("Try 'handwheel help measure'.\n"));
@@ -101,9 +101,9 @@ class CalibrateTest : public QObject {
 
   // A curve that is not whole is not kept.
   void interrupted() {
-    const Bench bench;
+    const Fixture fixture;
     QProcess process;
-    process.setWorkingDirectory(bench.path());
+    process.setWorkingDirectory(fixture.path());
     process.start(HANDWHEEL_PROGRAM, kCalibrate);
     QVERIFY(process.waitForStarted());
     QTRY_VERIFY_WITH_TIMEOUT(catches(process.processId(), SIGINT), 30000);
@@ -118,7 +118,7 @@ class CalibrateTest : public QObject {
   }
 
  private:
-  std::optional<Bench> m_cache;
+  std::optional<Fixture> m_cache;
 };
 
 HANDWHEEL_TEST(CalibrateTest)

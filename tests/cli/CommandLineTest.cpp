@@ -13,8 +13,8 @@ class CommandLineTest : public QObject {
 
  private slots:
   void help() {
-    const Bench bench;
-    const Ran overview = bench.run({"--help"});
+    const Fixture fixture;
+    const Ran overview = fixture.run({"--help"});
     QCOMPARE(overview.code, 0);
     QCOMPARE(overview.err, QByteArray());
     for (const char* command : {"inspect",  "repair",   "convert",
@@ -34,7 +34,7 @@ class CommandLineTest : public QObject {
                                 "clay",     "drill",    "drill-experiments",
                                 "segment"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
-      const Ran page = bench.run({"help", command});
+      const Ran page = fixture.run({"help", command});
       QStringList options;  // no two of one name
       for (const QByteArray& line : page.out.split('\n')) {
         const QString option = QString::fromUtf8(line).section(QStringLiteral("--"), 1, 1).section(' ', 0, 0);
@@ -44,9 +44,9 @@ class CommandLineTest : public QObject {
       QCOMPARE(options.removeDuplicates(), 0);
       QCOMPARE(page.code, 0);
       QVERIFY(page.out.startsWith(QByteArray("Usage: handwheel ") + command + " "));
-      QCOMPARE(bench.run({command, "--help"}).out, page.out);
+      QCOMPARE(fixture.run({command, "--help"}).out, page.out);
     }
-    QCOMPARE(bench.run({"help"}).out, overview.out);
+    QCOMPARE(fixture.run({"help"}).out, overview.out);
     // Whole sentences: a point within a word, as in ".stl" and "25.4", ends none.
     const QString table = QString(overview.out).section("Commands:\n", 1).section("\n\n", 0, 0) + '\n';
     const QRegularExpression command("^  [a-z-]+ ", QRegularExpression::MultilineOption);
@@ -67,12 +67,12 @@ class CommandLineTest : public QObject {
     for (const char* option :
          {"-o", "--fill", "--continuity", "--keep-open", "--open-sheets", "--max-hole", "--remove-debris",
           "--keep-folded-regions", "--unit", "--partial", "--report", "--screenshot"}) {
-      QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);
+      QVERIFY2(fixture.run({"help", "repair"}).out.contains(option), option);
     }
   }
 
   void version() {
-    const Ran ran = Bench().run({"--version"});
+    const Ran ran = Fixture().run({"--version"});
     QCOMPARE(ran.code, 0);
     QVERIFY(QRegularExpression("^Handwheel \\d+\\.\\d+\\.\\d+\\n$").match(ran.out).hasMatch());
   }
@@ -126,7 +126,7 @@ class CommandLineTest : public QObject {
   void mistakes() {
     QFETCH(QStringList, words);
     QFETCH(QByteArray, message);
-    const Ran ran = Bench().run(words);
+    const Ran ran = Fixture().run(words);
     QCOMPARE(ran.code, 1);
     QCOMPARE(ran.out, QByteArray());
     QCOMPARE(ran.err, message);
@@ -135,19 +135,19 @@ class CommandLineTest : public QObject {
   void optionsInEveryForm() {
     for (const QStringList& output :
          {QStringList{"-o", "b.off"}, {"-ob.off"}, {"--output", "b.off"}, {"--output=b.off"}}) {
-      const Bench bench;
-      bench.put("a.off", cube().off());
-      QCOMPARE(bench.run(QStringList{"repair"} + output + QStringList{"a.off"}).code, 0);
-      QCOMPARE(bench.names(), (QStringList{"a.off", "b.off"}));
+      const Fixture fixture;
+      fixture.put("a.off", cube().off());
+      QCOMPARE(fixture.run(QStringList{"repair"} + output + QStringList{"a.off"}).code, 0);
+      QCOMPARE(fixture.names(), (QStringList{"a.off", "b.off"}));
     }
   }
 
   // No file that the program opens takes the place of its closed output.
   void closedOutputIsAnError() {
-    const Bench bench;
-    bench.put("a.off", cube().off());
+    const Fixture fixture;
+    fixture.put("a.off", cube().off());
     QProcess process;
-    process.setWorkingDirectory(bench.path());
+    process.setWorkingDirectory(fixture.path());
     process.start("sh", {"-c", QString("exec '%1' inspect a.off 0<&- 1>&-").arg(HANDWHEEL_PROGRAM)});
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.exitCode(), 1);
@@ -158,11 +158,11 @@ class CommandLineTest : public QObject {
   // Redirected to a full disk, the figures are not lost silently.
   void fullOutputIsAnError() {
     if (!QFile::exists("/dev/full")) QSKIP("there is no /dev/full");
-    const Bench bench;
-    bench.put("a.off", cube().off());
+    const Fixture fixture;
+    fixture.put("a.off", cube().off());
     QProcess process;
     process.setStandardOutputFile("/dev/full");
-    process.start(HANDWHEEL_PROGRAM, {"inspect", bench.path() + "/a.off"});
+    process.start(HANDWHEEL_PROGRAM, {"inspect", fixture.path() + "/a.off"});
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.exitCode(), 1);
     QVERIFY(process.readAllStandardError().contains("No space left on device"));

@@ -13,24 +13,24 @@ using Json = nlohmann::json;
 
 namespace {
 
-Container containerIn(const Bench& bench, const QString& name) {
-  const auto read = readContainer(bench.content(name).toStdString());
+Container containerIn(const Fixture& fixture, const QString& name) {
+  const auto read = readContainer(fixture.content(name).toStdString());
   return read ? read->container : Container();
 }
 
-void put(const Bench& bench, const QString& name, const Container& container) {
-  bench.put(name, QByteArray::fromStdString(*writeContainer(container, Compression::Fast)));
+void put(const Fixture& fixture, const QString& name, const Container& container) {
+  fixture.put(name, QByteArray::fromStdString(*writeContainer(container, Compression::Fast)));
 }
 
 // The same, as a program of the next version would have written it.
-void putNewer(const Bench& bench, const QString& name, const Container& container) {
+void putNewer(const Fixture& fixture, const QString& name, const Container& container) {
   Json manifest = *container.manifest;
   manifest["handwheel"]["format"] = kContainerVersion + 1;
   const std::string text = manifest.dump();
   std::vector<ZipEntry> entries{{"manifest.json", text}};
   for (const auto& [blob, bytes] : container.blobs) entries.push_back({blob, bytes});
   entries.push_back({"manifest.copy.json", text});
-  bench.put(name, QByteArray::fromStdString(*writeZip(entries, Compression::Fast)));
+  fixture.put(name, QByteArray::fromStdString(*writeZip(entries, Compression::Fast)));
 }
 
 int loopWith(const Json& report, int edges) {
@@ -42,29 +42,29 @@ int loopWith(const Json& report, int edges) {
 
 // A box with three holes, of 4, 6 and 8 edges, in a document with all that can be lost of one: a mark on the hole with
 // 6 edges, a unit, and what this program does not know.
-void putDocument(const Bench& bench, const QString& name) {
-  bench.put("a.off", holedBox().off());
-  const int kept = loopWith(bench.inspected("a.off"), 6);
-  bench.run({"repair", "a.off", "-o", name, "--keep-open", QString::number(kept), "--max-hole", "3"});
-  bench.run({"set", name, "display_unit=in", "-o", name});
-  Container container = containerIn(bench, name);
+void putDocument(const Fixture& fixture, const QString& name) {
+  fixture.put("a.off", holedBox().off());
+  const int kept = loopWith(fixture.inspected("a.off"), 6);
+  fixture.run({"repair", "a.off", "-o", name, "--keep-open", QString::number(kept), "--max-hole", "3"});
+  fixture.run({"set", name, "display_unit=in", "-o", name});
+  Container container = containerIn(fixture, name);
   (*container.manifest)["future"] = {{"list", {1, {{"deep", true}}}}};
   (*container.manifest)["document"]["future"] = {{"object", {{"deep", "yes"}}}};
   container.blobs["future/data"] = "kept";
-  put(bench, name, container);
+  put(fixture, name, container);
 }
 
 // Other names of a file: symbolic and hard links, also with the ending of another format.
-void putLinks(const Bench& bench, const QString& name) {
-  const std::filesystem::path folder = bench.path().toStdString(), file = folder / name.toStdString();
+void putLinks(const Fixture& fixture, const QString& name) {
+  const std::filesystem::path folder = fixture.path().toStdString(), file = folder / name.toStdString();
   for (const char* ending : {".handwheel", ".stl"}) {
     std::filesystem::create_symlink(file.filename(), folder / (std::string("link") + ending));
     std::filesystem::create_hard_link(file, folder / (std::string("hard") + ending));
   }
 }
 
-void compareWhatMustNotBeLost(const Bench& bench, const QString& before, const QString& after) {
-  const Container was = containerIn(bench, before), is = containerIn(bench, after);
+void compareWhatMustNotBeLost(const Fixture& fixture, const QString& before, const QString& after) {
+  const Container was = containerIn(fixture, before), is = containerIn(fixture, after);
   for (const char* key : {"id", "display_unit", "future", "kind"}) QVERIFY((*is.manifest)[key] == (*was.manifest)[key]);
   for (const char* key : {"kept_open", "future", "numbers"})
     QVERIFY((*is.manifest)["document"][key] == (*was.manifest)["document"][key]);
@@ -79,44 +79,44 @@ class ContainersTest : public QObject {
 
  private slots:
   void repairKeepsTheDocument() {
-    const Bench bench;
-    putDocument(bench, "a.handwheel");
-    const Ran ran = bench.run({"repair", "a.handwheel", "-o", "b.handwheel", "--report", "r.json"});
+    const Fixture fixture;
+    putDocument(fixture, "a.handwheel");
+    const Ran ran = fixture.run({"repair", "a.handwheel", "-o", "b.handwheel", "--report", "r.json"});
     QCOMPARE(ran.code, 2);
     QVERIFY(ran.out.startsWith("2 of 3 holes filled, 1 kept open. "));
     QVERIFY(ran.err.contains(", 6 edges) stays open: it is marked to be kept open."));
-    compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
-    const Json after = bench.inspected("b.handwheel");
+    compareWhatMustNotBeLost(fixture, "a.handwheel", "b.handwheel");
+    const Json after = fixture.inspected("b.handwheel");
     QCOMPARE(after.at("loops").size(), std::size_t(1));
     QCOMPARE(after.at("loops").at(0).at("edges").get<int>(), 6);
     QCOMPARE(after.at("kept_open").size(), std::size_t(1));
-    QVERIFY(bench.json("r.json").at("unmodified_vertices_identical").get<bool>());
+    QVERIFY(fixture.json("r.json").at("unmodified_vertices_identical").get<bool>());
     // In place, and once more: nothing is left to do.
-    QCOMPARE(bench.run({"repair", "b.handwheel", "-o", "b.handwheel"}).code, 2);
-    compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
+    QCOMPARE(fixture.run({"repair", "b.handwheel", "-o", "b.handwheel"}).code, 2);
+    compareWhatMustNotBeLost(fixture, "a.handwheel", "b.handwheel");
     // The marks hold for exports too.
-    QVERIFY(bench.run({"repair", "a.handwheel", "-o", "b.stl"}).out.startsWith("2 of 3 holes filled, 1 kept open. "));
+    QVERIFY(fixture.run({"repair", "a.handwheel", "-o", "b.stl"}).out.startsWith("2 of 3 holes filled, 1 kept open. "));
   }
 
   void convertAndSetKeepTheDocument() {
-    const Bench bench;
-    putDocument(bench, "a.handwheel");
-    QCOMPARE(bench.run({"convert", "a.handwheel", "b.handwheel"}).code, 0);
-    compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
-    QCOMPARE(bench.content("b.handwheel"), bench.content("a.handwheel"));
-    QCOMPARE(bench.run({"set", "b.handwheel", "display_unit=mm", "-o", "b.handwheel"}).code, 0);
-    QCOMPARE(bench.run({"set", "b.handwheel", "display_unit=in", "-o", "b.handwheel"}).code, 0);
-    QCOMPARE(bench.content("b.handwheel"), bench.content("a.handwheel"));
-    QCOMPARE(bench.run({"set", "a.handwheel", "display_unit=in", "-o", "c.handwheel"}).code, 0);
-    QCOMPARE(bench.content("c.handwheel"), bench.content("a.handwheel"));
+    const Fixture fixture;
+    putDocument(fixture, "a.handwheel");
+    QCOMPARE(fixture.run({"convert", "a.handwheel", "b.handwheel"}).code, 0);
+    compareWhatMustNotBeLost(fixture, "a.handwheel", "b.handwheel");
+    QCOMPARE(fixture.content("b.handwheel"), fixture.content("a.handwheel"));
+    QCOMPARE(fixture.run({"set", "b.handwheel", "display_unit=mm", "-o", "b.handwheel"}).code, 0);
+    QCOMPARE(fixture.run({"set", "b.handwheel", "display_unit=in", "-o", "b.handwheel"}).code, 0);
+    QCOMPARE(fixture.content("b.handwheel"), fixture.content("a.handwheel"));
+    QCOMPARE(fixture.run({"set", "a.handwheel", "display_unit=in", "-o", "c.handwheel"}).code, 0);
+    QCOMPARE(fixture.content("c.handwheel"), fixture.content("a.handwheel"));
   }
 
   // A document keeps the numbers of its vertices. After an edit its loops are in another order than its bare triangles
   // would give; the numbers that inspect shows are those that repair takes.
   void loopsHaveTheNumbersThatInspectShows() {
-    const Bench bench;
-    putDocument(bench, "a.handwheel");
-    Container container = containerIn(bench, "a.handwheel");
+    const Fixture fixture;
+    putDocument(fixture, "a.handwheel");
+    Container container = containerIn(fixture, "a.handwheel");
     // The last triangles become the first: their vertices are met first by whoever reads triangles only.
     std::string& faces = container.blobs.at("mesh/faces/0000");
     const std::size_t count = faces.size() / 24;
@@ -130,15 +130,15 @@ class ContainersTest : public QObject {
         if (opposite < 3 * count) opposite = 3 * (count - 1 - opposite / 3) + opposite % 3;
       }
     }
-    put(bench, "b.handwheel", container);
-    const Json report = bench.inspected("b.handwheel");
-    QVERIFY(bench.run({"inspect", "b.handwheel"}).err.isEmpty());  // still a sound mesh
-    QCOMPARE(bench.run({"convert", "b.handwheel", "bare.off"}).code, 0);
-    QVERIFY(loopWith(bench.inspected("bare.off"), 8) != loopWith(report, 8));
+    put(fixture, "b.handwheel", container);
+    const Json report = fixture.inspected("b.handwheel");
+    QVERIFY(fixture.run({"inspect", "b.handwheel"}).err.isEmpty());  // still a sound mesh
+    QCOMPARE(fixture.run({"convert", "b.handwheel", "bare.off"}).code, 0);
+    QVERIFY(loopWith(fixture.inspected("bare.off"), 8) != loopWith(report, 8));
     QCOMPARE(report.at("kept_open").at(0).get<int>(), loopWith(report, 6));
     const QString id = QString::number(loopWith(report, 8));
-    bench.run({"repair", "b.handwheel", "-o", "c.handwheel", "--keep-open", id});
-    const Json after = bench.inspected("c.handwheel");
+    fixture.run({"repair", "b.handwheel", "-o", "c.handwheel", "--keep-open", id});
+    const Json after = fixture.inspected("c.handwheel");
     QCOMPARE(after.at("loops").size(), std::size_t(2));
     QVERIFY(loopWith(after, 4) == -1);
     QCOMPARE(after.at("kept_open").size(), std::size_t(2));
@@ -164,30 +164,30 @@ class ContainersTest : public QObject {
   }
   void newerFilesAreNotReplaced() {
     QFETCH(QStringList, words);
-    const Bench bench;
-    putDocument(bench, "a.handwheel");
-    putNewer(bench, "n.handwheel", containerIn(bench, "a.handwheel"));
-    putLinks(bench, "n.handwheel");
-    const QByteArray before = bench.content("n.handwheel");
-    const Ran ran = bench.run(words);
+    const Fixture fixture;
+    putDocument(fixture, "a.handwheel");
+    putNewer(fixture, "n.handwheel", containerIn(fixture, "a.handwheel"));
+    putLinks(fixture, "n.handwheel");
+    const QByteArray before = fixture.content("n.handwheel");
+    const Ran ran = fixture.run(words);
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.endsWith(" was written by a newer version of Handwheel and is not replaced, so that no content "
                               "unknown to this version is lost. Write to another file.\n"),
              ran.err);
-    QCOMPARE(bench.content("n.handwheel"), before);
-    QVERIFY(QFileInfo(bench.path() + "/link.handwheel").isSymLink());
+    QCOMPARE(fixture.content("n.handwheel"), before);
+    QVERIFY(QFileInfo(fixture.path() + "/link.handwheel").isSymLink());
   }
 
   void newerFilesAreReadAsFarAsTheyAreUnderstood() {
-    const Bench bench;
-    putDocument(bench, "a.handwheel");
-    putNewer(bench, "n.handwheel", containerIn(bench, "a.handwheel"));
-    const Ran ran = bench.run({"convert", "n.handwheel", "b.handwheel"});
+    const Fixture fixture;
+    putDocument(fixture, "a.handwheel");
+    putNewer(fixture, "n.handwheel", containerIn(fixture, "a.handwheel"));
+    const Ran ran = fixture.run({"convert", "n.handwheel", "b.handwheel"});
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.err,
              QByteArray("handwheel: A newer version of Handwheel wrote the file; only what this version knows was "
                         "read.\n"));
-    compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
+    compareWhatMustNotBeLost(fixture, "a.handwheel", "b.handwheel");
   }
 
   void damagedFilesAreNotReplaced_data() {
@@ -204,38 +204,38 @@ class ContainersTest : public QObject {
   }
   void damagedFilesAreNotReplaced() {
     QFETCH(QStringList, words);
-    const Bench bench;
-    putDocument(bench, "a.handwheel");
-    QByteArray damaged = bench.content("a.handwheel");
+    const Fixture fixture;
+    putDocument(fixture, "a.handwheel");
+    QByteArray damaged = fixture.content("a.handwheel");
     damaged.replace("future/data", "fXture/data");  // in the local header and in the directory
-    bench.put("d.handwheel", damaged);
-    putLinks(bench, "d.handwheel");
-    QVERIFY(QDir(bench.path()).mkdir("sub"));
-    const Ran ran = bench.run(words);
+    fixture.put("d.handwheel", damaged);
+    putLinks(fixture, "d.handwheel");
+    QVERIFY(QDir(fixture.path()).mkdir("sub"));
+    const Ran ran = fixture.run(words);
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains("'future/data' is missing"), ran.err);
     QVERIFY2(ran.err.endsWith(" is damaged and is not replaced, to prevent further loss. Write to "
                               "another file.\n"),
              ran.err);
-    QCOMPARE(bench.content("d.handwheel"), damaged);
+    QCOMPARE(fixture.content("d.handwheel"), damaged);
     // What can be had of it goes elsewhere, and a whole file may take its place.
     words.last() = "e.handwheel";
-    QVERIFY(bench.run(words).code != 1);
-    QVERIFY(bench.names().contains("e.handwheel"));
-    QCOMPARE(bench.run({"convert", "e.handwheel", "d.handwheel"}).code, 0);
+    QVERIFY(fixture.run(words).code != 1);
+    QVERIFY(fixture.names().contains("e.handwheel"));
+    QCOMPARE(fixture.run({"convert", "e.handwheel", "d.handwheel"}).code, 0);
   }
 
   void importedDocumentsRememberWhatWasTurned() {
     Shape shape = cube();
     std::swap(shape.faces[7][0], shape.faces[7][1]);
-    const Bench bench;
-    bench.put("a.off", shape.off());
-    const Ran ran = bench.run({"convert", "a.off", "a.handwheel"});
+    const Fixture fixture;
+    fixture.put("a.off", shape.off());
+    const Ran ran = fixture.run({"convert", "a.off", "a.handwheel"});
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.err, QByteArray("handwheel: Triangles reversed to agree with their neighbours: 1.\n"));
-    QVERIFY((*containerIn(bench, "a.handwheel").manifest)["document"]["turned_faces"] == 1);
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.handwheel"}).code, 0);
-    QVERIFY((*containerIn(bench, "b.handwheel").manifest)["document"]["turned_faces"] == 1);
+    QVERIFY((*containerIn(fixture, "a.handwheel").manifest)["document"]["turned_faces"] == 1);
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.handwheel"}).code, 0);
+    QVERIFY((*containerIn(fixture, "b.handwheel").manifest)["document"]["turned_faces"] == 1);
   }
 };
 

@@ -47,40 +47,40 @@ class ConvertTest : public QObject {
     shape.faces.push_back(shape.faces[2]);  // a duplicate
     shape.faces.push_back({0, 1, 1});       // a degenerate one
     shape.add(moebiusStrip(7), {1.0 / 3.0, 0, 0});
-    const Bench bench;
-    bench.put("0.off", shape.off());
+    const Fixture fixture;
+    fixture.put("0.off", shape.off());
     const char* names[] = {"0.off", "1.ply", "2.obj", "3.off", "4.ply", "5.stl"};
     for (int i = 0; i + 1 < 6; ++i) {
-      const Ran ran = bench.run({"convert", names[i], names[i + 1]});
+      const Ran ran = fixture.run({"convert", names[i], names[i + 1]});
       QCOMPARE(ran.code, 0);
       QCOMPARE(ran.out, QByteArray());
       QCOMPARE(ran.err,
                i < 4 ? QByteArray()
                      : QByteArray("handwheel: The coordinates are rounded to the single precision of the format.\n"));
     }
-    QCOMPARE(trianglesOf(bench.content("5.stl")), trianglesOf(shape));
+    QCOMPARE(trianglesOf(fixture.content("5.stl")), trianglesOf(shape));
     // What never was in single precision on the way is the same to the last bit.
-    QCOMPARE(bench.run({"inspect", "4.ply", "--json"}).out, bench.run({"inspect", "0.off", "--json"}).out);
+    QCOMPARE(fixture.run({"inspect", "4.ply", "--json"}).out, fixture.run({"inspect", "0.off", "--json"}).out);
   }
 
   void saysWhatIsNotKept() {
-    const Bench bench;
-    bench.put("a.ply",
-              "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-              "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
-              "property list uchar int vertex_indices\nend_header\n"
-              "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
-    const Ran ran = bench.run({"convert", "a.ply", "b.stl"});
+    const Fixture fixture;
+    fixture.put("a.ply",
+                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
+                "property list uchar int vertex_indices\nend_header\n"
+                "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
+    const Ran ran = fixture.run({"convert", "a.ply", "b.stl"});
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.err, QByteArray("handwheel: Not kept: colours.\n"));
   }
 
   void inPlace() {
-    const Bench bench;
-    bench.put("a.off", cube().off());
-    QCOMPARE(bench.run({"convert", "a.off", "a.off"}).code, 0);
-    QCOMPARE(bench.run({"convert", "a.off", "b.stl"}).code, 0);
-    QCOMPARE(trianglesOf(bench.content("b.stl")), trianglesOf(cube()));
+    const Fixture fixture;
+    fixture.put("a.off", cube().off());
+    QCOMPARE(fixture.run({"convert", "a.off", "a.off"}).code, 0);
+    QCOMPARE(fixture.run({"convert", "a.off", "b.stl"}).code, 0);
+    QCOMPARE(trianglesOf(fixture.content("b.stl")), trianglesOf(cube()));
   }
 
   void errors_data() {
@@ -98,12 +98,12 @@ class ConvertTest : public QObject {
   void errors() {
     QFETCH(QString, in);
     QFETCH(QString, out);
-    const Bench bench;
-    bench.put("a.off", cube().off());
-    const Ran ran = bench.run({"convert", in, out});
+    const Fixture fixture;
+    fixture.put("a.off", cube().off());
+    const Ran ran = fixture.run({"convert", in, out});
     QCOMPARE(ran.code, 1);
     QCOMPARE(ran.err.count('\n'), 1);
-    QCOMPARE(bench.names(), QStringList{"a.off"});
+    QCOMPARE(fixture.names(), QStringList{"a.off"});
   }
 };
 

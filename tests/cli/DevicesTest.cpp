@@ -18,11 +18,11 @@ class DevicesTest : public QObject {
   }
 
   void listsDriversDevicesAndPlugins() {
-    const Bench bench;
-    bench.put("socket", "x");
+    const Fixture fixture;
+    fixture.put("socket", "x");
     qputenv("HANDWHEEL_PLUGINS", EXAMPLE_PLUGINS);
-    qputenv("HANDWHEEL_EXAMPLE_DEVICE", (bench.path() + "/socket").toUtf8());
-    const Ran ran = bench.run({"devices", "--json"}, "de_DE.UTF-8");
+    qputenv("HANDWHEEL_EXAMPLE_DEVICE", (fixture.path() + "/socket").toUtf8());
+    const Ran ran = fixture.run({"devices", "--json"}, "de_DE.UTF-8");
     QCOMPARE(ran.code, 0);
     QVERIFY2(ran.err.isEmpty(), ran.err);
     const nlohmann::json json = nlohmann::json::parse(ran.out.toStdString());
@@ -42,16 +42,16 @@ class DevicesTest : public QObject {
                             "max_angular_stiffness_nmm_per_rad", "max_damping_ns_per_mm"})
       QVERIFY2(device["capabilities"].contains(key), key);
 
-    const Ran readable = bench.run({"devices"});
+    const Ran readable = fixture.run({"devices"});
     QCOMPARE(readable.code, 0);
     QVERIFY2(readable.out.contains("Example device (example, "), readable.out);
     QVERIFY2(readable.out.contains("3 axes in, 3 driven, up to 5 N, 0 buttons"), readable.out);
   }
 
   void aPluginOfAnotherVersionIsToldAndTheRestGoesOn() {
-    const Bench bench;
+    const Fixture fixture;
     qputenv("HANDWHEEL_PLUGINS", OLD_PLUGINS ":" EXAMPLE_PLUGINS);
-    const Ran ran = bench.run({"devices", "--json"});
+    const Ran ran = fixture.run({"devices", "--json"});
     QCOMPARE(ran.code, 0);
     QVERIFY2(ran.err.contains("another version of Handwheel (handwheel.device/0, here "), ran.err);
     const nlohmann::json json = nlohmann::json::parse(ran.out.toStdString());
@@ -62,9 +62,9 @@ class DevicesTest : public QObject {
   }
 
   void withoutPluginsItSaysSo() {
-    const Bench bench;
+    const Fixture fixture;
     qputenv("HANDWHEEL_PLUGINS", "/nowhere");
-    const Ran ran = bench.run({"devices", "--json"});
+    const Ran ran = fixture.run({"devices", "--json"});
     QCOMPARE(ran.code, 0);
     const nlohmann::json json = nlohmann::json::parse(ran.out.toStdString());
     QVERIFY(json["plugins"].empty());

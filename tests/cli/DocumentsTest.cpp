@@ -30,60 +30,60 @@ class DocumentsTest : public QObject {
 
  private slots:
   void aWorkpieceIsMadeChangedAndExported() {
-    const Bench bench;
-    QCOMPARE(bench.run({"new", "workpiece", "diameter=25.4*2", "length=4in", "-o", "bar.handwheel"}).code, 0);
-    nlohmann::json bar = jsonOf(bench.run({"inspect", "--json", "bar.handwheel"}));
+    const Fixture fixture;
+    QCOMPARE(fixture.run({"new", "workpiece", "diameter=25.4*2", "length=4in", "-o", "bar.handwheel"}).code, 0);
+    nlohmann::json bar = jsonOf(fixture.run({"inspect", "--json", "bar.handwheel"}));
     QCOMPARE(bar["kind"].get<std::string>(), std::string("workpiece"));
     const nlohmann::json& document = bar["document"];
     QCOMPARE(document["diameter"].get<double>(), 50.8);
     QCOMPARE(document["length"].get<double>(), 101.6);
     QCOMPARE(document["volume"].get<double>(), std::numbers::pi * 25.4 * 25.4 * 101.6);
 
-    QCOMPARE(bench.run({"set", "bar.handwheel", "diameter=20", "display_unit=in", "-o", "bar.handwheel"}).code, 0);
-    QCOMPARE(bench.run({"convert", "bar.handwheel", "bar.step"}).code, 0);
-    QVERIFY(bench.content("bar.step").startsWith("ISO-10303-21"));
-    QCOMPARE(bench.run({"convert", "bar.handwheel", "bar.stl"}).code, 0);
-    const nlohmann::json mesh = jsonOf(bench.run({"inspect", "--json", "bar.stl"}));
+    QCOMPARE(fixture.run({"set", "bar.handwheel", "diameter=20", "display_unit=in", "-o", "bar.handwheel"}).code, 0);
+    QCOMPARE(fixture.run({"convert", "bar.handwheel", "bar.step"}).code, 0);
+    QVERIFY(fixture.content("bar.step").startsWith("ISO-10303-21"));
+    QCOMPARE(fixture.run({"convert", "bar.handwheel", "bar.stl"}).code, 0);
+    const nlohmann::json mesh = jsonOf(fixture.run({"inspect", "--json", "bar.stl"}));
     QVERIFY(mesh["closed"].get<bool>());
     const double exact = std::numbers::pi * 100.0 * 101.6;
     QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / exact - 1.0) < 5e-3);
-    const QByteArray text = bench.run({"inspect", "bar.handwheel"}).out;
+    const QByteArray text = fixture.run({"inspect", "bar.handwheel"}).out;
     QVERIFY(text.contains("diameter: 20 mm"));
     QVERIFY(text.contains("display_unit: in"));
   }
 
   void whatCannotBeSetIsRefusedByName() {
-    const Bench bench;
-    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
-    const QByteArray before = bench.content("bar.handwheel");
+    const Fixture fixture;
+    QCOMPARE(fixture.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    const QByteArray before = fixture.content("bar.handwheel");
     for (const char* word : {"diameter=-5", "diameter=0", "diameter=nonsense", "diameter=3deg", "diametre=5",
                              "volume=7", "display_unit=furlong", "diameter"}) {
-      const Ran ran = bench.run({"set", "bar.handwheel", word, "-o", "bar.handwheel"});
+      const Ran ran = fixture.run({"set", "bar.handwheel", word, "-o", "bar.handwheel"});
       QCOMPARE(ran.code, 1);
       QVERIFY2(ran.err.startsWith("handwheel: ") && ran.err.count('\n') == 1, ran.err);
     }
-    QCOMPARE(bench.content("bar.handwheel"), before);
-    QCOMPARE(bench.run({"new", "castle", "-o", "x.handwheel"}).code, 1);
-    QCOMPARE(bench.run({"new", "mesh", "-o", "x.handwheel"}).code, 1);
+    QCOMPARE(fixture.content("bar.handwheel"), before);
+    QCOMPARE(fixture.run({"new", "castle", "-o", "x.handwheel"}).code, 1);
+    QCOMPARE(fixture.run({"new", "mesh", "-o", "x.handwheel"}).code, 1);
   }
 
   // The tool of a one-joint arm goes round a circle of 300 mm about (0, 0, 200).
   // Which endings there are depends on what is to be written; what is read depends on nothing.
   void errorsNameTheEndingsThatFit() {
-    const Bench bench;
-    bench.put("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    bench.put("env.sh", "export A=1\n");
-    const Ran made = bench.run({"new", "workpiece", "-o", "x.foo"});
+    const Fixture fixture;
+    fixture.put("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    fixture.put("env.sh", "export A=1\n");
+    const Ran made = fixture.run({"new", "workpiece", "-o", "x.foo"});
     QVERIFY(made.err.contains("'.foo'"));
     QVERIFY2(made.err.contains("ends in .step, .stp, .stl, .ply, .obj, .off, .3mf, .dxf, .svg, .pdf or .handwheel."),
              made.err.constData());
-    const Ran converted = bench.run({"convert", "a.off", "x.docx"});
+    const Ran converted = fixture.run({"convert", "a.off", "x.docx"});
     QVERIFY2(converted.err.contains("ends in .stl, .ply, .obj, .off, .3mf or .handwheel."), converted.err.constData());
-    const Ran split = bench.run({"split", "a.off", "--format", "foo", "-o", "parts"});
+    const Ran split = fixture.run({"split", "a.off", "--format", "foo", "-o", "parts"});
     QVERIFY2(split.err.contains("ends in .stl, .ply, .obj, .off or .3mf."), split.err.constData());
     for (const QStringList& words :
          {QStringList{"inspect", "env.sh"}, QStringList{"convert", "env.sh", "x.handwheel"}}) {
-      const Ran read = bench.run(words);
+      const Ran read = fixture.run(words);
       QVERIFY2(read.err.contains("not a file that Handwheel can read"), read.err.constData());
       for (const char* ending : {".stl", ".3mf", ".step", ".urdf", ".handwheel"})
         QVERIFY2(read.err.contains(ending), read.err);
@@ -91,11 +91,11 @@ class DocumentsTest : public QObject {
   }
 
   void aRobotMovesAndOpensWithoutItsDescription() {
-    const Bench bench;
-    bench.put("arm.urdf", kArm);
-    QCOMPARE(bench.run({"set", "arm.urdf", "joint.lift=-30deg", "-o", "arm.handwheel"}).code, 0);
-    QVERIFY(QFile::remove(bench.path() + "/arm.urdf"));
-    const nlohmann::json cell = jsonOf(bench.run({"inspect", "--json", "arm.handwheel"}));
+    const Fixture fixture;
+    fixture.put("arm.urdf", kArm);
+    QCOMPARE(fixture.run({"set", "arm.urdf", "joint.lift=-30deg", "-o", "arm.handwheel"}).code, 0);
+    QVERIFY(QFile::remove(fixture.path() + "/arm.urdf"));
+    const nlohmann::json cell = jsonOf(fixture.run({"inspect", "--json", "arm.handwheel"}));
     QCOMPARE(cell["kind"].get<std::string>(), std::string("cell"));
     const nlohmann::json& joint = cell["document"]["joints"][0];
     QCOMPARE(joint["name"].get<std::string>(), std::string("lift"));
@@ -104,41 +104,41 @@ class DocumentsTest : public QObject {
     const auto position = cell["document"]["tool"]["position"].get<std::vector<double>>();
     QVERIFY(std::abs(position[0] - 300.0 * std::cos(std::numbers::pi / 6.0)) < 1e-9);
     QVERIFY(std::abs(position[2] - (200.0 + 150.0)) < 1e-9);
-    const QByteArray text = bench.run({"inspect", "arm.handwheel"}).out;
+    const QByteArray text = fixture.run({"inspect", "arm.handwheel"}).out;
     QVERIFY2(text.contains("  joint.lift: -30 deg (-90 deg to 90 deg)\n"), text);
     QVERIFY2(text.contains("  joints.unknown_effort: all joints\n") && !text.contains("is not known"), text);
-    QCOMPARE(bench.run({"set", "arm.handwheel", "joint.lift=1e-11rad", "-o", "level.handwheel"}).code, 0);
-    const QByteArray level = bench.run({"inspect", "level.handwheel"}).out;
+    QCOMPARE(fixture.run({"set", "arm.handwheel", "joint.lift=1e-11rad", "-o", "level.handwheel"}).code, 0);
+    const QByteArray level = fixture.run({"inspect", "level.handwheel"}).out;
     QVERIFY2(level.contains("  joint.lift: 0 deg (-90"), level);  // as the remainder of a sum is shown
-    QCOMPARE(bench.run({"set", "arm.handwheel", "joint.lift=120deg", "-o", "x.handwheel"}).code,
+    QCOMPARE(fixture.run({"set", "arm.handwheel", "joint.lift=120deg", "-o", "x.handwheel"}).code,
              1);  // beyond its limit
-    const Ran repair = bench.run({"repair", "arm.handwheel", "-o", "x.stl"});
+    const Ran repair = fixture.run({"repair", "arm.handwheel", "-o", "x.stl"});
     QCOMPARE(repair.code, 1);
     QVERIFY(repair.err.contains("not supported"));
   }
 
   // A mesh goes through the container with every triangle as it was, and is repaired into one.
   void meshesLiveInContainersToo() {
-    const Bench bench;
-    bench.put("cube.off", openCube(0.1).off());
-    QCOMPARE(bench.run({"convert", "cube.off", "cube.handwheel"}).code, 0);
-    QCOMPARE(bench.run({"convert", "cube.handwheel", "back.stl"}).code, 0);
-    QCOMPARE(bench.run({"convert", "cube.off", "direct.stl"}).code, 0);
-    QCOMPARE(bench.content("back.stl"), bench.content("direct.stl"));
-    QCOMPARE(bench.run({"repair", "cube.handwheel", "-o", "whole.handwheel", "--report", "r.json"}).code, 0);
-    const nlohmann::json whole = jsonOf(bench.run({"inspect", "--json", "whole.handwheel"}));
+    const Fixture fixture;
+    fixture.put("cube.off", openCube(0.1).off());
+    QCOMPARE(fixture.run({"convert", "cube.off", "cube.handwheel"}).code, 0);
+    QCOMPARE(fixture.run({"convert", "cube.handwheel", "back.stl"}).code, 0);
+    QCOMPARE(fixture.run({"convert", "cube.off", "direct.stl"}).code, 0);
+    QCOMPARE(fixture.content("back.stl"), fixture.content("direct.stl"));
+    QCOMPARE(fixture.run({"repair", "cube.handwheel", "-o", "whole.handwheel", "--report", "r.json"}).code, 0);
+    const nlohmann::json whole = jsonOf(fixture.run({"inspect", "--json", "whole.handwheel"}));
     QVERIFY(whole["closed"].get<bool>());
     QVERIFY(std::abs(whole["volume_mm3"].get<double>() - 1e-3) < 1e-12);
   }
 
   void aDamagedContainerTellsWhatIsMissing() {
-    const Bench bench;
-    bench.put("cube.off", openCube(1.0).off());
-    QCOMPARE(bench.run({"convert", "cube.off", "cube.handwheel"}).code, 0);
-    const QByteArray whole = bench.content("cube.handwheel");
+    const Fixture fixture;
+    fixture.put("cube.off", openCube(1.0).off());
+    QCOMPARE(fixture.run({"convert", "cube.off", "cube.handwheel"}).code, 0);
+    const QByteArray whole = fixture.content("cube.handwheel");
     for (qsizetype length = 0; length < whole.size(); length += whole.size() / 20 + 1) {
-      bench.put("cut.handwheel", whole.left(length));
-      const Ran ran = bench.run({"inspect", "cut.handwheel"});
+      fixture.put("cut.handwheel", whole.left(length));
+      const Ran ran = fixture.run({"inspect", "cut.handwheel"});
       QVERIFY2(ran.code == 0 || ran.code == 1, ran.err);
       QVERIFY(ran.code == 0 || ran.err.startsWith("handwheel: "));
     }

@@ -10,8 +10,8 @@ using namespace handwheel;
 
 namespace {
 
-nlohmann::json editInspected(const Bench& bench, const QString& name) {
-  return nlohmann::json::parse(bench.run({"inspect", name, "--json"}).out.toStdString());
+nlohmann::json editInspected(const Fixture& fixture, const QString& name) {
+  return nlohmann::json::parse(fixture.run({"inspect", name, "--json"}).out.toStdString());
 }
 
 }  // namespace
@@ -22,84 +22,84 @@ class EditTest : public QObject {
  private slots:
   // An open cube moved, turned by a right angle about its middle and closed: its volume and place follow.
   void stepByStep() {
-    const Bench bench;
-    bench.put("a.off", openCube(2.0).off());
-    const Ran ran = bench.run(
+    const Fixture fixture;
+    fixture.put("a.off", openCube(2.0).off());
+    const Ran ran = fixture.run(
         {"edit", "a.off", "place --move 1,0,0.5 --turn 0,0,90", "fill 0 --fill minimal", "-o", "b.off"}, "de_DE.UTF-8");
     QCOMPARE(ran.err,
              QByteArray("handwheel: The file: closed, manifold, oriented, free of self-intersections, one piece.\n"));
     QCOMPARE(ran.out, QByteArray("Triangles: 10 before, 12 now.\n"));
     QCOMPARE(ran.code, 0);
-    QVERIFY(std::abs(editInspected(bench, "b.off")["volume_mm3"].get<double>() - 8.0) < 1e-12);
-    QCOMPARE(bench.names(), (QStringList{"a.off", "b.off"}));
+    QVERIFY(std::abs(editInspected(fixture, "b.off")["volume_mm3"].get<double>() - 8.0) < 1e-12);
+    QCOMPARE(fixture.names(), (QStringList{"a.off", "b.off"}));
   }
 
   void aFileOfSteps() {
-    const Bench bench;
-    bench.put("a.off", cube(2.0).add(tetrahedron(), {5, 0, 0}).off());
-    bench.put("s.steps", "# takes the tetrahedron away\n\n  delete 12-15\r\nplace --scale 0.5\n");
-    const Ran ran = bench.run({"edit", "a.off", "corner", "--steps", "s.steps", "-o", "b.off"});
+    const Fixture fixture;
+    fixture.put("a.off", cube(2.0).add(tetrahedron(), {5, 0, 0}).off());
+    fixture.put("s.steps", "# takes the tetrahedron away\n\n  delete 12-15\r\nplace --scale 0.5\n");
+    const Ran ran = fixture.run({"edit", "a.off", "corner", "--steps", "s.steps", "-o", "b.off"});
     QCOMPARE(ran.code, 0);
-    QCOMPARE(bench.run({"edit", "a.off", "delete 12-15", "place --scale 0.5", "corner", "-o", "c.off"}).code, 0);
-    QCOMPARE(bench.content("b.off"), bench.content("c.off"));
-    QVERIFY(std::abs(editInspected(bench, "b.off")["volume_mm3"].get<double>() - 1.0) < 1e-12);
+    QCOMPARE(fixture.run({"edit", "a.off", "delete 12-15", "place --scale 0.5", "corner", "-o", "c.off"}).code, 0);
+    QCOMPARE(fixture.content("b.off"), fixture.content("c.off"));
+    QVERIFY(std::abs(editInspected(fixture, "b.off")["volume_mm3"].get<double>() - 1.0) < 1e-12);
   }
 
   // A container keeps every number, so that what one run did is gone on with by another.
   void goesOnFromAContainer() {
-    const Bench bench;
-    bench.put("a.off", openCube(2.0).add(openCube(1.0), {5, 0, 0}).off());
-    QCOMPARE(bench.run({"convert", "a.off", "a.handwheel"}).code, 0);
+    const Fixture fixture;
+    fixture.put("a.off", openCube(2.0).add(openCube(1.0), {5, 0, 0}).off());
+    QCOMPARE(fixture.run({"convert", "a.off", "a.handwheel"}).code, 0);
     const QString first = "keep-open 1", second = "fill 0", third = "delete 3,20-21", fourth = "unit in";
-    QCOMPARE(bench.run({"edit", "a.handwheel", first, second, third, fourth, "-o", "b.handwheel"}).code, 0);
-    QCOMPARE(bench.run({"edit", "a.handwheel", first, second, "-o", "c.handwheel"}).code, 0);
-    QCOMPARE(bench.run({"edit", "c.handwheel", third, fourth, "-o", "c.handwheel"}).code, 0);
-    QCOMPARE(bench.content("b.handwheel"), bench.content("c.handwheel"));
-    QVERIFY(bench.content("a.handwheel") != bench.content("b.handwheel"));
+    QCOMPARE(fixture.run({"edit", "a.handwheel", first, second, third, fourth, "-o", "b.handwheel"}).code, 0);
+    QCOMPARE(fixture.run({"edit", "a.handwheel", first, second, "-o", "c.handwheel"}).code, 0);
+    QCOMPARE(fixture.run({"edit", "c.handwheel", third, fourth, "-o", "c.handwheel"}).code, 0);
+    QCOMPARE(fixture.content("b.handwheel"), fixture.content("c.handwheel"));
+    QVERIFY(fixture.content("a.handwheel") != fixture.content("b.handwheel"));
   }
 
   // What was counted before saving need not hold for the rounded file: a third is no number of single precision.
   void roundingIsTold() {
-    const Bench bench;
-    bench.put("a.off", cube(2.0).off());
+    const Fixture fixture;
+    fixture.put("a.off", cube(2.0).off());
     const char* warning = "single precision of the format moved vertices by up to";
-    QVERIFY(bench.run({"edit", "a.off", "place --scale 0.3333", "-o", "b.stl"}).err.contains(warning));
-    QVERIFY(!bench.run({"edit", "a.off", "place --scale 0.3333", "-o", "b.ply"}).err.contains(warning));
-    QVERIFY(!bench.run({"edit", "a.off", "place --scale 0.5", "-o", "b.stl"}).err.contains(warning));
+    QVERIFY(fixture.run({"edit", "a.off", "place --scale 0.3333", "-o", "b.stl"}).err.contains(warning));
+    QVERIFY(!fixture.run({"edit", "a.off", "place --scale 0.3333", "-o", "b.ply"}).err.contains(warning));
+    QVERIFY(!fixture.run({"edit", "a.off", "place --scale 0.5", "-o", "b.stl"}).err.contains(warning));
   }
 
   // The state of a file in the same words, whichever command tells it; the self-intersections are part of it.
   void oneStateInTheSameWords() {
-    const Bench bench;
-    bench.put("a.off", cube(2.0).add(cube(2.0), {1.1, 1.2, 0.9}).off());
-    const nlohmann::json inspected = editInspected(bench, "a.off");
+    const Fixture fixture;
+    fixture.put("a.off", cube(2.0).add(cube(2.0), {1.1, 1.2, 0.9}).off());
+    const nlohmann::json inspected = editInspected(fixture, "a.off");
     const int pairs = inspected["self_intersecting_pairs"];
     QVERIFY(pairs > 0);
     const QByteArray state =
         "closed, manifold, oriented, " + QByteArray::number(pairs) + " self-intersections, 2 pieces";
     QCOMPARE(QByteArray::fromStdString(inspected["state"].get<std::string>()), state);
-    QVERIFY(bench.run({"inspect", "a.off"}).out.contains("\nState                     " + state + "\n"));
-    QVERIFY(bench.run({"edit", "a.off", "corner", "-o", "b.off"}).err.contains("The file: " + state + "."));
-    const Ran repaired = bench.run({"repair", "a.off", "-o", "c.off"});
+    QVERIFY(fixture.run({"inspect", "a.off"}).out.contains("\nState                     " + state + "\n"));
+    QVERIFY(fixture.run({"edit", "a.off", "corner", "-o", "b.off"}).err.contains("The file: " + state + "."));
+    const Ran repaired = fixture.run({"repair", "a.off", "-o", "c.off"});
     QVERIFY2(repaired.out.contains("c.off: " + state + ".\n"), repaired.out.constData());
     QCOMPARE(repaired.code, 2);
   }
 
   void anotherMesh() {
-    const Bench bench;
-    bench.put("a.off", cube(2.0).off());
-    bench.put("the other.off", Shape().add(tetrahedron(), {5, 0, 0}).off());
-    QCOMPARE(bench.run({"edit", "a.off", "add the other.off", "-o", "b.off"}).code, 0);
-    QCOMPARE(editInspected(bench, "b.off")["triangles"].get<int>(), 16);
-    const Ran ran = bench.run({"edit", "a.off", "add none.off", "-o", "c.off"});
+    const Fixture fixture;
+    fixture.put("a.off", cube(2.0).off());
+    fixture.put("the other.off", Shape().add(tetrahedron(), {5, 0, 0}).off());
+    QCOMPARE(fixture.run({"edit", "a.off", "add the other.off", "-o", "b.off"}).code, 0);
+    QCOMPARE(editInspected(fixture, "b.off")["triangles"].get<int>(), 16);
+    const Ran ran = fixture.run({"edit", "a.off", "add none.off", "-o", "c.off"});
     QCOMPARE(ran.code, 1);
     QVERIFY(ran.err.contains("none.off"));
   }
 
   void whatChangesNothing() {
-    const Bench bench;
-    bench.put("a.off", cube(2.0).off());
-    const Ran ran = bench.run({"edit", "a.off", "debris", "corner", "-o", "b.off"});
+    const Fixture fixture;
+    fixture.put("a.off", cube(2.0).off());
+    const Ran ran = fixture.run({"edit", "a.off", "debris", "corner", "-o", "b.off"});
     QCOMPARE(ran.code, 2);
     QCOMPARE(ran.err,
              QByteArray("handwheel: The file: closed, manifold, oriented, free of self-intersections, one piece.\n"
@@ -107,7 +107,7 @@ class EditTest : public QObject {
                         "handwheel: Step 2, 'corner' changed nothing: it is already in place.\n"));
     QCOMPARE(ran.out, QByteArray("Triangles: 12 before, 12 now.\n"));
     QCOMPARE(
-        bench.run({"edit", "a.off", "bridge 3,9", "-o", "b.off"}).err.split('\n').at(1),
+        fixture.run({"edit", "a.off", "bridge 3,9", "-o", "b.off"}).err.split('\n').at(1),
         QByteArray("handwheel: Step 1, 'bridge 3,9' changed nothing: there is no open edge, or a triangle would flip, "
                    "intersect another or double an edge."));
   }
@@ -132,30 +132,30 @@ class EditTest : public QObject {
   void mistakes() {
     QFETCH(QStringList, words);
     QFETCH(QByteArray, message);
-    const Bench bench;
-    bench.put("a.off", openCube().off());
-    bench.put("s.steps", "# one\ndelete 3\ndelete 99\n");
-    const Ran ran = bench.run(QStringList{"edit", "a.off"} + words);
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
+    fixture.put("s.steps", "# one\ndelete 3\ndelete 99\n");
+    const Ran ran = fixture.run(QStringList{"edit", "a.off"} + words);
     QCOMPARE(ran.err, message);
     QCOMPARE(ran.out, QByteArray());
     QCOMPARE(ran.code, 1);
-    QCOMPARE(bench.names(), (QStringList{"a.off", "s.steps"}));
+    QCOMPARE(fixture.names(), (QStringList{"a.off", "s.steps"}));
   }
 
   void onlyMeshes() {
-    const Bench bench;
-    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
-    const Ran ran = bench.run({"edit", "bar.handwheel", "flat", "-o", "b.handwheel"});
+    const Fixture fixture;
+    QCOMPARE(fixture.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    const Ran ran = fixture.run({"edit", "bar.handwheel", "flat", "-o", "b.handwheel"});
     QCOMPARE(ran.code, 1);
     QCOMPARE(ran.err, QByteArray("handwheel: bar.handwheel is not a mesh: only meshes can be edited by steps.\n"));
-    bench.put("a.off", cube().off());
-    QCOMPARE(bench.run({"edit", "a.off", "flat", "-o", "b.docx"}).code, 1);
-    QCOMPARE(bench.names(), (QStringList{"a.off", "bar.handwheel"}));
+    fixture.put("a.off", cube().off());
+    QCOMPARE(fixture.run({"edit", "a.off", "flat", "-o", "b.docx"}).code, 1);
+    QCOMPARE(fixture.names(), (QStringList{"a.off", "bar.handwheel"}));
   }
 
   // Every step that the program knows stands on the page.
   void help() {
-    const QByteArray page = Bench().run({"help", "edit"}).out;
+    const QByteArray page = Fixture().run({"help", "edit"}).out;
     for (const char* verb : {"place",          "flat",           "axes",          "centre",
                              "corner",         "delete",         "fill",          "keep-open",
                              "no-longer-open", "repair",         "back",          "cut-and-close",

@@ -49,15 +49,15 @@ class FeelTest : public QObject {
  private slots:
   // F = k (proxy - tip) - B v, at each tick of 1 ms.
   void isTheSpringAndTheDamper() {
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", kPress);
-    const Ran ran =
-        bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "f.csv", "--stiffness", "0.7", "--damping", "0.002"},
-                  "de_DE.UTF-8");
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", kPress);
+    const Ran ran = fixture.run(
+        {"feel", "cube.off", "--path", "p.csv", "--out", "f.csv", "--stiffness", "0.7", "--damping", "0.002"},
+        "de_DE.UTF-8");
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
-    const QByteArray csv = bench.content("f.csv");
+    const QByteArray csv = fixture.content("f.csv");
     QCOMPARE(lines(csv), QByteArray("t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,"
                                     "tick_us"));
     const std::vector<Row> rows = rowsOf(csv);
@@ -82,35 +82,35 @@ class FeelTest : public QObject {
   // A body of a cell is felt where it stands: pressed 1 mm deep into the top of a box of 20 mm, 100 mm beside the
   // robot.
   void aBodyOfACell() {
-    const Bench bench;
-    bench.put("r.urdf", "<robot name='r'><link name='base'/></robot>");
+    const Fixture fixture;
+    fixture.put("r.urdf", "<robot name='r'><link name='base'/></robot>");
     const Ran added =
-        bench.run({"body", "r.urdf", "--add", "box:20,20,20", "--at", "100,0,10", "-o", "cell.handwheel"});
+        fixture.run({"body", "r.urdf", "--add", "box:20,20,20", "--at", "100,0,10", "-o", "cell.handwheel"});
     QVERIFY2(added.code == 0, added.err);
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,101,3,22\n0.3,101,3,19\n");
-    const Ran ran = bench.run({"feel", "cell.handwheel", "--path", "p.csv", "--out", "-", "--stiffness", "0.7"});
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,101,3,22\n0.3,101,3,19\n");
+    const Ran ran = fixture.run({"feel", "cell.handwheel", "--path", "p.csv", "--out", "-", "--stiffness", "0.7"});
     QVERIFY2(ran.code == 0, ran.err);
     const Row last = rowsOf(ran.out).back();
     QVERIFY(std::abs(last.at("force_z") - 0.7) < 1e-6);
     QVERIFY(std::abs(last.at("proxy_z") - 20.0) < 1e-6);
     QVERIFY(std::abs(last.at("force_x")) + std::abs(last.at("force_y")) < 1e-6);
-    const Ran snap = bench.run({"feel", "cell.handwheel", "--path", "p.csv", "--snap", "spring"});
+    const Ran snap = fixture.run({"feel", "cell.handwheel", "--path", "p.csv", "--snap", "spring"});
     QCOMPARE(snap.err, QByteArray("handwheel: Only meshes have open edges to snap to.\n"));
     QCOMPARE(snap.code, 0);
   }
 
   // The end of a bar of 50 mm is flat: the force is the spring's, along the axis.
   void theEndOfAWorkpiece() {
-    const Bench bench;
-    QCOMPARE(bench.run({"new", "workpiece", "diameter=50", "length=100", "-o", "bar.handwheel"}).code, 0);
-    QCOMPARE(bench.run({"convert", "bar.handwheel", "bar.stl"}).code, 0);
+    const Fixture fixture;
+    QCOMPARE(fixture.run({"new", "workpiece", "diameter=50", "length=100", "-o", "bar.handwheel"}).code, 0);
+    QCOMPARE(fixture.run({"convert", "bar.handwheel", "bar.stl"}).code, 0);
     const auto box =
-        nlohmann::json::parse(bench.run({"inspect", "bar.stl", "--json"}).out.toStdString()).at("bounding_box_mm");
+        nlohmann::json::parse(fixture.run({"inspect", "bar.stl", "--json"}).out.toStdString()).at("bounding_box_mm");
     const double end = box[1][2];  // the axis is z
     QCOMPARE(end - box[0][2].get<double>(), 100.0);
     const QByteArray outside = QByteArray::number(end + 2.0), inside = QByteArray::number(end - 1.0);
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,7,3," + outside + "\n0.3,7,3," + inside + "\n");
-    const Ran ran = bench.run({"feel", "bar.handwheel", "--path", "p.csv", "--out", "-", "--stiffness", "0.4"});
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,7,3," + outside + "\n0.3,7,3," + inside + "\n");
+    const Ran ran = fixture.run({"feel", "bar.handwheel", "--path", "p.csv", "--out", "-", "--stiffness", "0.4"});
     QVERIFY2(ran.code == 0, ran.err);
     const Row last = rowsOf(ran.out).back();
     QVERIFY(std::abs(last.at("force_z") - 0.4) < 1e-6);
@@ -118,12 +118,13 @@ class FeelTest : public QObject {
   }
 
   void isTheSameAgain() {
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", kPress);
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", kPress);
     const auto run = [&] {
       std::vector<Row> rows = rowsOf(
-          bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "-", "--friction", "0.3", "--rate", "4000"}).out);
+          fixture.run({"feel", "cube.off", "--path", "p.csv", "--out", "-", "--friction", "0.3", "--rate", "4000"})
+              .out);
       for (Row& row : rows) row.erase("tick_us");
       return rows;
     };
@@ -133,10 +134,10 @@ class FeelTest : public QObject {
   }
 
   void saysWhatItFelt() {
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", kPress);
-    const Ran ran = bench.run({"feel", "cube.off", "--path", "p.csv"});
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", kPress);
+    const Ran ran = fixture.run({"feel", "cube.off", "--path", "p.csv"});
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.out.contains("Ticks        401\n"));
     QVERIFY(ran.out.contains("Peak force   0.5 N\n"));
@@ -144,24 +145,25 @@ class FeelTest : public QObject {
 
   // Each option of its own goes before.
   void readsTheSettings() {
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", kPress);
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", kPress);
     const QStringList words{"feel", "cube.off", "--path", "p.csv"};
-    const Ran ran = bench.run(words + QStringList{"--fidelity", "contact.stiffness=2,servo.rate=2000"});
+    const Ran ran = fixture.run(words + QStringList{"--fidelity", "contact.stiffness=2,servo.rate=2000"});
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.out.contains("Ticks        801\n"));
     QVERIFY(ran.out.contains("Peak force   2 N\n"));
-    const Ran said = bench.run(words + QStringList{"--fidelity", "contact.stiffness=2,servo.rate=2000", "--rate",
-                                                   "1000", "--stiffness", "0.5"});
+    const Ran said = fixture.run(words + QStringList{"--fidelity", "contact.stiffness=2,servo.rate=2000", "--rate",
+                                                     "1000", "--stiffness", "0.5"});
     QCOMPARE(said.out.left(said.out.indexOf("A tick")), [&] {
-      const QByteArray plain = bench.run(words).out;
+      const QByteArray plain = fixture.run(words).out;
       return plain.left(plain.indexOf("A tick"));
     }());
     // A proxy that may rest 1e-4 of the diagonal too soon is still pressed out by the plane that it meets.
-    QVERIFY(bench.run(words + QStringList{"--fidelity", "proxy.tolerance=1e-4"}).out.contains("Peak force   0.5 N\n"));
+    QVERIFY(
+        fixture.run(words + QStringList{"--fidelity", "proxy.tolerance=1e-4"}).out.contains("Peak force   0.5 N\n"));
     for (const char* wrong : {"fast", "contact.stiffness=1e9", "servo.rate"}) {
-      const Ran refused = bench.run(words + QStringList{"--fidelity", wrong});
+      const Ran refused = fixture.run(words + QStringList{"--fidelity", wrong});
       QCOMPARE(refused.code, 1);
       QVERIFY(refused.err.endsWith("Try 'handwheel help feel'.\n"));
     }
@@ -169,43 +171,43 @@ class FeelTest : public QObject {
 
   // A setting that the command does not read would be taken for one that did something.
   void refusesSettingsThatItDoesNotRead() {
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", kPress);
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", kPress);
     for (const char* unread : {"servo.velocity_window=0.05", "contact.stiffness=2,mesh.near_weld=1e-4"}) {
-      const Ran ran = bench.run({"feel", "cube.off", "--path", "p.csv", "--fidelity", unread});
+      const Ran ran = fixture.run({"feel", "cube.off", "--path", "p.csv", "--fidelity", unread});
       QCOMPARE(ran.code, 1);
       QVERIFY2(ran.err.contains("does not use the setting"), ran.err);
       for (const char* id : {"proxy.tolerance", "contact.stiffness", "servo.rate"}) QVERIFY2(ran.err.contains(id), id);
     }
-    QCOMPARE(bench.run({"feel", "cube.off", "--path", "p.csv", "--fidelity", "exact"}).code, 0);
+    QCOMPARE(fixture.run({"feel", "cube.off", "--path", "p.csv", "--fidelity", "exact"}).code, 0);
   }
 
   // The rule allows 8 N/mm at 8 kHz; the data sheet of the device says 3.
   void saysWhatTheCapComesFrom() {
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", kPress);
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", kPress);
     const QStringList words{"feel", "cube.off", "--path", "p.csv", "--device", "simulated", "--stiffness", "100"};
-    const Ran fast = bench.run(words + QStringList{"--rate", "8000"});
+    const Ran fast = fixture.run(words + QStringList{"--rate", "8000"});
     QVERIFY2(fast.err.contains("capped at 3 N/mm"), fast.err);
     QVERIFY2(fast.err.contains("the limit of the device at any rate") && !fast.err.contains("stable"), fast.err);
-    const Ran slow = bench.run(words + QStringList{"--rate", "1000"});
+    const Ran slow = fixture.run(words + QStringList{"--rate", "1000"});
     QVERIFY2(slow.err.contains("would not be stable on this device at 1000 Hz"), slow.err);
   }
 
   // 6 mm deep at 3 N/mm: 18 N asked, of a device that gives 8.
   void saysWhereTheForceIsCut() {
-    const Bench bench;
-    bench.put("cube.off", cube(20).off());
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,9,11,24\n0.5,9,11,14\n1,9,11,24\n");
+    const Fixture fixture;
+    fixture.put("cube.off", cube(20).off());
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,9,11,24\n0.5,9,11,14\n1,9,11,24\n");
     const QStringList words{"feel", "cube.off", "--path", "p.csv", "--stiffness", "3", "--rate", "8000"};
-    const Ran cut = bench.run(words + QStringList{"--device", "simulated"});
+    const Ran cut = fixture.run(words + QStringList{"--device", "simulated"});
     QCOMPARE(cut.code, 0);
     QVERIFY(cut.out.contains("Peak force   8 N\n"));
     QCOMPARE(cut.err.count("limited to 8 N"), 1);
     QVERIFY2(cut.err.contains("up to 18 N"), cut.err);
-    const Ran whole = bench.run(words);
+    const Ran whole = fixture.run(words);
     QVERIFY2(whole.err.isEmpty(), whole.err);
     QVERIFY(whole.out.contains("Peak force   18 N\n"));
   }
@@ -222,12 +224,12 @@ class FeelTest : public QObject {
   void snapsToOpenEdges() {
     QFETCH(QByteArray, profile);
     QFETCH(int, number);
-    const Bench bench;
-    bench.put("sheet.off", "OFF\n4 2 0\n0 0 0\n20 0 0\n20 10 0\n0 10 0\n3 0 1 2\n3 0 2 3\n");
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10,-9,0\n0.089,10,-0.1,0\n");
+    const Fixture fixture;
+    fixture.put("sheet.off", "OFF\n4 2 0\n0 0 0\n20 0 0\n20 10 0\n0 10 0\n3 0 1 2\n3 0 2 3\n");
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10,-9,0\n0.089,10,-0.1,0\n");
     const double k = 0.4, ls = 0.4 * 15.0;  // snap.radius times the mean of 20, 10, 20 and 10 mm
-    const Ran ran = bench.run({"feel", "sheet.off", "--path", "p.csv", "--out", "-", "--snap", profile,
-                               "--snap-stiffness", "0.4", "--fidelity", "snap.radius=0.4"});
+    const Ran ran = fixture.run({"feel", "sheet.off", "--path", "p.csv", "--out", "-", "--snap", profile,
+                                 "--snap-stiffness", "0.4", "--fidelity", "snap.radius=0.4"});
     QVERIFY2(ran.err.isEmpty(), ran.err);
     const std::vector<Row> rows = rowsOf(ran.out);
     QCOMPARE(rows.size(), std::size_t{90});
@@ -245,35 +247,35 @@ class FeelTest : public QObject {
 
   // Midway between two sides of a slit the proxy method has one of them; the forces of both add up to none.
   void snapsByTheSum() {
-    const Bench bench;
-    bench.put("slit.off", "OFF\n6 2 0\n-50 -1 0\n50 -1 0\n0 -50 0\n-50 1 0\n50 1 0\n0 50 0\n3 0 2 1\n3 3 4 5\n");
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.01,0,0,0\n");
+    const Fixture fixture;
+    fixture.put("slit.off", "OFF\n6 2 0\n-50 -1 0\n50 -1 0\n0 -50 0\n-50 1 0\n50 1 0\n0 50 0\n3 0 2 1\n3 3 4 5\n");
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.01,0,0,0\n");
     const QStringList words{"feel", "slit.off", "--path", "p.csv", "--out", "-", "--snap", "triangle"};
-    for (const Row& row : rowsOf(bench.run(words + QStringList{"--snap-method", "proxy"}).out))
+    for (const Row& row : rowsOf(fixture.run(words + QStringList{"--snap-method", "proxy"}).out))
       QVERIFY(std::abs(std::abs(row.at("force_y")) - 0.3) < 1e-9);
-    for (const Row& row : rowsOf(bench.run(words + QStringList{"--snap-method", "force"}).out))
+    for (const Row& row : rowsOf(fixture.run(words + QStringList{"--snap-method", "force"}).out))
       QVERIFY(std::abs(row.at("force_y")) < 1e-9);
   }
 
   void snappingNeedsAProfileAndAnOpenEdge() {
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", kPress);
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", kPress);
     const QStringList words{"feel", "cube.off", "--path", "p.csv"};
-    QVERIFY(bench.run(words + QStringList{"--snap", "spring"}).err.contains("no open edge"));
+    QVERIFY(fixture.run(words + QStringList{"--snap", "spring"}).err.contains("no open edge"));
     for (const QStringList& wrong :
          {QStringList{"--snap", "hook"}, QStringList{"--snap-method", "force"}, QStringList{"--snap-stiffness", "1"},
           QStringList{"--snap", "none", "--snap-method", "force"}, QStringList{"--fidelity", "snap.radius=1"},
           QStringList{"--snap", "spring", "--snap-method", "pull"},
           QStringList{"--snap", "spring", "--snap-stiffness", "-1"}})
-      QCOMPARE(bench.run(words + wrong).code, 1);
+      QCOMPARE(fixture.run(words + wrong).code, 1);
   }
 
   void writesToADevice() {
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", kPress);
-    const Ran ran = bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "/dev/null"});
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", kPress);
+    const Ran ran = fixture.run({"feel", "cube.off", "--path", "p.csv", "--out", "/dev/null"});
     QVERIFY2(ran.err.isEmpty(), ran.err);
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.out.contains("Ticks        401\n"));
@@ -281,24 +283,24 @@ class FeelTest : public QObject {
 
   // The device carries 1 N/mm at 1 kHz, and half of that at 500 Hz.
   void isCappedByADevice() {
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", kPress);
-    const Ran capped = bench.run(
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", kPress);
+    const Ran capped = fixture.run(
         {"feel", "cube.off", "--path", "p.csv", "--stiffness", "5", "--device", "simulated", "--rate", "500"});
     QCOMPARE(capped.code, 0);
     QVERIFY(capped.err.contains("capped at 0.5 N/mm"));
     QVERIFY(capped.out.contains("Peak force   0.5 N\n"));
-    const Ran free = bench.run({"feel", "cube.off", "--path", "p.csv", "--stiffness", "5"});
+    const Ran free = fixture.run({"feel", "cube.off", "--path", "p.csv", "--stiffness", "5"});
     QCOMPARE(free.err, QByteArray());
     QVERIFY(free.out.contains("Peak force   5 N\n"));
   }
 
   void readsColumnsByName() {
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", "\xef\xbb\xbf# a comment\r\nname, z_mm ,t_s,x_mm,y_mm\r\n\r\na,5,0,1,2\r\nb,5,0.01,1,2\r\n");
-    const std::vector<Row> rows = rowsOf(bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "-"}).out);
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", "\xef\xbb\xbf# a comment\r\nname, z_mm ,t_s,x_mm,y_mm\r\n\r\na,5,0,1,2\r\nb,5,0.01,1,2\r\n");
+    const std::vector<Row> rows = rowsOf(fixture.run({"feel", "cube.off", "--path", "p.csv", "--out", "-"}).out);
     QCOMPARE(rows.size(), std::size_t{11});
     QVERIFY(rows.back().at("hip_x") == 1 && rows.back().at("hip_y") == 2 && rows.back().at("hip_z") == 5);
   }
@@ -322,28 +324,28 @@ class FeelTest : public QObject {
   void refusesWhatIsNoPath() {
     QFETCH(QByteArray, path);
     QFETCH(QByteArray, why);
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", path);
-    const Ran ran = bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "f.csv"});
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", path);
+    const Ran ran = fixture.run({"feel", "cube.off", "--path", "p.csv", "--out", "f.csv"});
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains(why), ran.err.constData());
     QVERIFY(ran.err.contains("p.csv"));
     QCOMPARE(ran.err.count('\n'), 1);
-    QVERIFY(!bench.names().contains("f.csv"));
+    QVERIFY(!fixture.names().contains("f.csv"));
   }
 
   void refusesUnusableOptions() {
-    const Bench bench;
-    bench.put("cube.off", cube(2).off());
-    bench.put("p.csv", kPress);
-    QCOMPARE(bench.run({"feel", "cube.off"}).code, 1);
-    QCOMPARE(bench.run({"feel", "cube.off", "--path", "missing.csv"}).code, 1);
-    QCOMPARE(bench.run({"feel", "missing.off", "--path", "p.csv"}).code, 1);
+    const Fixture fixture;
+    fixture.put("cube.off", cube(2).off());
+    fixture.put("p.csv", kPress);
+    QCOMPARE(fixture.run({"feel", "cube.off"}).code, 1);
+    QCOMPARE(fixture.run({"feel", "cube.off", "--path", "missing.csv"}).code, 1);
+    QCOMPARE(fixture.run({"feel", "missing.off", "--path", "p.csv"}).code, 1);
     for (const char* bad : {"--stiffness=-1", "--damping=nan", "--friction=a", "--rate=0", "--device=falcon"})
-      QCOMPARE(bench.run({"feel", "cube.off", "--path", "p.csv", bad}).code, 1);
-    QCOMPARE(bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "cube.off"}).code, 1);
-    QCOMPARE(bench.content("cube.off"), QByteArray(cube(2).off()));
+      QCOMPARE(fixture.run({"feel", "cube.off", "--path", "p.csv", bad}).code, 1);
+    QCOMPARE(fixture.run({"feel", "cube.off", "--path", "p.csv", "--out", "cube.off"}).code, 1);
+    QCOMPARE(fixture.content("cube.off"), QByteArray(cube(2).off()));
   }
 };
 

@@ -125,9 +125,9 @@ class InspectTest : public QObject {
 
  private:
   nlohmann::json statistics(const QByteArray& off) {
-    const Bench bench;
-    bench.put("a.off", off);
-    const Ran ran = bench.run({"inspect", "a.off", "--json"});
+    const Fixture fixture;
+    fixture.put("a.off", off);
+    const Ran ran = fixture.run({"inspect", "a.off", "--json"});
     if (ran.code != 0) qWarning("%s", ran.err.constData());
     return ran.code == 0 ? nlohmann::json::parse(ran.out.toStdString()) : nlohmann::json::object();
   }
@@ -142,18 +142,18 @@ class InspectTest : public QObject {
   void exactJson() {
     QFETCH(QByteArray, off);
     QFETCH(QByteArray, expected);
-    const Bench bench;
-    bench.put("a.off", off);
-    const Ran ran = bench.run({"inspect", "a.off", "--json"});
+    const Fixture fixture;
+    fixture.put("a.off", off);
+    const Ran ran = fixture.run({"inspect", "a.off", "--json"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.out, expected);
     QCOMPARE(ran.code, 0);
   }
 
   void exactText() {
-    const Bench bench;
-    bench.put("a.off", openCube(0.5).off());
-    const Ran ran = bench.run({"inspect", "a.off"});
+    const Fixture fixture;
+    fixture.put("a.off", openCube(0.5).off());
+    const Ran ran = fixture.run({"inspect", "a.off"});
     QCOMPARE(ran.out, QByteArray(kOpenCubeText));
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
@@ -162,13 +162,13 @@ class InspectTest : public QObject {
   // A part that is too large is advised the unit that makes it smaller, and the step does: 30 m are 30 mm in
   // micrometres.
   void aPartInMicrometres() {
-    const Bench bench;
-    bench.put("a.off", cube(30'000.0).off());
-    const Ran ran = bench.run({"inspect", "a.off"});
+    const Fixture fixture;
+    fixture.put("a.off", cube(30'000.0).off());
+    const Ran ran = fixture.run({"inspect", "a.off"});
     QVERIFY2(ran.out.contains("'place --unit um' converts it from micrometres."), ran.out.constData());
     QVERIFY(!ran.out.contains("converts it from metres"));
-    QCOMPARE(bench.run({"edit", "a.off", "place --unit um", "-o", "b.off"}).code, 0);
-    const Ran placed = bench.run({"inspect", "b.off"});
+    QCOMPARE(fixture.run({"edit", "a.off", "place --unit um", "-o", "b.off"}).code, 0);
+    const Ran placed = fixture.run({"inspect", "b.off"});
     QVERIFY2(placed.out.contains("0, 0, 0 to 30, 30, 30\n"), placed.out.constData());
   }
 
@@ -177,12 +177,12 @@ class InspectTest : public QObject {
     const char* const german = "de_DE.UTF-8";
     if (!std::setlocale(LC_ALL, german)) QSKIP("the locale de_DE.UTF-8 is not installed");
     std::setlocale(LC_ALL, "C");
-    const Bench bench;
-    bench.put("a.off", openCube(0.5).off());
-    QCOMPARE(bench.run({"inspect", "a.off"}, german).out, QByteArray(kOpenCubeText));
-    QCOMPARE(bench.run({"inspect", "a.off", "--json"}, german).out, QByteArray(kOpenCubeJson));
-    const Ran german1 = bench.run({"inspect", "none.off"}, german);
-    QCOMPARE(german1.err, bench.run({"inspect", "none.off"}).err);
+    const Fixture fixture;
+    fixture.put("a.off", openCube(0.5).off());
+    QCOMPARE(fixture.run({"inspect", "a.off"}, german).out, QByteArray(kOpenCubeText));
+    QCOMPARE(fixture.run({"inspect", "a.off", "--json"}, german).out, QByteArray(kOpenCubeJson));
+    const Ran german1 = fixture.run({"inspect", "none.off"}, german);
+    QCOMPARE(german1.err, fixture.run({"inspect", "none.off"}).err);
   }
 
   void tetrahedronFigures() {
@@ -211,20 +211,20 @@ class InspectTest : public QObject {
     hollow.add(inward, {1, 1, 1});
     QCOMPARE(statistics(solid.off()).at("nested_bodies").get<int>(), 1);
     QCOMPARE(statistics(hollow.off()).at("nested_bodies").get<int>(), 0);
-    const Bench bench;
-    bench.put("a.off", solid.off());
-    const QByteArray text = bench.run({"inspect", "a.off"}).out;
+    const Fixture fixture;
+    fixture.put("a.off", solid.off());
+    const QByteArray text = fixture.run({"inspect", "a.off"}).out;
     QVERIFY(text.contains("Inside others             1 body\n"));
     // 27 mm³ and 1 within them; a cavity is taken off.
     QVERIFY2(text.contains("Volume (mm3)              28, of all bodies added up\n"), text.constData());
-    bench.put("b.off", hollow.off());
-    const QByteArray other = bench.run({"inspect", "b.off"}).out;
+    fixture.put("b.off", hollow.off());
+    const QByteArray other = fixture.run({"inspect", "b.off"}).out;
     QVERIFY2(other.contains("Volume (mm3)              26\n"), other.constData());
-    const Ran kept = bench.run({"repair", "a.off", "-o", "b.off"});
+    const Ran kept = fixture.run({"repair", "a.off", "-o", "b.off"});
     QVERIFY2(kept.code == 0 && kept.err.contains("1 body lies inside another; --unite removes"), kept.err);
-    const Ran united = bench.run({"repair", "a.off", "--unite", "-o", "c.off"});
+    const Ran united = fixture.run({"repair", "a.off", "--unite", "-o", "c.off"});
     QVERIFY2(united.code == 0 && united.err.isEmpty(), united.err);
-    const auto json = nlohmann::json::parse(bench.run({"inspect", "c.off", "--json"}).out.toStdString());
+    const auto json = nlohmann::json::parse(fixture.run({"inspect", "c.off", "--json"}).out.toStdString());
     QVERIFY(std::abs(json.at("volume_mm3").get<double>() - 27.0) < 1e-12);
     QCOMPARE(json.at("components").get<int>(), 1);
   }
@@ -307,9 +307,9 @@ class InspectTest : public QObject {
   void errorsAreOneLine() {
     QFETCH(QString, name);
     QFETCH(QByteArray, content);
-    const Bench bench;
-    if (!content.isNull()) bench.put(name, content);
-    const Ran ran = bench.run({"inspect", name, "--json"});
+    const Fixture fixture;
+    if (!content.isNull()) fixture.put(name, content);
+    const Ran ran = fixture.run({"inspect", name, "--json"});
     QCOMPARE(ran.code, 1);
     QCOMPARE(ran.out, QByteArray());
     QCOMPARE(ran.err.count('\n'), 1);
@@ -318,21 +318,21 @@ class InspectTest : public QObject {
 
   void unreadableFile() {
     if (geteuid() == 0) QSKIP("the superuser may read everything");
-    const Bench bench;
-    bench.put("a.off", cube().off());
-    QCOMPARE(chmod((bench.path() + "/a.off").toLocal8Bit(), 0), 0);
-    const Ran ran = bench.run({"inspect", "a.off"});
+    const Fixture fixture;
+    fixture.put("a.off", cube().off());
+    QCOMPARE(chmod((fixture.path() + "/a.off").toLocal8Bit(), 0), 0);
+    const Ran ran = fixture.run({"inspect", "a.off"});
     QCOMPARE(ran.code, 1);
     QVERIFY(ran.err.contains("Permission denied"));
   }
 
   void fileNamesMayBeAnyBytes() {
-    const Bench bench;
+    const Fixture fixture;
     const QString name = QString::fromUtf8("Gelenk größe 2 – \"neu\".off");
-    bench.put(name, cube().off());
-    QCOMPARE(bench.run({"inspect", name, "--json"}).out, QByteArray(kCubeJson));
-    bench.put("-x.off", cube().off());
-    QCOMPARE(bench.run({"inspect", "--json", "--", "-x.off"}).out, QByteArray(kCubeJson));
+    fixture.put(name, cube().off());
+    QCOMPARE(fixture.run({"inspect", name, "--json"}).out, QByteArray(kCubeJson));
+    fixture.put("-x.off", cube().off());
+    QCOMPARE(fixture.run({"inspect", "--json", "--", "-x.off"}).out, QByteArray(kCubeJson));
   }
 };
 

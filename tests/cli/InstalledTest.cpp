@@ -40,15 +40,15 @@ class InstalledTest : public QObject {
   }
 
   void tellsItsVersion() {
-    const Bench bench;
-    const Ran ran = runProgram(program(), bench.path(), {"--version"});
+    const Fixture fixture;
+    const Ran ran = runProgram(program(), fixture.path(), {"--version"});
     QVERIFY2(ran.code == 0, ran.err);
-    QCOMPARE(ran.out, bench.run({"--version"}).out);
+    QCOMPARE(ran.out, fixture.run({"--version"}).out);
   }
 
   void findsItsPlugins() {
-    const Bench bench;
-    const Ran ran = runProgram(program(), bench.path(), {"devices", "--json"});
+    const Fixture fixture;
+    const Ran ran = runProgram(program(), fixture.path(), {"devices", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
     const nlohmann::json json = nlohmann::json::parse(ran.out.toStdString());
     std::set<std::string> drivers;
@@ -62,11 +62,11 @@ class InstalledTest : public QObject {
   }
 
   void repairsAMesh() {
-    const Bench bench;
-    bench.put("open.off", openCube().off());
-    const Ran ran = runProgram(program(), bench.path(), {"repair", "open.off", "-o", "closed.off"});
+    const Fixture fixture;
+    fixture.put("open.off", openCube().off());
+    const Ran ran = runProgram(program(), fixture.path(), {"repair", "open.off", "-o", "closed.off"});
     QVERIFY2(ran.code == 0, ran.err);
-    const Ran inspected = runProgram(program(), bench.path(), {"inspect", "closed.off", "--json"});
+    const Ran inspected = runProgram(program(), fixture.path(), {"inspect", "closed.off", "--json"});
     QVERIFY2(inspected.code == 0, inspected.err);
     const nlohmann::json mesh = nlohmann::json::parse(inspected.out.toStdString());
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
@@ -74,11 +74,11 @@ class InstalledTest : public QObject {
   }
 
   void readsAStepFile() {
-    const Bench bench;
+    const Fixture fixture;
     for (const QStringList& words :
          {QStringList{"new", "workpiece", "-o", "bar.handwheel"}, QStringList{"convert", "bar.handwheel", "bar.step"},
           QStringList{"inspect", "bar.step"}}) {
-      const Ran ran = runProgram(program(), bench.path(), words);
+      const Ran ran = runProgram(program(), fixture.path(), words);
       QVERIFY2(ran.code == 0, ran.err);
     }
   }

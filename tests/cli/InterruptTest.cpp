@@ -52,11 +52,11 @@ class InterruptTest : public QObject {
     QFETCH(int, signal);
     QFETCH(int, times);
     static const QByteArray torus = largeTorus(600);
-    const Bench bench;
-    bench.put("a.off", torus);
-    bench.put("old.stl", "what was there before");
+    const Fixture fixture;
+    fixture.put("a.off", torus);
+    fixture.put("old.stl", "what was there before");
     QProcess process;
-    process.setWorkingDirectory(bench.path());
+    process.setWorkingDirectory(fixture.path());
     process.start(HANDWHEEL_PROGRAM, {"repair", "a.off", "-o", "old.stl", "--report", "r.json"});
     QVERIFY(process.waitForStarted());
     QTRY_VERIFY(catches(process.processId(), signal));
@@ -70,8 +70,8 @@ class InterruptTest : public QObject {
     QCOMPARE(process.exitCode(), 130);
     QCOMPARE(process.readAllStandardError(), QByteArray("handwheel: Cancelled.\n"));
     QCOMPARE(process.readAllStandardOutput(), QByteArray());
-    QCOMPARE(bench.names(), (QStringList{"a.off", "old.stl"}));
-    QCOMPARE(bench.content("old.stl"), QByteArray("what was there before"));
+    QCOMPARE(fixture.names(), (QStringList{"a.off", "old.stl"}));
+    QCOMPARE(fixture.content("old.stl"), QByteArray("what was there before"));
   }
 
   // Also while it draws: the program that draws under xvfb-run ends with the one that was asked. A picture that is
@@ -83,13 +83,13 @@ class InterruptTest : public QObject {
   void noPictureComesLater() {
     if (QStandardPaths::findExecutable("xvfb-run").isEmpty()) QSKIP("xvfb-run is not installed");
     QFETCH(int, milliseconds);
-    const Bench bench;
-    bench.put("a.off", largeTorus(600));
+    const Fixture fixture;
+    fixture.put("a.off", largeTorus(600));
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove("DISPLAY");
     process.setProcessEnvironment(environment);
-    process.setWorkingDirectory(bench.path());
+    process.setWorkingDirectory(fixture.path());
     process.start(HANDWHEEL_PROGRAM, {"picture", "a.off", "p.png"});
     QVERIFY(process.waitForStarted());
     QTRY_VERIFY(catches(process.processId(), SIGTERM));
@@ -98,7 +98,7 @@ class InterruptTest : public QObject {
     QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished(kLongestRun));
     QTest::qWait(1000);
     const bool isDone = process.exitCode() == 0;  // it was quicker than that
-    QCOMPARE(bench.names(), isDone ? (QStringList{"a.off", "p.png"}) : QStringList{"a.off"});
+    QCOMPARE(fixture.names(), isDone ? (QStringList{"a.off", "p.png"}) : QStringList{"a.off"});
     if (!isDone) QCOMPARE(process.exitCode(), 130);
     const QByteArray printed = process.readAllStandardError();
     QVERIFY2(printed.isEmpty() || printed == "handwheel: Cancelled.\n", printed);
@@ -117,16 +117,16 @@ class InterruptTest : public QObject {
     if (QStandardPaths::findExecutable("xvfb-run").isEmpty()) QSKIP("xvfb-run is not installed");
     QFETCH(int, signal);
     QFETCH(bool, isDrawing);
-    const Bench bench;
-    bench.put("a.off", largeTorus(600));
-    QVERIFY(QDir(bench.path()).mkdir("tmp"));
-    const QString mark = bench.path() + "/tmp";
+    const Fixture fixture;
+    fixture.put("a.off", largeTorus(600));
+    QVERIFY(QDir(fixture.path()).mkdir("tmp"));
+    const QString mark = fixture.path() + "/tmp";
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove("DISPLAY");
     environment.insert("TMPDIR", mark);
     process.setProcessEnvironment(environment);
-    process.setWorkingDirectory(bench.path());
+    process.setWorkingDirectory(fixture.path());
     process.start(HANDWHEEL_PROGRAM, {"picture", "a.off", "p.png"});
     QVERIFY(process.waitForStarted());
     const int count = isDrawing ? 4 : 2;  // with the shell; with the display and the one that draws
@@ -136,7 +136,7 @@ class InterruptTest : public QObject {
     QVERIFY(process.waitForFinished(kLongestRun));
     if (signal != SIGKILL) QCOMPARE(process.exitCode(), 130);
     QTRY_COMPARE_WITH_TIMEOUT(processesWith(mark), QList<int>(), 30000);
-    QCOMPARE(bench.names(), (QStringList{"a.off", "tmp"}));
+    QCOMPARE(fixture.names(), (QStringList{"a.off", "tmp"}));
     QCOMPARE(QDir(mark).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot), QStringList());
   }
 
@@ -144,18 +144,18 @@ class InterruptTest : public QObject {
   void aDisplayRunnerThatMissedItsDisplay() {
     const QString sleeping = QStandardPaths::findExecutable("sleep");
     if (sleeping.isEmpty()) QSKIP("sleep is not installed");
-    const Bench bench;
-    bench.put("a.off", largeTorus(8));
-    QVERIFY(QDir(bench.path()).mkdir("bin"));
-    QVERIFY(QFile::copy(sleeping, bench.path() + "/bin/Xvfb"));
-    bench.put("bin/xvfb-run", "#!/bin/sh\ntrap : USR1\nXvfb 60 &\ndisplay=$!\nwait\nkill $display\necho went on\n");
-    QVERIFY(QFile::setPermissions(bench.path() + "/bin/xvfb-run", QFile::ReadOwner | QFile::ExeOwner));
+    const Fixture fixture;
+    fixture.put("a.off", largeTorus(8));
+    QVERIFY(QDir(fixture.path()).mkdir("bin"));
+    QVERIFY(QFile::copy(sleeping, fixture.path() + "/bin/Xvfb"));
+    fixture.put("bin/xvfb-run", "#!/bin/sh\ntrap : USR1\nXvfb 60 &\ndisplay=$!\nwait\nkill $display\necho went on\n");
+    QVERIFY(QFile::setPermissions(fixture.path() + "/bin/xvfb-run", QFile::ReadOwner | QFile::ExeOwner));
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove("DISPLAY");
-    environment.insert("PATH", bench.path() + "/bin:" + environment.value("PATH"));
+    environment.insert("PATH", fixture.path() + "/bin:" + environment.value("PATH"));
     process.setProcessEnvironment(environment);
-    process.setWorkingDirectory(bench.path());
+    process.setWorkingDirectory(fixture.path());
     process.start(HANDWHEEL_PROGRAM, {"picture", "a.off", "p.png"});
     QVERIFY(process.waitForFinished(kLongestRun));
     QCOMPARE(process.readAllStandardOutput(), QByteArray("went on\n"));
@@ -163,9 +163,9 @@ class InterruptTest : public QObject {
 
   // Progress is for people at a terminal.
   void quietInAPipe() {
-    const Bench bench;
-    bench.put("a.off", largeTorus(300));
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl"}).err.count('\r'), 0);
+    const Fixture fixture;
+    fixture.put("a.off", largeTorus(300));
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.stl"}).err.count('\r'), 0);
   }
 };
 

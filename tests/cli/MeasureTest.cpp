@@ -66,8 +66,8 @@ class MeasureTest : public QObject {
 };
 
 void MeasureTest::list() {
-  const Bench bench;
-  const Ran ran = bench.run({"measure", "--list"});
+  const Fixture fixture;
+  const Ran ran = fixture.run({"measure", "--list"});
   QCOMPARE(ran.code, 0);
   QCOMPARE(ran.err, QByteArray());
   for (const char* id : {"mesh.near_weld",
@@ -99,8 +99,8 @@ void MeasureTest::list() {
 }
 
 void MeasureTest::table() {
-  const Bench bench;
-  const Ran ran = bench.run(kChord);
+  const Fixture fixture;
+  const Ran ran = fixture.run(kChord);
   QCOMPARE(ran.code, 0);
   QCOMPARE(ran.err, QByteArray());
   QVERIFY(ran.out.startsWith("nurbs.chord_mm: "));
@@ -113,9 +113,9 @@ void MeasureTest::table() {
 }
 
 void MeasureTest::csvHasItsColumns() {
-  const Bench bench;
-  QCOMPARE(bench.run(kChord + QStringList{"--csv", "a.csv", "--steps", "4"}).code, 0);
-  const QList<QByteArray> lines = bench.content("a.csv").trimmed().split('\n');
+  const Fixture fixture;
+  QCOMPARE(fixture.run(kChord + QStringList{"--csv", "a.csv", "--steps", "4"}).code, 0);
+  const QList<QByteArray> lines = fixture.content("a.csv").trimmed().split('\n');
   QCOMPARE(lines[0], QByteArray("setting,value,case,error,error_unit,cost,cost_unit,spread,repeats,seed,truth"));
   std::set<QString> cases;
   double last = 0.0;
@@ -137,8 +137,8 @@ void MeasureTest::csvHasItsColumns() {
 }
 
 void MeasureTest::json() {
-  const Bench bench;
-  const Ran ran = bench.run(kChord + QStringList{"--json", "--budget", "ms=1000"});
+  const Fixture fixture;
+  const Ran ran = fixture.run(kChord + QStringList{"--json", "--budget", "ms=1000"});
   QCOMPARE(ran.code, 0);
   const auto all = nlohmann::json::parse(ran.out.toStdString());
   QCOMPARE(all.at("settings").size(), std::size_t{1});
@@ -155,33 +155,33 @@ void MeasureTest::json() {
 }
 
 void MeasureTest::plots() {
-  const Bench bench;
-  QCOMPARE(bench.run(kChord + QStringList{"--plot", "a.png"}).code, 0);
-  QCOMPARE(bench.run(kChord + QStringList{"--dark", "--plot=b.png"}).code, 0);
-  const QImage light(bench.path() + "/a.png"), dark(bench.path() + "/b.png");
+  const Fixture fixture;
+  QCOMPARE(fixture.run(kChord + QStringList{"--plot", "a.png"}).code, 0);
+  QCOMPARE(fixture.run(kChord + QStringList{"--dark", "--plot=b.png"}).code, 0);
+  const QImage light(fixture.path() + "/a.png"), dark(fixture.path() + "/b.png");
   QVERIFY(light.width() > 400 && light.height() > 300);
   QCOMPARE(light.size(), dark.size());
   QVERIFY(light.pixelColor(2, 2).lightness() > 200 && dark.pixelColor(2, 2).lightness() < 60);
-  QCOMPARE(bench.run(kChord + QStringList{"--plot", "a.svg"}).code, 0);
-  QVERIFY(bench.content("a.svg").contains("<svg"));
-  QVERIFY(bench.content("a.svg").contains("nurbs.chord_mm"));
+  QCOMPARE(fixture.run(kChord + QStringList{"--plot", "a.svg"}).code, 0);
+  QVERIFY(fixture.content("a.svg").contains("<svg"));
+  QVERIFY(fixture.content("a.svg").contains("nurbs.chord_mm"));
 }
 
 void MeasureTest::budget() {
-  const Bench bench;
-  const Ran rich = bench.run(kChord + QStringList{"--budget", "us=1,ms=1000"});
+  const Fixture fixture;
+  const Ran rich = fixture.run(kChord + QStringList{"--budget", "us=1,ms=1000"});
   QCOMPARE(rich.code, 0);
   QVERIFY(rich.out.contains("Fit for 1e+03 ms: 1e-04 ("));
-  const Ran poor = bench.run(kChord + QStringList{"--budget", "ms=1e-9"});
+  const Ran poor = fixture.run(kChord + QStringList{"--budget", "ms=1e-9"});
   QCOMPARE(poor.code, 2);
   QVERIFY(poor.out.contains("Fit for 1e-09 ms: none"));
   QCOMPARE(poor.err, QByteArray("handwheel: No value of nurbs.chord_mm keeps within the budget.\n"));
 }
 
 void MeasureTest::usersFile() {
-  const Bench bench;
-  bench.put("ball.off", ball(40).off());
-  const Ran ran = bench.run(
+  const Fixture fixture;
+  fixture.put("ball.off", ball(40).off());
+  const Ran ran = fixture.run(
       {"measure", "mesh.fill_method", "--repeats", "1", "--json", "--input", "ball.off", "--input", "ball.off"});
   QCOMPARE(ran.code, 0);
   const auto all = nlohmann::json::parse(ran.out.toStdString());
@@ -199,10 +199,10 @@ void MeasureTest::usersFile() {
 }
 
 void MeasureTest::curves() {
-  const Bench bench;
-  QCOMPARE(bench.run(kChord + QStringList{"--write-curves", "."}).code, 0);
-  QCOMPARE(bench.names(), QStringList{"nurbs.chord_mm.json"});
-  const auto curve = bench.json("nurbs.chord_mm.json");
+  const Fixture fixture;
+  QCOMPARE(fixture.run(kChord + QStringList{"--write-curves", "."}).code, 0);
+  QCOMPARE(fixture.names(), QStringList{"nurbs.chord_mm.json"});
+  const auto curve = fixture.json("nurbs.chord_mm.json");
   QVERIFY(curve.at("setting") == "nurbs.chord_mm");
   QVERIFY(!curve.at("machine").get<std::string>().empty());
   QVERIFY(curve.at("rows").size() >= 18);
@@ -211,23 +211,23 @@ void MeasureTest::curves() {
 // Two halves of a sheet, torn apart by 1e-4 of the diagonal: a matter of mesh.near_weld. A hole in a ball: a matter of
 // the method and the density.
 void MeasureTest::repairReadsTheSettings() {
-  const Bench bench;
+  const Fixture fixture;
   Shape sheet = flatSheet(4);
   sheet.add(flatSheet(4), {4.0 + 1e-4 * std::sqrt(80.0), 0, 0});
-  bench.put("torn.off", sheet.off());
+  fixture.put("torn.off", sheet.off());
   const auto merged = [&](const QStringList& more) {
-    bench.run(QStringList{"repair", "torn.off", "-o", "b.off", "--report", "r.json"} + more);
-    return bench.json("r.json").at("merged_vertices").get<int>();
+    fixture.run(QStringList{"repair", "torn.off", "-o", "b.off", "--report", "r.json"} + more);
+    return fixture.json("r.json").at("merged_vertices").get<int>();
   };
   QCOMPARE(merged({}), 0);
   QCOMPARE(merged({"--fidelity", "mesh.near_weld=1e-3"}), 5);
 
   Shape holed = ball(40);
   holed.faces.resize(holed.faces.size() - 2 * 80 * 4);  // the cap around the north pole
-  bench.put("holed.off", holed.off());
+  fixture.put("holed.off", holed.off());
   const auto newFaces = [&](const QStringList& more) {
-    bench.run(QStringList{"repair", "holed.off", "-o", "b.off", "--report", "r.json"} + more);
-    const auto report = bench.json("r.json");
+    fixture.run(QStringList{"repair", "holed.off", "-o", "b.off", "--report", "r.json"} + more);
+    const auto report = fixture.json("r.json");
     int sum = 0;
     for (const auto& loop : report.at("loops")) sum += loop.at("new_faces").get<int>();
     return sum;
@@ -238,10 +238,10 @@ void MeasureTest::repairReadsTheSettings() {
   QCOMPARE(newFaces({"--fidelity", "exact,mesh.fill_method=ear", "--fill", "fair"}), newFaces({"--fidelity", "exact"}));
 
   for (const char* wrong : {"fast", "mesh.near_weld=7", "mesh.near_weld", "mesh.fill_method=round"}) {
-    const Ran ran = bench.run({"repair", "torn.off", "-o", "c.off", "--fidelity", wrong});
+    const Ran ran = fixture.run({"repair", "torn.off", "-o", "c.off", "--fidelity", wrong});
     QCOMPARE(ran.code, 1);
     QVERIFY(ran.err.endsWith("Try 'handwheel help repair'.\n"));
-    QVERIFY(!bench.names().contains("c.off"));
+    QVERIFY(!fixture.names().contains("c.off"));
   }
 }
 
@@ -265,24 +265,24 @@ void MeasureTest::wrongWords_data() {
 void MeasureTest::wrongWords() {
   QFETCH(QStringList, words);
   QFETCH(QByteArray, complaint);
-  const Bench bench;
-  const Ran ran = bench.run(QStringList{"measure"} + words);
+  const Fixture fixture;
+  const Ran ran = fixture.run(QStringList{"measure"} + words);
   QCOMPARE(ran.code, 1);
   QCOMPARE(ran.out, QByteArray());
   QCOMPARE(ran.err, "handwheel: " + complaint + "\nTry 'handwheel help measure'.\n");
 }
 
 void MeasureTest::wrongFiles() {
-  const Bench bench;
-  bench.put("letter.txt", "Dear Sir or Madam\n");
+  const Fixture fixture;
+  fixture.put("letter.txt", "Dear Sir or Madam\n");
   for (const char* name : {"none.stl", "letter.txt"}) {
-    const Ran ran = bench.run(kChord + QStringList{"--input", name});
+    const Ran ran = fixture.run(kChord + QStringList{"--input", name});
     QCOMPARE(ran.code, 1);
     QCOMPARE(ran.out, QByteArray());
     QVERIFY(ran.err.startsWith(QByteArray("handwheel: ") + name));
   }
   for (const char* option : {"--csv", "--write-curves"}) {
-    const Ran ran = bench.run(kChord + QStringList{option, "none/a"});
+    const Ran ran = fixture.run(kChord + QStringList{option, "none/a"});
     QCOMPARE(ran.code, 1);
     QCOMPARE(ran.err.count('\n'), 1);
   }
@@ -292,17 +292,17 @@ void MeasureTest::sameUnderGermanLocale() {
   const char* const german = "de_DE.UTF-8";
   if (!std::setlocale(LC_ALL, german)) QSKIP("the locale de_DE.UTF-8 is not installed");
   std::setlocale(LC_ALL, "C");
-  const Bench bench;
-  QCOMPARE(bench.run({"measure", "--list"}, german).out, bench.run({"measure", "--list"}).out);
-  QCOMPARE(bench.run(kChord + QStringList{"--plot", "a.svg", "--csv", "a.csv"}, german).code, 0);
-  QVERIFY(bench.content("a.csv").contains(",0.01,"));
-  QVERIFY(bench.content("a.svg").contains(">0.01</text>"));
+  const Fixture fixture;
+  QCOMPARE(fixture.run({"measure", "--list"}, german).out, fixture.run({"measure", "--list"}).out);
+  QCOMPARE(fixture.run(kChord + QStringList{"--plot", "a.svg", "--csv", "a.csv"}, german).code, 0);
+  QVERIFY(fixture.content("a.csv").contains(",0.01,"));
+  QVERIFY(fixture.content("a.svg").contains(">0.01</text>"));
 }
 
 void MeasureTest::interrupted() {
-  const Bench bench;
+  const Fixture fixture;
   QProcess process;
-  process.setWorkingDirectory(bench.path());
+  process.setWorkingDirectory(fixture.path());
   process.start(HANDWHEEL_PROGRAM, {"measure", "--repeats", "1000", "--csv", "a.csv"});
   QVERIFY(process.waitForStarted());
   QTRY_VERIFY_WITH_TIMEOUT(catches(process.processId(), SIGINT), 30000);
@@ -312,7 +312,7 @@ void MeasureTest::interrupted() {
   QCOMPARE(process.exitStatus(), QProcess::NormalExit);
   QCOMPARE(process.exitCode(), 130);
   QCOMPARE(process.readAllStandardError(), QByteArray("handwheel: Cancelled.\n"));
-  QVERIFY(bench.names().isEmpty());
+  QVERIFY(fixture.names().isEmpty());
 }
 
 HANDWHEEL_TEST(MeasureTest)

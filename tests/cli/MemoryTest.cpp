@@ -16,12 +16,12 @@ namespace {
 const QByteArray kOld = "what was there before";
 
 // Runs the program with so many mebibytes of addresses; none: as many as there are.
-Ran runWithin(const Bench& bench, std::optional<rlim_t> mebibytes, const QStringList& words) {
+Ran runWithin(const Fixture& fixture, std::optional<rlim_t> mebibytes, const QStringList& words) {
   QProcess process;
   QProcessEnvironment environment = environmentWith("C");
   environment.remove("DISPLAY");
   process.setProcessEnvironment(environment);
-  process.setWorkingDirectory(bench.path());
+  process.setWorkingDirectory(fixture.path());
   process.setChildProcessModifier([mebibytes] {
     if (!mebibytes) return;
     const rlimit limit{*mebibytes << 20, *mebibytes << 20};
@@ -37,11 +37,11 @@ bool isDone(const Ran& ran) {
 }
 
 // A limit within which it comes to its end, and does not with one smaller by up to the step. enough: taken to be one.
-rlim_t leastFor(const Bench& bench, const QStringList& words, rlim_t step, rlim_t enough = 512) {
+rlim_t leastFor(const Fixture& fixture, const QStringList& words, rlim_t step, rlim_t enough = 512) {
   rlim_t least = enough, tooLittle = 128;
   while (least - tooLittle > step) {
     const rlim_t middle = (least + tooLittle) / 2;
-    (isDone(runWithin(bench, middle, words)) ? least : tooLittle) = middle;
+    (isDone(runWithin(fixture, middle, words)) ? least : tooLittle) = middle;
   }
   return least;
 }
@@ -64,7 +64,7 @@ class MemoryTest : public QObject {
 
  private slots:
   void initTestCase() {
-    if (runWithin(Bench(), 4096, {"--version"}).code != 0) QSKIP("a build with sanitizers takes more addresses");
+    if (runWithin(Fixture(), 4096, {"--version"}).code != 0) QSKIP("a build with sanitizers takes more addresses");
   }
 
   // Either the whole of the new file and no error, or an error and the old one.
@@ -78,22 +78,22 @@ class MemoryTest : public QObject {
   void oldFileOrNewFile() {
     QFETCH(QStringList, words);
     constexpr rlim_t kStep = 5;
-    const Bench bench;
-    bench.put("a.off", torus(60));
-    QVERIFY(isDone(runWithin(bench, {}, words)));
-    const QByteArray whole = bench.content("b.stl");
-    const QStringList names = bench.names();
-    const rlim_t least = leastFor(bench, words, 2 * kStep);
+    const Fixture fixture;
+    fixture.put("a.off", torus(60));
+    QVERIFY(isDone(runWithin(fixture, {}, words)));
+    const QByteArray whole = fixture.content("b.stl");
+    const QStringList names = fixture.names();
+    const rlim_t least = leastFor(fixture, words, 2 * kStep);
     for (rlim_t limit = least + kStep; limit > least - 4 * kStep; limit -= kStep) {
-      bench.put("b.stl", kOld);
-      if (names.contains("r.json")) bench.put("r.json", kOld);
-      const Ran ran = runWithin(bench, limit, words);
+      fixture.put("b.stl", kOld);
+      if (names.contains("r.json")) fixture.put("r.json", kOld);
+      const Ran ran = runWithin(fixture, limit, words);
       const bool isEnded = isDone(ran) || ran.code == 1;
-      if (!isEnded && runWithin(bench, limit, {"--version"}).code != 0) break;  // no room for the libraries
+      if (!isEnded && runWithin(fixture, limit, {"--version"}).code != 0) break;  // no room for the libraries
       QVERIFY2(isEnded, ran.err);
-      QCOMPARE(bench.content("b.stl"), isDone(ran) ? whole : kOld);
-      if (names.contains("r.json")) QCOMPARE(bench.content("r.json") == kOld, !isDone(ran));
-      QCOMPARE(bench.names(), names);
+      QCOMPARE(fixture.content("b.stl"), isDone(ran) ? whole : kOld);
+      if (names.contains("r.json")) QCOMPARE(fixture.content("r.json") == kOld, !isDone(ran));
+      QCOMPARE(fixture.names(), names);
       if (!isDone(ran)) QVERIFY2(ran.err.contains(": there is not enough memory. "), ran.err);
     }
   }
@@ -106,28 +106,28 @@ class MemoryTest : public QObject {
   void pictureSaysSo() {
     if (QStandardPaths::findExecutable("xvfb-run").isEmpty()) QSKIP("xvfb-run is not installed");
     QFETCH(int, mebibytes);
-    const Bench bench;
-    bench.put("a.off", openCube().off());
-    const Ran ran = runWithin(bench, mebibytes, {"picture", "a.off", "p.png"});
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
+    const Ran ran = runWithin(fixture, mebibytes, {"picture", "a.off", "p.png"});
     if (ran.code == 0) QSKIP("it is enough here");
-    if (runWithin(bench, mebibytes, {"--version"}).code != 0) QSKIP("there is no room for the libraries");
+    if (runWithin(fixture, mebibytes, {"--version"}).code != 0) QSKIP("there is no room for the libraries");
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains("handwheel: a.off: there is not enough memory. "), ran.err);
-    QCOMPARE(bench.names(), QStringList{"a.off"});
+    QCOMPARE(fixture.names(), QStringList{"a.off"});
   }
 
   // Where memory ends only after the graphics have drawn: while the pixels are read and turned.
   void lastStepsOfAPictureSaySo() {
     if (QStandardPaths::findExecutable("xvfb-run").isEmpty()) QSKIP("xvfb-run is not installed");
     constexpr rlim_t kStep = 3;  // one picture takes as much
-    const Bench bench;
-    bench.put("a.off", openCube().off());
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
     const QStringList words{"picture", "a.off", "p.png"};
-    const rlim_t least = leastFor(bench, words, kStep, 600);
+    const rlim_t least = leastFor(fixture, words, kStep, 600);
     for (rlim_t limit = least; limit > least - 5 * kStep; limit -= kStep) {
-      QFile::remove(bench.path() + "/p.png");
-      const Ran ran = runWithin(bench, limit, words);
-      QCOMPARE(bench.names().contains("p.png"), ran.code == 0);
+      QFile::remove(fixture.path() + "/p.png");
+      const Ran ran = runWithin(fixture, limit, words);
+      QCOMPARE(fixture.names().contains("p.png"), ran.code == 0);
       if (ran.code == 0) continue;
       QCOMPARE(ran.code, 1);
       QVERIFY2(ran.err.contains("handwheel: a.off: there is not enough memory. "), ran.err);
@@ -137,12 +137,12 @@ class MemoryTest : public QObject {
   // The repair stands without its picture.
   void noPictureIsNoFailure() {
     if (QStandardPaths::findExecutable("xvfb-run").isEmpty()) QSKIP("xvfb-run is not installed");
-    const Bench bench;
-    bench.put("a.off", openCube().off());
-    const Ran ran = runWithin(bench, 450, {"repair", "a.off", "-o", "b.stl", "--screenshot", "p.png"});
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
+    const Ran ran = runWithin(fixture, 450, {"repair", "a.off", "-o", "b.stl", "--screenshot", "p.png"});
     QCOMPARE(ran.code, 0);
     QVERIFY2(ran.err.contains("memory"), ran.err);
-    QCOMPARE(bench.names(), (QStringList{"a.off", "b.stl"}));
+    QCOMPARE(fixture.names(), (QStringList{"a.off", "b.stl"}));
   }
 };
 

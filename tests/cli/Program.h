@@ -58,7 +58,7 @@ inline bool catches(qint64 process, int signal) {
 }
 
 // A folder of its own for each test, and the program run in it.
-class Bench {
+class Fixture {
  public:
   void put(const QString& name, const QByteArray& content) const {
     QFile file(m_folder.filePath(name));

@@ -32,10 +32,10 @@ QByteArray tableOf(const Recording& recording) {
 }
 
 // A document with these recordings.
-void save(const Bench& bench, std::vector<StoredRecording> recordings) {
+void save(const Fixture& fixture, std::vector<StoredRecording> recordings) {
   const auto document = test::meshDocument(test::tetrahedron());
   document->commit("recordings", std::make_unique<RecordingsEdit>(std::move(recordings)));
-  const auto path = (bench.path() + "/a.handwheel").toStdString();
+  const auto path = (fixture.path() + "/a.handwheel").toStdString();
   if (!saveDocument(document->kind(), document->file(), *document->snapshot(), path)) qFatal("cannot save");
 }
 
@@ -46,37 +46,37 @@ class RecordingTest : public QObject {
 
  private slots:
   void listsThem() {
-    const Bench bench;
-    save(bench, {{"0001", "first", "Novint Falcon", 8.0, steps(5)}, {"0002", "second", "", 0.0, steps(1)}});
-    const Ran ran = bench.run({"recording", "a.handwheel"}, "de_DE.UTF-8");
+    const Fixture fixture;
+    save(fixture, {{"0001", "first", "Novint Falcon", 8.0, steps(5)}, {"0002", "second", "", 0.0, steps(1)}});
+    const Ran ran = fixture.run({"recording", "a.handwheel"}, "de_DE.UTF-8");
     QVERIFY2(ran.code == 0 && ran.err.isEmpty(), ran.err);
     QCOMPARE(ran.out, QByteArray("first: 1 s, 5 samples, Novint Falcon\nsecond: 0 s, 1 sample\n"));
   }
 
   void writesTheOnlyOneAndTheOneNamed() {
-    const Bench bench;
-    save(bench, {{"0001", "first", "", 8.0, steps(5)}});
-    QCOMPARE(bench.run({"recording", "a.handwheel", "-o", "one.csv"}, "de_DE.UTF-8").code, 0);
-    QCOMPARE(bench.content("one.csv"), tableOf(steps(5)));
-    save(bench, {{"0001", "first", "", 8.0, steps(5)}, {"0002", "second", "", 0.0, steps(3)}});
-    QCOMPARE(bench.run({"recording", "a.handwheel", "--name", "second", "--out", "two.csv"}).code, 0);
-    QCOMPARE(bench.content("two.csv"), tableOf(steps(3)));
+    const Fixture fixture;
+    save(fixture, {{"0001", "first", "", 8.0, steps(5)}});
+    QCOMPARE(fixture.run({"recording", "a.handwheel", "-o", "one.csv"}, "de_DE.UTF-8").code, 0);
+    QCOMPARE(fixture.content("one.csv"), tableOf(steps(5)));
+    save(fixture, {{"0001", "first", "", 8.0, steps(5)}, {"0002", "second", "", 0.0, steps(3)}});
+    QCOMPARE(fixture.run({"recording", "a.handwheel", "--name", "second", "--out", "two.csv"}).code, 0);
+    QCOMPARE(fixture.content("two.csv"), tableOf(steps(3)));
   }
 
   void saysWhatIsMissing() {
-    const Bench bench;
-    save(bench, {});
-    QVERIFY(bench.run({"recording", "a.handwheel"}).out.contains("There are no recordings."));
-    const Ran none = bench.run({"recording", "a.handwheel", "-o", "x.csv"});
+    const Fixture fixture;
+    save(fixture, {});
+    QVERIFY(fixture.run({"recording", "a.handwheel"}).out.contains("There are no recordings."));
+    const Ran none = fixture.run({"recording", "a.handwheel", "-o", "x.csv"});
     QVERIFY(none.code == 1 && none.err.contains("no recordings"));
-    save(bench, {{"0001", "first", "", 8.0, steps(5)}, {"0002", "second", "", 0.0, steps(3)}});
-    QVERIFY(bench.run({"recording", "a.handwheel", "-o", "x.csv"}).err.contains("--name"));
-    const Ran other = bench.run({"recording", "a.handwheel", "--name", "third", "-o", "x.csv"});
+    save(fixture, {{"0001", "first", "", 8.0, steps(5)}, {"0002", "second", "", 0.0, steps(3)}});
+    QVERIFY(fixture.run({"recording", "a.handwheel", "-o", "x.csv"}).err.contains("--name"));
+    const Ran other = fixture.run({"recording", "a.handwheel", "--name", "third", "-o", "x.csv"});
     QVERIFY(other.code == 1 && other.err.contains("third"));
-    const QByteArray before = bench.content("a.handwheel");
-    QCOMPARE(bench.run({"recording", "a.handwheel", "--name", "first", "-o", "a.handwheel"}).code, 1);
-    QCOMPARE(bench.content("a.handwheel"), before);
-    QVERIFY(!bench.names().contains("x.csv"));
+    const QByteArray before = fixture.content("a.handwheel");
+    QCOMPARE(fixture.run({"recording", "a.handwheel", "--name", "first", "-o", "a.handwheel"}).code, 1);
+    QCOMPARE(fixture.content("a.handwheel"), before);
+    QVERIFY(!fixture.names().contains("x.csv"));
   }
 };
 

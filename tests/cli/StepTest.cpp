@@ -11,9 +11,9 @@ using namespace handwheel;
 
 namespace {
 
-// A bench with a bar of 40 x 100 mm as bar.step.
-struct StepBench : Bench {
-  StepBench() {
+// A fixture with a bar of 40 x 100 mm as bar.step.
+struct StepFixture : Fixture {
+  StepFixture() {
     if (run({"new", "workpiece", "diameter=40", "length=100", "-o", "bar.handwheel"}).code != 0 ||
         run({"convert", "bar.handwheel", "bar.step"}).code != 0)
       qFatal("there is no bar");
@@ -21,10 +21,10 @@ struct StepBench : Bench {
 };
 
 // Puts a script in the place of the process that reads.
-void replaceReader(const Bench& bench, const QByteArray& script) {
-  bench.put("step", "#!/bin/sh\n" + script + "\n");
-  QFile::setPermissions(bench.path() + "/step", QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-  qputenv("HANDWHEEL_READERS", bench.path().toUtf8());
+void replaceReader(const Fixture& fixture, const QByteArray& script) {
+  fixture.put("step", "#!/bin/sh\n" + script + "\n");
+  QFile::setPermissions(fixture.path() + "/step", QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+  qputenv("HANDWHEEL_READERS", fixture.path().toUtf8());
 }
 
 bool isRunning(const QByteArray& mark) {
@@ -45,8 +45,8 @@ class StepTest : public QObject {
   void cleanup() { qunsetenv("HANDWHEEL_READERS"); }
 
   void inspected() {
-    const StepBench bench;
-    const Ran ran = bench.run({"inspect", "--json", "bar.step"});
+    const StepFixture fixture;
+    const Ran ran = fixture.run({"inspect", "--json", "bar.step"});
     QVERIFY2(ran.code == 0, ran.err);
     const nlohmann::json mesh = nlohmann::json::parse(ran.out.toStdString());
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
@@ -57,18 +57,18 @@ class StepTest : public QObject {
   }
 
   void becomesAMesh() {
-    const StepBench bench;
+    const StepFixture fixture;
     for (const char* out : {"bar.stl", "bar.ply", "mesh.handwheel"}) {
-      const Ran ran = bench.run({"convert", "bar.step", out});
+      const Ran ran = fixture.run({"convert", "bar.step", out});
       QVERIFY2(ran.code == 0, ran.err);
       QVERIFY(ran.err.contains("Not kept: exact surfaces."));
     }
-    const Ran repaired = bench.run({"repair", "bar.step", "-o", "repaired.stl"});
+    const Ran repaired = fixture.run({"repair", "bar.step", "-o", "repaired.stl"});
     QVERIFY2(repaired.code == 0, repaired.err);
-    const Ran back = bench.run({"convert", "bar.step", "other.step"});
+    const Ran back = fixture.run({"convert", "bar.step", "other.step"});
     QCOMPARE(back.code, 1);
     QVERIFY2(back.err.contains("ends in .stl, .ply, .obj, .off, .3mf or .handwheel."), back.err);
-    QVERIFY(!bench.names().contains("other.step"));
+    QVERIFY(!fixture.names().contains("other.step"));
   }
 
   void deathsOfTheReaderAreErrorsOfTheFile_data() {
@@ -84,18 +84,18 @@ class StepTest : public QObject {
   void deathsOfTheReaderAreErrorsOfTheFile() {
     QFETCH(QByteArray, script);
     QFETCH(QByteArray, reason);
-    const StepBench bench;
-    replaceReader(bench, script);
-    const Ran ran = bench.run({"inspect", "bar.step"});
+    const StepFixture fixture;
+    replaceReader(fixture, script);
+    const Ran ran = fixture.run({"inspect", "bar.step"});
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.startsWith("handwheel: bar.step: the library Open CASCADE failed (" + reason + ")."), ran.err);
     QVERIFY2(ran.err.contains("Export the model in another way or another format."), ran.err);
   }
 
   void aReaderThatIsNotInstalled() {
-    const StepBench bench;
+    const StepFixture fixture;
     qputenv("HANDWHEEL_READERS", "/no/such/folder");
-    const Ran ran = bench.run({"inspect", "bar.step"});
+    const Ran ran = fixture.run({"inspect", "bar.step"});
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains("bar.step: ") && ran.err.contains("its process cannot be started"), ran.err);
   }
@@ -108,17 +108,17 @@ class StepTest : public QObject {
   }
   void interrupted() {
     QFETCH(int, signal);
-    const StepBench bench;
-    replaceReader(bench, "exec sleep 98765.4321");
+    const StepFixture fixture;
+    replaceReader(fixture, "exec sleep 98765.4321");
     QProcess process;
-    process.setWorkingDirectory(bench.path());
+    process.setWorkingDirectory(fixture.path());
     process.start(HANDWHEEL_PROGRAM, {"convert", "bar.step", "out.stl"});
     QTRY_VERIFY_WITH_TIMEOUT(isRunning("98765.4321"), 30000);
     ::kill(static_cast<pid_t>(process.processId()), signal);
     QVERIFY(process.waitForFinished());
     if (signal == SIGINT) QCOMPARE(process.exitCode(), 130);
     QTRY_VERIFY(!isRunning("98765.4321"));
-    QVERIFY(!bench.names().contains("out.stl"));
+    QVERIFY(!fixture.names().contains("out.stl"));
   }
 };
 

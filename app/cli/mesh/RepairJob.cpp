@@ -35,7 +35,7 @@ struct KeptLoops {
   std::set<Vertex> keys;
 };
 
-// What is on the bench.
+// The input of a repair, and what has been made of it so far.
 struct Work {
   Input input;
   std::optional<NumberType> numbers;  // in which the output holds coordinates; none: as they are, in a container

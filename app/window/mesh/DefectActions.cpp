@@ -106,7 +106,7 @@ DefectActions::DefectActions(LoopSelection& selection, RepairJobs& jobs, const H
   connect(&m_uniteBodies, &QAction::triggered, this, [this] { m_jobs.change(m_document, uniting()); });
   connect(&m_thickenSheet, &QAction::triggered, this, [this] { m_jobs.change(m_document, thickening()); });
   connect(&m_cutAndClose, &QAction::triggered, this, [this] { m_jobs.change(m_document, cutting()); });
-  // After every change of the inspection, too.
+  // After every change of the list of defects, too.
   connect(&m_selection, &LoopSelection::changed, this, [this] {
     m_pointed = nullptr;
     follow();
@@ -166,23 +166,23 @@ void DefectActions::follow() {
   const auto offerFree = [&](QAction& action, bool isThere, const QString& reason) {
     offer(action, free && isThere, free ? reason : obstacle);
   };
-  const bool isSearched = m_document && m_document->inspection.selfIntersections();
+  const bool isSearched = m_document && m_document->defectList.selfIntersections();
   const QString searching = tr("Self-intersections are still being searched for.");
   offerFree(m_thickenSheet, free && !sheets().empty(),
             selectedLoop() < 0 ? tr("There is no open sheet.")
                                : tr("The selected hole is not the outer boundary of a sheet."));
   nameThickening();
   if (m_thickenSheet.isEnabled()) emit thicknessChanged();
-  offerFree(m_reverseBodies, free && m_document->inspection.count(DefectKind::InsideOut) > 0,
+  offerFree(m_reverseBodies, free && m_document->defectList.count(DefectKind::InsideOut) > 0,
             tr("No body faces inwards."));
-  offerFree(m_resolveIntersections, free && m_document->inspection.count(DefectKind::SelfIntersection) > 0,
+  offerFree(m_resolveIntersections, free && m_document->defectList.count(DefectKind::SelfIntersection) > 0,
             isSearched ? tr("There are no self-intersections.") : searching);
   offerFree(m_uniteBodies,
             free && (m_document->document.defects().nestedBodies > 0 ||
                      (m_resolveIntersections.isEnabled() && m_document->document.defects().components.size() > 1)),
             isSearched ? tr("No bodies intersect or lie inside each other.") : searching);
   const int loop = selectedLoop();
-  const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).isSheetBoundary &&
+  const bool isBlocked = loop >= 0 && !m_document->defectList.loop(loop).isSheetBoundary &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&
                          m_preview.state().failure == FillFailure::SelfIntersecting;
   m_cutAndClose.setVisible(isBlocked);
@@ -197,8 +197,8 @@ void DefectActions::followShown() {
   if (const char* why = m_shown.isPointless() ? m_shown.shown().reason : nullptr;
       why && m_kind && m_mayFix && !isOfLoop && !m_pointed) {
     const QString reason = QCoreApplication::translate("Tool", why);
-    Inspection& inspection = m_document->inspection;
-    if (inspection.reason(*m_kind, m_row) != reason) inspection.setReason(*m_kind, m_row, reason);
+    DefectList& defectList = m_document->defectList;
+    if (defectList.reason(*m_kind, m_row) != reason) defectList.setReason(*m_kind, m_row, reason);
   }
   m_fix.setEnabled(m_mayFix && (isOfLoop || m_pointed || !m_shown.isPointless()));
   m_cutAndClose.setEnabled(m_mayCut && (m_pointed || !m_shown.isPointless()));
@@ -236,15 +236,15 @@ std::optional<OfferedFix> DefectActions::offered() const {
   return OfferedFix{&m_fix, m_kind, m_row, [this] { return change(); }};
 }
 
-// The selection follows the inspection, but not first.
+// The selection follows the list of defects, but not first.
 int DefectActions::selectedLoop() const {
   const int loop = m_selection.loop();
-  return m_document && loop < m_document->inspection.loopCount() ? loop : -1;
+  return m_document && loop < m_document->defectList.loopCount() ? loop : -1;
 }
 
 MeshChange DefectActions::thickening() const {
   std::vector<Vertex> keys;
-  for (const int id : sheets()) keys.push_back(m_document->inspection.keyOf(id));
+  for (const int id : sheets()) keys.push_back(m_document->defectList.keyOf(id));
   return thickenFix(std::move(keys), options(), thickness());
 }
 
@@ -253,27 +253,27 @@ MeshChange DefectActions::uniting() const {
 }
 
 MeshChange DefectActions::cutting() const {
-  return cutAndCloseFix(m_document->inspection.keyOf(selectedLoop()), options());
+  return cutAndCloseFix(m_document->defectList.keyOf(selectedLoop()), options());
 }
 
 double DefectActions::thickness() const {
   if (m_thickness > 0.0) return m_thickness;
   std::vector<Box> outlines;
-  for (const int id : sheets()) outlines.push_back(m_document->inspection.loop(id).box);
+  for (const int id : sheets()) outlines.push_back(m_document->defectList.loop(id).box);
   const MeshDocument& document = m_document->document;
   return proposedSheetThickness(outlines, document.defects().box, millimetresPer(document.displayUnit()));
 }
 
 std::vector<int> DefectActions::sheets() const {
   if (!m_document) return {};
-  const Inspection& inspection = m_document->inspection;
+  const DefectList& defectList = m_document->defectList;
   std::vector<int> ids;
   if (const int selected = selectedLoop(); selected >= 0) {
-    if (inspection.loop(selected).isSheetBoundary) ids.push_back(selected);
+    if (defectList.loop(selected).isSheetBoundary) ids.push_back(selected);
     return ids;
   }
-  for (const int id : inspection.keptOpen()) {
-    if (inspection.loop(id).isSheetBoundary) ids.push_back(id);
+  for (const int id : defectList.keptOpen()) {
+    if (defectList.loop(id).isSheetBoundary) ids.push_back(id);
   }
   return ids;
 }
@@ -288,13 +288,13 @@ FillOptions DefectActions::options() const {
 
 bool DefectActions::isFixable(DefectKind kind, int row) const {
   if (!m_document || !fixFor(kind)) return false;
-  const auto count = static_cast<int>(m_document->inspection.count(kind));
+  const auto count = static_cast<int>(m_document->defectList.count(kind));
   return count > 0 && row < count;
 }
 
 std::optional<MeshChange> DefectActions::changeFor(DefectKind kind, int row) const {
   if (!isFixable(kind, row)) return std::nullopt;
-  const Inspection& inspection = m_document->inspection;
+  const DefectList& defectList = m_document->defectList;
   const Defects& defects = m_document->document.defects();
   const NumberType numbers = m_document->document.fileNumbers();
   switch (kind) {
@@ -324,10 +324,10 @@ std::optional<MeshChange> DefectActions::changeFor(DefectKind kind, int row) con
     case DefectKind::Duplicate:
       return duplicateFix(faceOf(defects.duplicateFaces, row));
     case DefectKind::SelfIntersection:
-      return intersectionFix(numbers, chosen(*inspection.selfIntersections(), row));
+      return intersectionFix(numbers, chosen(*defectList.selfIntersections(), row));
     case DefectKind::Debris: {
       std::vector<Face> faces;
-      for (const std::size_t i : chosen(inspection.debris(), row)) faces.push_back(defects.components[i].faces.front());
+      for (const std::size_t i : chosen(defectList.debris(), row)) faces.push_back(defects.components[i].faces.front());
       return debrisFix(std::move(faces));
     }
     case DefectKind::Hole:

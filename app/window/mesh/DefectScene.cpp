@@ -41,8 +41,8 @@ std::vector<std::pair<Vec3, Vec3>> outlinesOf(const HalfEdgeMesh& mesh, const st
   return edges;
 }
 
-std::vector<Face> facesOf(const Inspection& inspection, DefectKind kind) {
-  const Defects& defects = inspection.document().defects();
+std::vector<Face> facesOf(const DefectList& defectList, DefectKind kind) {
+  const Defects& defects = defectList.document().defects();
   std::vector<Face> faces;
   switch (kind) {
     case DefectKind::Degenerate:
@@ -50,18 +50,18 @@ std::vector<Face> facesOf(const Inspection& inspection, DefectKind kind) {
     case DefectKind::Duplicate:
       return defects.duplicateFaces;
     case DefectKind::SelfIntersection:
-      if (!inspection.selfIntersections()) return {};
-      for (const auto& [a, b] : *inspection.selfIntersections()) faces.insert(faces.end(), {a, b});
+      if (!defectList.selfIntersections()) return {};
+      for (const auto& [a, b] : *defectList.selfIntersections()) faces.insert(faces.end(), {a, b});
       return faces;
     case DefectKind::Flipped:
-      return inspection.document().reversedFaces();
+      return defectList.document().reversedFaces();
     case DefectKind::Inconsistent:
       return defects.inconsistentFaces;
     case DefectKind::InsideOut:
       for (const std::vector<Face>& body : defects.insideOut) faces.insert(faces.end(), body.begin(), body.end());
       return faces;
     case DefectKind::Debris:
-      for (std::size_t i : inspection.debris()) {
+      for (std::size_t i : defectList.debris()) {
         faces.insert(faces.end(), defects.components[i].faces.begin(), defects.components[i].faces.end());
       }
       return faces;
@@ -70,9 +70,9 @@ std::vector<Face> facesOf(const Inspection& inspection, DefectKind kind) {
   }
 }
 
-std::vector<Vec3> vertexPointsOf(const Inspection& inspection, DefectKind kind) {
-  const HalfEdgeMesh& mesh = inspection.document().mesh();
-  const Defects& defects = inspection.document().defects();
+std::vector<Vec3> vertexPointsOf(const DefectList& defectList, DefectKind kind) {
+  const HalfEdgeMesh& mesh = defectList.document().mesh();
+  const Defects& defects = defectList.document().defects();
   std::vector<Vec3> points;
   if (kind == DefectKind::NonManifoldVertex) {
     for (Vertex v : defects.nonManifoldVertices) points.push_back(mesh.position(v));
@@ -103,14 +103,14 @@ void DefectScene::setDocument(MeshTab* document) {
   if (m_document) {
     m_document->camera = m_viewport.camera();
     m_document->document.disconnect(this);
-    m_document->inspection.disconnect(this);
+    m_document->defectList.disconnect(this);
   }
   m_document = document;
   m_chosen.clear();
   if (!document) return m_layer.clear();
   connect(&document->document, &MeshDocument::meshChanged, this,
           [this](const std::vector<Face>& touched) { m_layer.updateMesh(m_document->document.mesh(), touched); });
-  connect(&document->inspection, &Inspection::changed, this, [this] {
+  connect(&document->defectList, &DefectList::changed, this, [this] {
     drawLoops();
     drawDefects();
   });
@@ -128,12 +128,12 @@ void DefectScene::setDocument(MeshTab* document) {
 int DefectScene::loopAt(const Pick& pick) const {
   if (loopOf(pick) >= 0 || !m_document) return loopOf(pick);
   const CameraState camera = m_viewport.camera();
-  if (!pick.isNothing()) return loopAround(m_document->inspection, camera, pick.point, pick.point);
+  if (!pick.isNothing()) return loopAround(m_document->defectList, camera, pick.point, pick.point);
   const QPointF cursor = m_viewport.mapFromGlobal(QPointF(QCursor::pos()));
   const double scale = camera.height / m_viewport.height();  // units of the model to the pixel
   const double right = (cursor.x() - m_viewport.width() / 2.0) * scale;
   const double up = (m_viewport.height() / 2.0 - cursor.y()) * scale;
-  return loopAround(m_document->inspection, camera, camera.centre + right * camera.right() + up * camera.up(), {});
+  return loopAround(m_document->defectList, camera, camera.centre + right * camera.right() + up * camera.up(), {});
 }
 
 void DefectScene::refreshVisibility() {
@@ -175,13 +175,13 @@ void DefectScene::flyTo(const Box& place, const Vec3& outward) {
 
 void DefectScene::drawLoops() {
   if (!m_document) return;
-  const Inspection& inspection = m_document->inspection;
+  const DefectList& defectList = m_document->defectList;
   std::vector<LoopMark> marks;
   for (DefectKind kind : {DefectKind::Hole, DefectKind::KeptOpen}) {
-    for (int id : kind == DefectKind::Hole ? inspection.holes() : inspection.keptOpen()) {
+    for (int id : kind == DefectKind::Hole ? defectList.holes() : defectList.keptOpen()) {
       const bool selected = id == m_selection.loop();
       if (!selected && !m_defects.isShown(kind)) continue;
-      marks.push_back({id, pointsOf(m_document->document.mesh(), inspection.loop(id)), defectColour(kind), selected});
+      marks.push_back({id, pointsOf(m_document->document.mesh(), defectList.loop(id)), defectColour(kind), selected});
     }
   }
   m_layer.setLoops(std::move(marks));
@@ -189,11 +189,11 @@ void DefectScene::drawLoops() {
 
 void DefectScene::drawDefects() {
   if (!m_document) return;
-  const Inspection& inspection = m_document->inspection;
+  const DefectList& defectList = m_document->defectList;
   std::vector<FaceMark> faces;
   for (DefectKind kind : {DefectKind::InsideOut, DefectKind::Inconsistent, DefectKind::Debris, DefectKind::Flipped,
                           DefectKind::Degenerate, DefectKind::Duplicate, DefectKind::SelfIntersection}) {
-    if (m_defects.isShown(kind)) faces.push_back({facesOf(inspection, kind), defectColour(kind)});
+    if (m_defects.isShown(kind)) faces.push_back({facesOf(defectList, kind), defectColour(kind)});
   }
   const QColor accent = themeColours(currentTheme()).accent;
   if (!m_chosen.empty()) {
@@ -204,7 +204,7 @@ void DefectScene::drawDefects() {
 
   std::vector<PointMark> points;
   for (DefectKind kind : {DefectKind::NonManifoldVertex, DefectKind::NearVertex}) {
-    if (m_defects.isShown(kind)) points.push_back({vertexPointsOf(inspection, kind), defectColour(kind)});
+    if (m_defects.isShown(kind)) points.push_back({vertexPointsOf(defectList, kind), defectColour(kind)});
   }
   m_layer.setPointMarks(std::move(points));
 

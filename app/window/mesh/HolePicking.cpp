@@ -35,15 +35,15 @@ Outline look(const std::vector<Vec2>& polygon, const Vec2& p) {
 
 }  // namespace
 
-int loopAround(const Inspection& inspection, const CameraState& camera, const Vec3& onSight,
+int loopAround(const DefectList& defectList, const CameraState& camera, const Vec3& onSight,
                const std::optional<Vec3>& hit) {
-  const HalfEdgeMesh& mesh = inspection.document().mesh();
+  const HalfEdgeMesh& mesh = defectList.document().mesh();
   const Vec3 towards = camera.towardsViewer();
   const Vec2 place = onScreen(camera, onSight);
   int best = -1;
   double least = 0.0;
-  for (int id = 0; id < inspection.loopCount(); ++id) {
-    const BoundaryLoop& loop = inspection.loop(id);
+  for (int id = 0; id < defectList.loopCount(); ++id) {
+    const BoundaryLoop& loop = defectList.loop(id);
     if (loop.isSheetBoundary) continue;  // it surrounds the whole sheet
     if (hit && (loop.centre - *hit).dot(towards) <= 0.0) continue;
     const double reach = loop.box.diagonal().norm();

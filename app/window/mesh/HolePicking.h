@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "panels/defects/Inspection.h"
+#include "panels/defects/DefectList.h"
 #include "viewport/camera/CameraState.h"
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace handwheel {
 // Finds the boundary loop that surrounds a screen position. So a hole is picked by pointing into it, not only at its
 // rim. onSight: any point on the pick ray. hit: where the ray meets the surface, if it does; a loop must be nearer to
 // the viewer. Returns the smallest such loop, or -1. O(all loops).
-int loopAround(const Inspection& inspection, const CameraState& camera, const Vec3& onSight,
+int loopAround(const DefectList& defectList, const CameraState& camera, const Vec3& onSight,
                const std::optional<Vec3>& hit);
 
 }  // namespace handwheel

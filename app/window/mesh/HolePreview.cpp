@@ -72,7 +72,7 @@ FillOptions HolePreview::optionsFor(Vertex key) const {
 void HolePreview::request(MeshTab* document, int loop) {
   if (!document || loop < 0) document = nullptr;
   const std::uint64_t revision = document ? document->document.revision() : 0;
-  const Vertex key = document ? document->inspection.keyOf(loop) : kNone;
+  const Vertex key = document ? document->defectList.keyOf(loop) : kNone;
   const FillOptions options = optionsFor(key);
   const bool sameHole = document == m_document && revision == m_revision && key == m_key &&
                         options.density == m_options.density && options.continuity == m_options.continuity &&
@@ -112,11 +112,11 @@ void HolePreview::start() {
   m_options.numbers = document.fileNumbers();
   Job job;
   job.name = tr("Preview");
-  job.work = [this, &service = m_services.fillPreview(), bench = m_fillerCache,
-              loop = m_document->inspection.loop(m_loop), options = m_options,
+  job.work = [this, &service = m_services.fillPreview(), cache = m_fillerCache,
+              loop = m_document->defectList.loop(m_loop), options = m_options,
               request = m_request](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
-    HoleFiller* filler = bench->filler(progress.part(0.0, 0.5));
+    HoleFiller* filler = cache->filler(progress.part(0.0, 0.5));
     if (!filler) return {};
     auto attempt = std::make_shared<FillAttempt>(filler->propose(loop, options, progress.part(0.5, 1.0)));
     const PatchComparison shape = attempt->failure == FillFailure::None
@@ -143,12 +143,12 @@ void HolePreview::compare() {
   if (!isReady || !m_trials.empty() || !m_fillerCache) return;
   Job job;
   job.name = tr("Comparing methods");
-  job.work = [this, &service = m_services.fillPreview(), bench = m_fillerCache,
-              loop = m_document->inspection.loop(m_loop), options = m_options,
+  job.work = [this, &service = m_services.fillPreview(), cache = m_fillerCache,
+              loop = m_document->defectList.loop(m_loop), options = m_options,
               shown = m_state.kind == PreviewState::Kind::Ready ? m_attempt : std::nullopt,
               request = m_request](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
-    HoleFiller* filler = bench->filler(progress.part(0.0, 0.1));
+    HoleFiller* filler = cache->filler(progress.part(0.0, 0.1));
     if (!filler) return {};
     auto trials =
         std::make_shared<std::vector<MethodTrial>>(tryMethods(*filler, loop, options, shown, progress.part(0.1, 1.0)));
@@ -181,8 +181,8 @@ void HolePreview::forget() {
   clear();
 }
 
-void HolePreview::returnCache(MeshTab* document, std::shared_ptr<HoleFillerCache> bench) {
-  m_fillerCache = std::move(bench);
+void HolePreview::returnCache(MeshTab* document, std::shared_ptr<HoleFillerCache> cache) {
+  m_fillerCache = std::move(cache);
   m_fillerCacheDocument = document;
   m_fillerCacheRevision = document->document.revision();
 }

@@ -19,7 +19,7 @@ struct MeshTab;
 // The data that a fill can reuse from the preview. The filler cache unless a worker is using it, the attempt that the
 // preview showed when there is one, and the options that the user has chosen.
 struct PreparedFill {
-  std::shared_ptr<HoleFillerCache> bench;
+  std::shared_ptr<HoleFillerCache> cache;
   std::optional<FillAttempt> attempt;
   std::optional<FillOptions> options = {};
 };
@@ -57,7 +57,7 @@ class HolePreview : public QObject {
   // Hands over the options and the results for a hole; the fill uses the filler cache exclusively. The next request
   // starts over, unless returnCache() returns the cache, updated to the document with the patch.
   PreparedFill take(Vertex key);
-  void returnCache(MeshTab* document, std::shared_ptr<HoleFillerCache> bench);
+  void returnCache(MeshTab* document, std::shared_ptr<HoleFillerCache> cache);
 
  signals:
   void changed();

@@ -7,16 +7,16 @@
 namespace handwheel {
 
 void LoopSelection::setDocument(MeshTab* document) {
-  if (m_document) m_document->inspection.disconnect(this);
+  if (m_document) m_document->defectList.disconnect(this);
   m_document = document;
-  if (document) connect(&document->inspection, &Inspection::changed, this, &LoopSelection::follow);
+  if (document) connect(&document->defectList, &DefectList::changed, this, &LoopSelection::follow);
   hover(-1);
   follow();
 }
 
 void LoopSelection::select(int loop) {
-  if (!m_document || loop >= m_document->inspection.loopCount()) loop = -1;
-  if (m_document) m_document->selected = loop < 0 ? kNone : m_document->inspection.keyOf(loop);
+  if (!m_document || loop >= m_document->defectList.loopCount()) loop = -1;
+  if (m_document) m_document->selected = loop < 0 ? kNone : m_document->defectList.keyOf(loop);
   if (std::exchange(m_loop, loop) != loop) emit changed();
 }
 
@@ -26,7 +26,7 @@ void LoopSelection::hover(int loop) {
 
 // The ids of the loops change with every edit; their keys do not.
 void LoopSelection::follow() {
-  m_loop = m_document && m_document->selected != kNone ? m_document->inspection.loopWithKey(m_document->selected) : -1;
+  m_loop = m_document && m_document->selected != kNone ? m_document->defectList.loopWithKey(m_document->selected) : -1;
   if (m_document && m_loop < 0) m_document->selected = kNone;
   hover(-1);
   emit changed();

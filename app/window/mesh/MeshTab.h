@@ -4,7 +4,7 @@
 
 #include "document/mesh/MeshDocument.h"
 #include "mesh/repair/Repair.h"
-#include "panels/defects/Inspection.h"
+#include "panels/defects/DefectList.h"
 #include "window/documents/DocumentTab.h"
 #include "window/mesh/OperationsOrigin.h"
 
@@ -18,14 +18,14 @@ struct MeshTab : DocumentTab {
   MeshTab(std::unique_ptr<Document> made, KindUi& of)
       : DocumentTab(std::move(made), of),
         document(static_cast<MeshDocument&>(DocumentTab::document)),
-        inspection(document),
+        defectList(document),
         asOpened(document.mesh()) {}
 
   MeshDocument& document;
-  Inspection inspection;
+  DefectList defectList;
   const HalfEdgeMesh asOpened;                    // shares unchanged pages with the present mesh
   std::shared_ptr<MeshDeviation> deviation;       // the comparison that is shown; null for none
-  Vertex selected = kNone;                        // Inspection::keyOf() of the selected loop
+  Vertex selected = kNone;                        // DefectList::keyOf() of the selected loop
   std::optional<std::uint64_t> repairedRevision;  // of the document, after "Repair all" ran last
   FidelityValues repairedWith;                    // and the settings that it had
   std::optional<HistoryPoint> fixedAt;            // after the last "Repair all" or fix of a defect that changed it

@@ -171,7 +171,7 @@ void MeshTools::request(const FillRequest& request) {
   m_ticket = request.ticket;
   const Vertex key = keyOf(m_document->document.mesh(), request.loop);
   m_preview.setUserBridges(key, request.bridges);
-  m_selection.select(m_document->inspection.loopWithKey(key));
+  m_selection.select(m_document->defectList.loopWithKey(key));
   answer();
 }
 

@@ -174,7 +174,7 @@ QWidget* MeshUi::panel() {
 std::unique_ptr<DocumentTab> MeshUi::open(std::unique_ptr<Document> document) {
   auto open = std::make_unique<MeshTab>(std::move(document), *this);
   open->document.setFidelity(m_parts.fidelity.values());
-  connect(&open->inspection, &Inspection::changed, this, &KindUi::stateChanged);
+  connect(&open->defectList, &DefectList::changed, this, &KindUi::stateChanged);
   connect(&open->document, &MeshDocument::meshChanged, this,
           [mesh = open.get()](const std::vector<Face>& touched) { mesh->meshChanged(touched); });
   connect(&open->document, &Document::fileChanged, this, [mesh = open.get()] {
@@ -211,7 +211,7 @@ void MeshUi::setDocument(DocumentTab* document) {
   m_document = static_cast<MeshTab*>(document);
   m_preview.forget();
   m_defectActions.setDocument(m_document);  // before the panel chooses none of its rows
-  if (m_panel) m_panel->setInspection(m_document ? &m_document->inspection : nullptr);
+  if (m_panel) m_panel->setDefectList(m_document ? &m_document->defectList : nullptr);
   m_scene->setDocument(m_document);
   m_voxelLayer->setVisible(m_document && m_document->visible);
   m_deviation.setDocument(m_document);
@@ -352,14 +352,14 @@ Suggestion MeshUi::suggestion() {
 QString MeshUi::statistics() const {
   if (!m_document) return {};
   return tr("%Ln triangle(s)", nullptr, static_cast<int>(m_document->document.mesh().liveFaceCount())) +
-         QStringLiteral(" · ") + stateHeadline(m_document->inspection);
+         QStringLiteral(" · ") + stateHeadline(m_document->defectList);
 }
 
 QString MeshUi::openedText(const DocumentTab& document) const {
   const auto& mesh = static_cast<const MeshTab&>(document);
   const QStringList parts{tr("%n triangle(s)", nullptr, static_cast<int>(mesh.document.mesh().liveFaceCount())),
-                          tr("%n hole(s)", nullptr, static_cast<int>(mesh.inspection.holes().size())),
-                          tr("%n reversed", nullptr, static_cast<int>(mesh.inspection.count(DefectKind::Flipped)))};
+                          tr("%n hole(s)", nullptr, static_cast<int>(mesh.defectList.holes().size())),
+                          tr("%n reversed", nullptr, static_cast<int>(mesh.defectList.count(DefectKind::Flipped)))};
   return tr("Opened %1: %2").arg(mesh.document.name(), parts.join(QStringLiteral(", ")));
 }
 

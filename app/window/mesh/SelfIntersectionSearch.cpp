@@ -23,23 +23,23 @@ SelfIntersectionSearch::SelfIntersectionSearch(QThreadPool& pool, WindowServices
 }
 
 void SelfIntersectionSearch::setDocument(MeshTab* document) {
-  if (m_document) m_document->inspection.disconnect(this);
+  if (m_document) m_document->defectList.disconnect(this);
   m_document = document;
   m_rest.stop();
   m_runner.cancelAll();
   m_need = document ? m_services.needs().need("self_intersections") : ServiceHandle();
   if (!document) return;
-  connect(&document->inspection, &Inspection::changed, this, &SelfIntersectionSearch::schedule);
+  connect(&document->defectList, &DefectList::changed, this, &SelfIntersectionSearch::schedule);
   schedule();
 }
 
 void SelfIntersectionSearch::schedule() {
-  if (m_document->inspection.selfIntersections()) return;
+  if (m_document->defectList.selfIntersections()) return;
   m_rest.start();
 }
 
 void SelfIntersectionSearch::start() {
-  if (!m_document || m_document->inspection.selfIntersections()) return;
+  if (!m_document || m_document->defectList.selfIntersections()) return;
   Job job;
   job.name = tr("Searching self-intersections");
   job.work = [this, &service = m_services.selfIntersections(), document = m_document,
@@ -50,7 +50,7 @@ void SelfIntersectionSearch::start() {
     if (progress.cancelled()) return {};
     return [this, document, revision, numbers, pairs = std::move(found)]() mutable {
       if (document == m_document && document->document.fileNumbers() == numbers)
-        document->inspection.setSelfIntersections(revision, std::move(pairs));
+        document->defectList.setSelfIntersections(revision, std::move(pairs));
     };
   };
   m_runner.start(std::move(job));

@@ -38,42 +38,42 @@ QString sentence(const QStringList& parts) {
 enum class Compared { No, Yes };
 
 // "3 non-manifold edges, 1 piece of debris.": what is wrong besides the holes; without what comparison() says.
-QString otherFindings(const Inspection& inspection, Compared compared) {
+QString otherFindings(const DefectList& defectList, Compared compared) {
   QStringList parts;
   for (const DefectKind kind : kFindings) {
-    const std::size_t n = inspection.count(kind);
-    const bool isSaid = compared == Compared::Yes && inspection.countBefore(kind);
+    const std::size_t n = defectList.count(kind);
+    const bool isSaid = compared == Compared::Yes && defectList.countBefore(kind);
     if (n > 0 && !isSaid) parts << defectPhrase(kind, n);
   }
   return sentence(parts);
 }
 
 // "168 of 172 self-intersections removed, new: 2 non-manifold edges.": what the repair has changed.
-QString comparison(const Inspection& inspection) {
-  return sentence(defectSummary(inspection));
+QString comparison(const DefectList& defectList) {
+  return sentence(defectSummary(defectList));
 }
 
 // "Hole 3 stays open: every patch would cross the part." for the first few.
-QString reasons(const Inspection& inspection) {
+QString reasons(const DefectList& defectList) {
   QStringList lines;
   int more = 0;
-  for (int id : inspection.holes()) {
-    const FillFailure failure = inspection.failure(id);
+  for (int id : defectList.holes()) {
+    const FillFailure failure = defectList.failure(id);
     if (failure == FillFailure::None || failure == FillFailure::WasSheetBoundary) continue;
     if (lines.size() == kReasonsNamed) {
       ++more;
     } else {
-      lines << SuggestionWords::tr("%1 stays open: %2.").arg(inspection.loopName(id), fillFailureReason(failure));
+      lines << SuggestionWords::tr("%1 stays open: %2.").arg(defectList.loopName(id), fillFailureReason(failure));
     }
   }
   if (more > 0) lines << SuggestionWords::tr("…and %Ln more, see the list.", nullptr, more);
   return lines.join(QLatin1Char(' '));
 }
 
-QString formerSheets(const Inspection& inspection) {
-  const auto& holes = inspection.holes();
+QString formerSheets(const DefectList& defectList) {
+  const auto& holes = defectList.holes();
   const auto former = static_cast<int>(std::count_if(
-      holes.begin(), holes.end(), [&](int id) { return inspection.failure(id) == FillFailure::WasSheetBoundary; }));
+      holes.begin(), holes.end(), [&](int id) { return defectList.failure(id) == FillFailure::WasSheetBoundary; }));
   if (former == 0) return {};
   return SuggestionWords::tr(
              "Outer boundaries of open sheets that the repair changed and that look like holes now: %1. "
@@ -82,28 +82,28 @@ QString formerSheets(const Inspection& inspection) {
 }
 
 // "Self-intersections stay: no cut would separate the triangles cleanly.", where a fix of all of them was tried.
-QString failedFixes(const Inspection& inspection) {
-  if (inspection.count(DefectKind::SelfIntersection) == 0 || !inspection.isHopeless(DefectKind::SelfIntersection))
+QString failedFixes(const DefectList& defectList) {
+  if (defectList.count(DefectKind::SelfIntersection) == 0 || !defectList.isHopeless(DefectKind::SelfIntersection))
     return {};
   return SuggestionWords::tr("The self-intersections stay: %1.")
-      .arg(inspection.reason(DefectKind::SelfIntersection, -1));
+      .arg(defectList.reason(DefectKind::SelfIntersection, -1));
 }
 
 // Of a sheet that no attempt has failed to thicken.
-bool hasSheetToThicken(const Inspection& inspection) {
-  const auto& open = inspection.keptOpen();
+bool hasSheetToThicken(const DefectList& defectList) {
+  const auto& open = defectList.keptOpen();
   return std::any_of(open.begin(), open.end(), [&](int id) {
-    const FillFailure failure = inspection.failure(id);
-    return inspection.loop(id).isSheetBoundary &&
+    const FillFailure failure = defectList.failure(id);
+    return defectList.loop(id).isSheetBoundary &&
            (failure == FillFailure::None || failure == FillFailure::SheetBoundary ||
             failure == FillFailure::SheetKeptOpen);
   });
 }
 
-QString openTitle(const Inspection& inspection) {
-  const auto sheets = static_cast<int>(inspection.sheetCount());
-  const auto pieces = static_cast<int>(inspection.state().components);
-  if (inspection.keptOpen().size() > inspection.sheetCount())
+QString openTitle(const DefectList& defectList) {
+  const auto sheets = static_cast<int>(defectList.sheetCount());
+  const auto pieces = static_cast<int>(defectList.state().components);
+  if (defectList.keptOpen().size() > defectList.sheetCount())
     return SuggestionWords::tr("No holes remain except those kept open.");
   if (sheets == 0) return SuggestionWords::tr("No holes.");
   if (pieces == 1) return SuggestionWords::tr("No holes. This is an open sheet.");
@@ -113,20 +113,20 @@ QString openTitle(const Inspection& inspection) {
 }
 
 // With nothing wrong but that it is open, on purpose or as a sheet.
-bool isOnlyOpen(const Inspection& inspection) {
-  const MeshState state = inspection.state();
-  return inspection.holes().empty() && !state.closed && state.manifold && state.oriented &&
+bool isOnlyOpen(const DefectList& defectList) {
+  const MeshState state = defectList.state();
+  return defectList.holes().empty() && !state.closed && state.manifold && state.oriented &&
          state.selfIntersectingPairs.value_or(0) == 0;
 }
 
 // In the words of the panel, but for what is open.
-QString headline(const Inspection& inspection) {
-  const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
+QString headline(const DefectList& defectList) {
+  const auto holes = static_cast<int>(defectList.count(DefectKind::Hole));
   if (holes > 0) return SuggestionWords::tr("%Ln hole(s) found.", nullptr, holes);
-  if (isOnlyOpen(inspection)) return openTitle(inspection);
-  const MeshState state = inspection.state();
+  if (isOnlyOpen(defectList)) return openTitle(defectList);
+  const MeshState state = defectList.state();
   if (state.isSound() && !state.isKnownSound()) return SuggestionWords::tr("Closed. Looking for self-intersections…");
-  return stateHeadline(inspection) + QLatin1Char('.');
+  return stateHeadline(defectList) + QLatin1Char('.');
 }
 
 // Solids in solids print as they look from outside, but count twice, and slicers differ.
@@ -138,9 +138,9 @@ QString nestedBodies(const MeshTab& document) {
 }
 
 // Where the headline does not name them.
-QString openSheets(const Inspection& inspection) {
-  const auto sheets = static_cast<int>(inspection.sheetCount());
-  return sheets == 0 || isOnlyOpen(inspection) ? QString() : SuggestionWords::tr("%Ln open sheet(s).", nullptr, sheets);
+QString openSheets(const DefectList& defectList) {
+  const auto sheets = static_cast<int>(defectList.sheetCount());
+  return sheets == 0 || isOnlyOpen(defectList) ? QString() : SuggestionWords::tr("%Ln open sheet(s).", nullptr, sheets);
 }
 
 bool isWorthSaving(const MeshTab& document) {
@@ -159,33 +159,33 @@ QString joined(QStringList sentences) {
 }
 
 // Whether something is left after the repair of triangles that a repair by volume mends.
-bool needsVolume(const Inspection& inspection) {
-  const MeshState state = inspection.state();
-  return inspection.count(DefectKind::SelfIntersection) > 0 || inspection.count(DefectKind::Hole) > 0 ||
+bool needsVolume(const DefectList& defectList) {
+  const MeshState state = defectList.state();
+  return defectList.count(DefectKind::SelfIntersection) > 0 || defectList.count(DefectKind::Hole) > 0 ||
          !state.manifold || !state.oriented;
 }
 
 // What may be done about what a repair leaves, in one place; not what was tried in vain. None of it is what most people
 // want: the card shows no such action as the obvious one.
 void addFurther(Suggestion& step, const MeshTab& document, const SuggestedActions& actions) {
-  const Inspection& inspection = document.inspection;
+  const DefectList& defectList = document.defectList;
   step.isFirstObvious = !step.actions.empty();
-  if (hasSheetToThicken(inspection) && actions.thickenSheet->isEnabled()) step.actions.push_back(actions.thickenSheet);
-  if (inspection.count(DefectKind::InsideOut) > 0) step.actions.push_back(actions.reverseBodies);
-  if (inspection.count(DefectKind::SelfIntersection) > 0 && !inspection.isHopeless(DefectKind::SelfIntersection))
+  if (hasSheetToThicken(defectList) && actions.thickenSheet->isEnabled()) step.actions.push_back(actions.thickenSheet);
+  if (defectList.count(DefectKind::InsideOut) > 0) step.actions.push_back(actions.reverseBodies);
+  if (defectList.count(DefectKind::SelfIntersection) > 0 && !defectList.isHopeless(DefectKind::SelfIntersection))
     step.actions.push_back(actions.resolveIntersections);
   if (actions.uniteBodies->isEnabled()) step.actions.push_back(actions.uniteBodies);
-  if (needsVolume(inspection)) step.actions.push_back(actions.repairByVolume);
-  if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
+  if (needsVolume(defectList)) step.actions.push_back(actions.repairByVolume);
+  if (!defectList.debris().empty()) step.actions.push_back(actions.removeDebris);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);
   if (document.isJustRepaired() && document.document.isModified()) step.actions.push_back(actions.undoRepair);
 }
 
 // The card must not cover the part: of many warnings it has the first ones.
-QStringList shownWarnings(const Inspection& inspection) {
+QStringList shownWarnings(const DefectList& defectList) {
   constexpr int kMostShown = 2;
-  QStringList warnings = inspection.patchWarnings();
-  if (!inspection.removalWarning().isEmpty()) warnings.prepend(inspection.removalWarning());
+  QStringList warnings = defectList.patchWarnings();
+  if (!defectList.removalWarning().isEmpty()) warnings.prepend(defectList.removalWarning());
   const auto more = static_cast<int>(warnings.size()) - kMostShown;
   if (more < 2) return warnings;
   warnings = warnings.mid(0, kMostShown);
@@ -194,11 +194,11 @@ QStringList shownWarnings(const Inspection& inspection) {
 
 // What is closed, or kept open, with nothing else that "Repair all" mends.
 Suggestion cleanStep(const MeshTab& document, const SuggestedActions& actions) {
-  const Inspection& inspection = document.inspection;
+  const DefectList& defectList = document.defectList;
   const ThemeColours& colours = themeColours(currentTheme());
-  const MeshState state = inspection.state();
+  const MeshState state = defectList.state();
   Suggestion step{
-      defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), headline(inspection), {}, {}};
+      defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), headline(defectList), {}, {}};
   if (state.isSound()) {
     step.icon = QStringLiteral("watertight");
     step.colour = state.isKnownSound() ? colours.success : colours.muted;
@@ -206,19 +206,19 @@ Suggestion cleanStep(const MeshTab& document, const SuggestedActions& actions) {
     step.icon = QStringLiteral("warning");
     step.colour = colours.warning;
   }
-  QStringList details = shownWarnings(inspection);
+  QStringList details = shownWarnings(defectList);
   const auto turned = static_cast<int>(document.document.reversedFaces().size());
   if (isWorthSaving(document)) {
-    details << comparison(inspection) << otherFindings(inspection, Compared::Yes);
+    details << comparison(defectList) << otherFindings(defectList, Compared::Yes);
     step.actions.push_back(actions.saveAs);
     if (turned > 0) details << SuggestionWords::tr("%Ln triangle(s) reversed on opening.", nullptr, turned);
   } else {
-    details << otherFindings(inspection, Compared::No) << savedAs(document);
-    if (!document.written && state.isKnownSound() && inspection.debris().empty() &&
+    details << otherFindings(defectList, Compared::No) << savedAs(document);
+    if (!document.written && state.isKnownSound() && defectList.debris().empty() &&
         document.document.defects().nestedBodies == 0)
       details << SuggestionWords::tr("There is nothing to repair.");
   }
-  details << openSheets(inspection) << nestedBodies(document) << failedFixes(inspection);
+  details << openSheets(defectList) << nestedBodies(document) << failedFixes(defectList);
   step.detail = joined(details);
   addFurther(step, document, actions);
   return step;
@@ -226,18 +226,18 @@ Suggestion cleanStep(const MeshTab& document, const SuggestedActions& actions) {
 
 // After a repair that left something.
 Suggestion leftStep(const MeshTab& document, const SuggestedActions& actions) {
-  const Inspection& inspection = document.inspection;
+  const DefectList& defectList = document.defectList;
   // The same number as in the summary, where a hole that was left in pieces counts once.
-  const std::size_t failed = inspection.loopOutcomes().holes.failed;
-  const auto holes = static_cast<int>(failed > 0 ? failed : inspection.count(DefectKind::Hole));
+  const std::size_t failed = defectList.loopOutcomes().holes.failed;
+  const auto holes = static_cast<int>(failed > 0 ? failed : defectList.count(DefectKind::Hole));
   Suggestion left{QStringLiteral("warning"),
                   themeColours(currentTheme()).warning,
                   failed > 0  ? SuggestionWords::tr("%Ln hole(s) could not be filled.", nullptr, holes)
                   : holes > 0 ? SuggestionWords::tr("%Ln hole(s) left.", nullptr, holes)
                               : SuggestionWords::tr("Some defects remain."),
-                  joined({shownWarnings(inspection).join(QLatin1Char(' ')), comparison(inspection), reasons(inspection),
-                          formerSheets(inspection), failedFixes(inspection), openSheets(inspection),
-                          nestedBodies(document), otherFindings(inspection, Compared::Yes), savedAs(document)}),
+                  joined({shownWarnings(defectList).join(QLatin1Char(' ')), comparison(defectList), reasons(defectList),
+                          formerSheets(defectList), failedFixes(defectList), openSheets(defectList),
+                          nestedBodies(document), otherFindings(defectList, Compared::Yes), savedAs(document)}),
                   {}};
   if (holes > 0 && failed == 0) left.actions.push_back(actions.repairAll);
   if (holes > 0) left.actions.push_back(actions.oneByOne);
@@ -249,24 +249,24 @@ Suggestion leftStep(const MeshTab& document, const SuggestedActions& actions) {
 }  // namespace
 
 Suggestion suggestionFor(const MeshTab& document, const SuggestedActions& actions) {
-  const Inspection& inspection = document.inspection;
+  const DefectList& defectList = document.defectList;
   if (document.cardDismissed) return {};
-  if (inspection.isClean()) return cleanStep(document, actions);
+  if (defectList.isClean()) return cleanStep(document, actions);
   // Not once that is undone, or anything else was changed: then it may do something.
   if (document.repairedRevision == document.document.revision()) return leftStep(document, actions);
-  const bool holes = !inspection.holes().empty();
-  const QString changes = comparison(inspection);
+  const bool holes = !defectList.holes().empty();
+  const QString changes = comparison(defectList);
   Suggestion step{
       holes ? defectIconName(DefectKind::Hole) : QStringLiteral("warning"),
       holes ? defectColour(DefectKind::Hole) : themeColours(currentTheme()).warning,
-      headline(inspection),
-      joined({changes, openSheets(inspection), nestedBodies(document),
-              otherFindings(inspection, changes.isEmpty() ? Compared::No : Compared::Yes), savedAs(document)}),
+      headline(defectList),
+      joined({changes, openSheets(defectList), nestedBodies(document),
+              otherFindings(defectList, changes.isEmpty() ? Compared::No : Compared::Yes), savedAs(document)}),
       {actions.repairAll}};
   if (holes) step.actions.push_back(actions.oneByOne);
   if (actions.uniteBodies->isEnabled()) step.actions.push_back(actions.uniteBodies);
   // Also after an undo: a repair of the triangles has left something once.
-  if (document.repairedRevision && needsVolume(inspection)) step.actions.push_back(actions.repairByVolume);
+  if (document.repairedRevision && needsVolume(defectList)) step.actions.push_back(actions.repairByVolume);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);
   return step;
 }

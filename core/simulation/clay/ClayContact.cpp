@@ -17,9 +17,9 @@ double resistanceTo(const Vec3& hand, const Vec3& tool, const SparseVolume& volu
                     const DrillingLoad* load) {
   constexpr double kBeyond = 0.25;  // voxels
   if (load && load->resistance > 0.0 && (hand - tool).dot(load->way) > 0.0) return load->resistance;
-  const VolumeSampler reader(volume);
-  const double depth = reader.depthAt(hand).depth;
-  const bool isInside = load ? depth > kBeyond * volume.voxel() : depth > 0.0 || reader.depthAt(tool).depth > 0.0;
+  const VolumeSampler sampler(volume);
+  const double depth = sampler.depthAt(hand).depth;
+  const bool isInside = load ? depth > kBeyond * volume.voxel() : depth > 0.0 || sampler.depthAt(tool).depth > 0.0;
   return isInside ? feel.resistance : 0.0;
 }
 
@@ -50,12 +50,12 @@ bool ClayContact::follow(const SparseVolume& volume, const ClayFeel& feel, const
 
 // Towards the hand in steps that do not go through a surface, and back to it along its normal where one has.
 bool ClayContact::slide(const SparseVolume& volume, const Vec3& hand) {
-  const VolumeSampler reader(volume);
+  const VolumeSampler sampler(volume);
   const double voxel = volume.voxel();
   bool isTouching = false;
   for (int i = 0; i < kMostSteps; ++i) {
     Vec3 way = hand - m_tool;
-    const VolumeSampler::Depth here = reader.depthAt(m_tool);
+    const VolumeSampler::Depth here = sampler.depthAt(m_tool);
     // On the surface only what goes along it or away is left of the way.
     if (here.depth > -0.05 * voxel && here.gradient.norm() > 0.1) {
       const Vec3 inwards = here.gradient.normalized();
@@ -71,7 +71,7 @@ bool ClayContact::slide(const SparseVolume& volume, const Vec3& hand) {
     const double step = std::min(length, std::max(0.25 * voxel, -here.depth));
     m_tool += step / length * way;
     for (int k = 0; k < 3; ++k) {
-      const VolumeSampler::Depth there = reader.depthAt(m_tool);
+      const VolumeSampler::Depth there = sampler.depthAt(m_tool);
       if (!(there.depth > 0.0)) break;
       isTouching = true;
       if (!(there.gradient.norm() > 0.1)) break;

@@ -39,13 +39,13 @@ ClaySimulation::ClaySimulation(std::shared_ptr<const ClayState> begin, const Cla
     : m_state(std::move(begin)), m_stroke(brush), m_channel(std::move(channel)) {}
 
 void ClaySimulation::step(double, std::span<const SimulationInput> inputs) {
-  const VolumeSampler reader(m_state->volume);
+  const VolumeSampler sampler(m_state->volume);
   for (const SimulationInput& input : inputs) {
     if (input.gesture == 0) continue;
     if (input.isEnd) {
       m_isEnded = true;
     } else {
-      m_stroke.move(input.proxy, input.tip.time, reader.normalAt(input.proxy), input.pressure);
+      m_stroke.move(input.proxy, input.tip.time, sampler.normalAt(input.proxy), input.pressure);
     }
   }
   apply(kMostDabs);

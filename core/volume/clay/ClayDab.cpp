@@ -174,7 +174,7 @@ struct SurfacePlane {
 SurfacePlane planeOf(const SparseVolume& volume, const VoxelDab& dab, const std::vector<VoxelIndex>& blocks) {
   SurfacePlane plane;
   double weights = 0.0;
-  const VolumeSampler reader(volume);
+  const VolumeSampler sampler(volume);
   for (const VoxelIndex& block : blocks) {
     const SparseVolume::View view = volume.view(block);
     for (int i = 0; view.block && i < static_cast<int>(VolumeBlock::kCount); ++i) {
@@ -185,7 +185,7 @@ SurfacePlane planeOf(const SparseVolume& volume, const VoxelDab& dab, const std:
       if (share >= 1.0) continue;
       Vec3 slope;
       for (int k = 0; k < 3; ++k)
-        slope[k] = (reader.sample(at + VoxelIndex::Unit(k)) - reader.sample(at - VoxelIndex::Unit(k))) /
+        slope[k] = (sampler.sample(at + VoxelIndex::Unit(k)) - sampler.sample(at - VoxelIndex::Unit(k))) /
                    (2.0 * VolumeBlock::kUnit);
       const double weight = (1.0 - share) * (1.0 - share);
       weights += weight;
@@ -248,7 +248,7 @@ class Reshaping {
     if (m_dab.isProtected(block)) return old;
     const bool isFree = m_dab.isFree(block);
     const std::shared_ptr<VolumeBlock> samples = samplesOf(old);
-    const VolumeSampler reader(m_volume);
+    const VolumeSampler sampler(m_volume);
     std::optional<DepthWindow> means;
     if (m_dab.action == ClayAction::Smooth || m_dab.action == ClayAction::Smudge) {
       means.emplace(m_volume, block);
@@ -271,7 +271,7 @@ class Reshaping {
       } else if (m_dab.action == ClayAction::Flatten) {
         if (m_plane.isKnown) depth += std::abs(strength) * (std::clamp(m_plane.depth(p), -kDepths, kDepths) - before);
       } else {
-        depth = reader.depthInVoxels(p + strength * m_dab.source(p)) + kSmudging * strength * smoothing;
+        depth = sampler.depthInVoxels(p + strength * m_dab.source(p)) + kSmudging * strength * smoothing;
       }
       sample = depthSample(depth);
     }

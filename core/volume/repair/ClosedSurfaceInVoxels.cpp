@@ -26,11 +26,11 @@ Vec3 originBefore(const Vec3& first, double voxel, const std::optional<Vec3>& al
   return *alignedTo + block * ((first - *alignedTo) / block).array().floor().matrix();
 }
 
-bool isNearSurface(const VolumeSampler& reader, const Vec3& place) {
+bool isNearSurface(const VolumeSampler& sampler, const Vec3& place) {
   const VoxelIndex first = place.array().floor().matrix().cast<int>() - VoxelIndex::Ones();
   bool isInside = false, isOutside = false;
   for (int i = 0; i < 64 && !(isInside && isOutside); ++i)
-    (reader.sample(first + VoxelIndex(i & 3, i >> 2 & 3, i >> 4)) > 0 ? isInside : isOutside) = true;
+    (sampler.sample(first + VoxelIndex(i & 3, i >> 2 & 3, i >> 4)) > 0 ? isInside : isOutside) = true;
   return isInside && isOutside;
 }
 
@@ -39,7 +39,7 @@ bool isNearSurface(const VolumeSampler& reader, const Vec3& place) {
 // has its own volume wherever its faces lie; a count of samples has 27 of 64 for one of four voxels with faces on
 // samples. What has no sample inside has nothing.
 double materialToSurface(const SparseVolume& volume) {
-  const VolumeSampler reader(volume);
+  const VolumeSampler sampler(volume);
   double voxels = 0.0;
   volume.forEach([&](const VoxelIndex& block, const SparseVolume::Content& content) {
     if (!content.block) {
@@ -54,7 +54,7 @@ double materialToSurface(const SparseVolume& volume) {
       for (int k = 0; k < 3; ++k) {
         double along = 0.0;
         for (const int side : {-1, 1}) {
-          const double beside = reader.sample(at + side * VoxelIndex::Unit(k));
+          const double beside = sampler.sample(at + side * VoxelIndex::Unit(k));
           along += beside > 0.0 ? 0.5 : depth / (depth - beside);
         }
         share *= along;
@@ -83,7 +83,7 @@ double ClosedSurfaceInVoxels::nearShare(const SparseVolume& volume, const std::v
   constexpr double kApart = 4.0;                 // voxels between places, about
   constexpr int kMost = 64;                      // parts of an edge
   constexpr std::size_t kTrianglesPerPoll = 64;  // each with up to kMost² places
-  const VolumeSampler reader(volume);
+  const VolumeSampler sampler(volume);
   double near = 0.0, all = 0.0;
   for (std::size_t i = 0; i < closed.triangles.size(); ++i) {
     if (!pollProgress(i, closed.triangles.size(), progress, kTrianglesPerPoll)) return 0.0;
@@ -99,18 +99,18 @@ double ClosedSurfaceInVoxels::nearShare(const SparseVolume& volume, const std::v
         const Vec3 place = a + ((j + third) * ab + (k / 2 + third) * ac) / parts;
         const double share = area / (parts * parts);
         all += share;
-        if (isNearSurface(reader, place)) near += share;
+        if (isNearSurface(sampler, place)) near += share;
       }
   }
   return all > 0.0 ? near / all : 0.0;
 }
 
 double nearShare(const SparseVolume& volume, const std::vector<Vec3>& places, const Progress& progress) {
-  const VolumeSampler reader(volume);
+  const VolumeSampler sampler(volume);
   std::size_t near = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!pollProgress(i, places.size(), progress, kSearchesPerPoll)) return 0.0;
-    near += isNearSurface(reader, places[i]);
+    near += isNearSurface(sampler, places[i]);
   }
   return places.empty() ? 1.0 : static_cast<double>(near) / static_cast<double>(places.size());
 }

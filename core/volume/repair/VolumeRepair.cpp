@@ -116,8 +116,8 @@ Result<double> fillGaps(SurfaceVolume& made, double radius, Progress progress) {
   if (radius == 0.0) return 0.0;
   Result<SparseVolume> closed = withoutGaps(made.volume, radius, progress);
   if (!closed) return closed.error();
-  const VolumeSampler reader(*closed);
-  std::erase_if(made.kept, [&](const Vec3& p) { return reader.depthAt(p).depth > 0.5 * closed->voxel(); });
+  const VolumeSampler sampler(*closed);
+  std::erase_if(made.kept, [&](const Vec3& p) { return sampler.depthAt(p).depth > 0.5 * closed->voxel(); });
   const double filled = closed->material() - made.volume.material();
   made.volume = std::move(*closed);
   return filled;

@@ -22,11 +22,11 @@ class CellCube {
       copyBlocks();
       return;
     }
-    const VolumeSampler reader(volume);
+    const VolumeSampler sampler(volume);
     std::size_t i = 0;
     for (int z = -1; z < m_side - 1; ++z)
       for (int y = -1; y < m_side - 1; ++y)
-        for (int x = -1; x < m_side - 1; ++x) m_samples[i++] = reader.sample(first + stride * VoxelIndex(x, y, z));
+        for (int x = -1; x < m_side - 1; ++x) m_samples[i++] = sampler.sample(first + stride * VoxelIndex(x, y, z));
   }
 
   VolumeTriangles triangles(const Vec3& origin) const {

@@ -46,11 +46,11 @@ SparseVolume::Content halvedContent(const SparseVolume& volume, const VoxelIndex
   constexpr int n = kHalvedWindow;
   const auto place = [](int x, int y, int z) { return static_cast<std::size_t>((z * n + y) * n + x); };
   std::array<std::int16_t, std::size_t{n} * n * n> window;
-  const VolumeSampler reader(volume);
+  const VolumeSampler sampler(volume);
   const VoxelIndex first = 2 * VolumeBlock::kSize * block - VoxelIndex::Ones();
   for (int z = 0; z < n; ++z)
     for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) window[place(x, y, z)] = reader.sample(first + VoxelIndex(x, y, z));
+      for (int x = 0; x < n; ++x) window[place(x, y, z)] = sampler.sample(first + VoxelIndex(x, y, z));
   auto samples = std::make_shared<VolumeBlock>();
   for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
     const VoxelIndex low = 2 * VoxelIndex(i & 7, i >> 3 & 7, i >> 6);

@@ -26,9 +26,9 @@ constexpr double kLeastShare = 0.1;  // of the largest eigenvalue, that counts a
 // The nearest places of the surface that a sample knows: those of the planes that explain its depth and those of the
 // samples towards one of the eight sides. Beside an edge these are on one side of it only, and half way between two
 // planes there are two.
-std::vector<SharpFeature::Plane> planesAt(const VolumeSampler& reader, const VoxelIndex& at) {
+std::vector<SharpFeature::Plane> planesAt(const VolumeSampler& sampler, const VoxelIndex& at) {
   std::vector<SharpFeature::Plane> planes;
-  const auto depthAt = [&](const VoxelIndex& voxel) { return reader.sample(voxel) / VolumeBlock::kUnit; };
+  const auto depthAt = [&](const VoxelIndex& voxel) { return sampler.sample(voxel) / VolumeBlock::kUnit; };
   const double depth = depthAt(at);
   if (std::abs(depth) > kDeepest) return planes;
   for (int side = 0; side < 8; ++side) {
@@ -51,13 +51,13 @@ std::vector<SharpFeature::Plane> planesAt(const VolumeSampler& reader, const Vox
 }
 
 // Whether the samples of a cell show a smooth surface: by the means of the slopes on either side.
-bool isSmooth(const VolumeSampler& reader, const VoxelIndex& cell) {
+bool isSmooth(const VolumeSampler& sampler, const VoxelIndex& cell) {
   std::array<Vec3, 8> slopes;
   for (std::size_t c = 0; c < 8; ++c) {
     const auto corner = static_cast<int>(c);
     const VoxelIndex at = cell + VoxelIndex(corner & 1, corner >> 1 & 1, corner >> 2);
     for (int k = 0; k < 3; ++k)
-      slopes[c][k] = (reader.sample(at + VoxelIndex::Unit(k)) - reader.sample(at - VoxelIndex::Unit(k))) /
+      slopes[c][k] = (sampler.sample(at + VoxelIndex::Unit(k)) - sampler.sample(at - VoxelIndex::Unit(k))) /
                      (2.0 * VolumeBlock::kUnit);
     if (std::abs(slopes[c].norm() - 1.0) > kSlope || slopes[c].dot(slopes[0]) < kSharp) return false;
   }
@@ -136,14 +136,14 @@ std::optional<double> SharpFeature::crossing(const VoxelIndex& from, int axis, b
 }
 
 std::optional<SharpFeature> featureOf(const SparseVolume& volume, const VoxelIndex& cell) {
-  const VolumeSampler reader(volume);
-  if (isSmooth(reader, cell)) return std::nullopt;
+  const VolumeSampler sampler(volume);
+  if (isSmooth(sampler, cell)) return std::nullopt;
   const Vec3 centre = cell.cast<double>() + Vec3::Constant(0.5);
   std::vector<SharpFeature::Plane> all;
   for (int z = -2; z < 4; ++z)
     for (int y = -2; y < 4; ++y)
       for (int x = -2; x < 4; ++x)
-        for (const SharpFeature::Plane& plane : planesAt(reader, cell + VoxelIndex(x, y, z))) all.push_back(plane);
+        for (const SharpFeature::Plane& plane : planesAt(sampler, cell + VoxelIndex(x, y, z))) all.push_back(plane);
   // Beside a corner of three planes the nearest two have their edge in the cell.
   std::optional<SharpFeature> best;
   for (const double reach : kReaches) {

@@ -34,7 +34,7 @@ class PlannedCell {
   void put(const QString& name, const QByteArray& content) const { m_bench.put(name, content); }
 
  private:
-  Bench m_bench;
+  Fixture m_bench;
 };
 
 }  // namespace handwheel

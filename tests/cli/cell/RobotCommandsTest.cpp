@@ -72,10 +72,10 @@ class RobotCommandsTest : public QObject {
  private slots:
   // The place of the flange with all joints at 0 is in the data sheet of the IRB 120: 374 mm ahead, 630 mm up.
   void theHomeOfABuiltInRobot() {
-    const Bench bench;
+    const Fixture fixture;
     const QString half = QString::number(std::sqrt(0.5), 'g', 17);
     const QString home = QStringLiteral("--pose=374,0,630,%1,0,%1,0").arg(half);
-    const Ran one = bench.run({"ik", "irb120", home, "--json"});
+    const Ran one = fixture.run({"ik", "irb120", home, "--json"});
     QVERIFY2(one.code == 0, one.err);
     const nlohmann::json first = reportOf(one);
     QVERIFY(first["solved"].get<bool>());
@@ -84,68 +84,69 @@ class RobotCommandsTest : public QObject {
     QCOMPARE(home6.size(), std::size_t{6});
     for (const double q : home6) QVERIFY(std::abs(q) < 1e-6);
     // Forward, beside the plane of the arm: the wrist may be turned over.
-    const Ran many = bench.run({"ik", "irb120", "--pose=400,100,400,2,0,2,0", "--all", "--json"});
+    const Ran many = fixture.run({"ik", "irb120", "--pose=400,100,400,2,0,2,0", "--all", "--json"});
     const nlohmann::json all = reportOf(many)["solutions"];
     QVERIFY2(all.size() >= 2, many.out);
     for (const nlohmann::json& solution : all)
       QVERIFY(solution["error_mm"].get<double>() < 1e-6 && solution["error_rad"].get<double>() < 1e-9);
-    const Ran far = bench.run({"ik", "irb120", "--pose=3740,0,630,1,0,0,0", "--json"});
+    const Ran far = fixture.run({"ik", "irb120", "--pose=3740,0,630,1,0,0,0", "--json"});
     QCOMPARE(far.code, 2);
     QVERIFY(!reportOf(far)["solved"].get<bool>());
   }
 
   void tablesAndDescriptions() {
-    const Bench bench;
-    bench.put("scara.json", R"({"joints": [{"a": 300, "d": 400}, {"a": 200},
+    const Fixture fixture;
+    fixture.put("scara.json", R"({"joints": [{"a": 300, "d": 400}, {"a": 200},
       {"type": "prismatic", "lower": -150, "upper": 0}, {"theta": 0}]})");
     // 300 mm along x, 200 along y at the elbow's 90°, 50 down, turned by 90° and 30° more.
     const double half = (90.0 + 30.0) * M_PI / 360.0;
-    const Ran run = bench.run({"ik", "scara.json", "--json",
-                               QStringLiteral("--pose=300,200,350,%1,0,0,%2").arg(std::cos(half)).arg(std::sin(half))});
+    const Ran run =
+        fixture.run({"ik", "scara.json", "--json",
+                     QStringLiteral("--pose=300,200,350,%1,0,0,%2").arg(std::cos(half)).arg(std::sin(half))});
     QVERIFY2(run.code == 0, run.err + run.out);
     const auto q = reportOf(run)["solutions"][0]["q"].get<std::vector<double>>();
     QVERIFY(std::abs(q[2] + 50.0) < 0.02);
-    bench.put("arm.urdf", planarUrdf());
+    fixture.put("arm.urdf", planarUrdf());
     // A plane arm cannot turn its flange as it likes.
-    QCOMPARE(bench.run({"ik", "arm.urdf", "--pose=500,500,0,1,0,0,0"}).code, 2);
+    QCOMPARE(fixture.run({"ik", "arm.urdf", "--pose=500,500,0,1,0,0,0"}).code, 2);
     // But it can be there: its second link stands at 300, 400, unturned, and is not tilted by 0.4 rad as was asked.
     const QString tilted =
         QStringLiteral("--pose=300,400,0,%1,%2,0,0").arg(std::cos(0.2), 0, 'g', 17).arg(std::sin(0.2), 0, 'g', 17);
-    QCOMPARE(bench.run({"ik", "arm.urdf", tilted, "--tip", "l2"}).code, 2);
-    const Ran there = bench.run({"ik", "arm.urdf", tilted, "--tip", "l2", "--place", "--json"});
+    QCOMPARE(fixture.run({"ik", "arm.urdf", tilted, "--tip", "l2"}).code, 2);
+    const Ran there = fixture.run({"ik", "arm.urdf", tilted, "--tip", "l2", "--place", "--json"});
     QVERIFY2(there.code == 0, there.err + there.out);
     const nlohmann::json solution = reportOf(there)["solutions"][0];
     const auto standing = solution["q"].get<std::vector<double>>();
     QVERIFY(solution["error_mm"].get<double>() < 0.05 && std::abs(solution["error_rad"].get<double>() - 0.4) < 0.01);
     QVERIFY(std::abs(standing[0] - std::atan2(4.0, 3.0)) < 1e-3 && std::abs(standing[0] + standing[1]) < 0.05);
-    QCOMPARE(bench.run({"ik", "arm.urdf", "--pose=500,500,0,1,0,0,0", "--place"}).code, 2);
-    QCOMPARE(bench.run({"ik", "arm.urdf", "--pose=500,0,0,1,0,0,0", "--tip", "l2"}).code, 0);
-    const Ran noLink = bench.run({"ik", "arm.urdf", "--pose=500,0,0,1,0,0,0", "--tip", "l9"});
+    QCOMPARE(fixture.run({"ik", "arm.urdf", "--pose=500,500,0,1,0,0,0", "--place"}).code, 2);
+    QCOMPARE(fixture.run({"ik", "arm.urdf", "--pose=500,0,0,1,0,0,0", "--tip", "l2"}).code, 0);
+    const Ran noLink = fixture.run({"ik", "arm.urdf", "--pose=500,0,0,1,0,0,0", "--tip", "l9"});
     QVERIFY2(noLink.code == 1 && noLink.err.contains("l9"), noLink.err);
-    QCOMPARE(bench.run({"ik", "irb120"}).code, 1);
-    QCOMPARE(bench.run({"ik", "irb120", "--pose=0,0,0,0,0,0,0"}).code, 1);
+    QCOMPARE(fixture.run({"ik", "irb120"}).code, 1);
+    QCOMPARE(fixture.run({"ik", "irb120", "--pose=0,0,0,0,0,0,0"}).code, 1);
     // Of a robot that is no cell there are no others.
     for (const char* robot : {"irb120", "arm.urdf", "scara.json"}) {
-      const Ran chosen = bench.run({"ik", robot, "--pose=300,0,300,1,0,0,0", "--arm", "nonsense"});
+      const Ran chosen = fixture.run({"ik", robot, "--pose=300,0,300,1,0,0,0", "--arm", "nonsense"});
       QVERIFY2(chosen.code == 1 && chosen.err.contains("--arm") && chosen.err.contains(robot), chosen.err);
     }
-    QCOMPARE(bench.run({"ik", "no-robot", "--pose=0,0,0,1,0,0,0"}).code, 1);
-    bench.put("bad.json", R"({"joints": [{"a": "x"}]})");
-    QCOMPARE(bench.run({"ik", "bad.json", "--pose=0,0,0,1,0,0,0"}).code, 1);
+    QCOMPARE(fixture.run({"ik", "no-robot", "--pose=0,0,0,1,0,0,0"}).code, 1);
+    fixture.put("bad.json", R"({"joints": [{"a": "x"}]})");
+    QCOMPARE(fixture.run({"ik", "bad.json", "--pose=0,0,0,1,0,0,0"}).code, 1);
   }
 
   // Where a program of a cell says that its tool is, the joints stand as the program says.
   void ofACell() {
-    const Bench bench;
+    const Fixture fixture;
     const QString cell = QStringLiteral(SOURCE_SAMPLES "/robot-cell.handwheel");
-    const Ran posted = bench.run({"post", cell, "edge", "--controller", "csv", "-o", "edge.csv"});
+    const Ran posted = fixture.run({"post", cell, "edge", "--controller", "csv", "-o", "edge.csv"});
     QVERIFY2(posted.code == 0, posted.err);
-    QList<QByteArray> lines = bench.content("edge.csv").split('\n');
+    QList<QByteArray> lines = fixture.content("edge.csv").split('\n');
     lines.removeIf([](const QByteArray& line) { return line.startsWith('#'); });
     const QList<QByteArray> row = lines.at(1).split(',');
     QCOMPARE(row.size(), 5 + 6 + 7);
     const QString pose = QStringLiteral("--pose=") + QString::fromLatin1(row.mid(11).join(','));
-    const Ran run = bench.run({"ik", cell, pose, "--all", "--json"});
+    const Ran run = fixture.run({"ik", cell, pose, "--all", "--json"});
     QVERIFY2(run.code == 0, run.err);
     const nlohmann::json solutions = reportOf(run)["solutions"];
     bool isFound = false;
@@ -160,10 +161,10 @@ class RobotCommandsTest : public QObject {
 
   // The four that there are, by their names.
   void noRobot() {
-    const Bench bench;
-    bench.put("letter.txt", "Dear robot,");
+    const Fixture fixture;
+    fixture.put("letter.txt", "Dear robot,");
     for (const char* robot : {"letter.txt", "irb121"}) {
-      const Ran run = bench.run({"ik", robot, "--pose=0,0,0,1,0,0,0"});
+      const Ran run = fixture.run({"ik", robot, "--pose=0,0,0,1,0,0,0"});
       QCOMPARE(run.code, 1);
       for (const char* word : {robot, "URDF", "table", "cell", "built-in robot"})
         QVERIFY2(run.err.contains(word), run.err);
@@ -171,25 +172,25 @@ class RobotCommandsTest : public QObject {
   }
 
   void aBenchmarkOfTwo() {
-    const Bench bench;
-    bench.put("arm.urdf", planarUrdf());
-    bench.put("set.json", planarSet());
-    const Ran run = bench.run(
+    const Fixture fixture;
+    fixture.put("arm.urdf", planarUrdf());
+    fixture.put("set.json", planarSet());
+    const Ran run = fixture.run(
         {"benchmark-planning", "set.json", "--robot", "arm.urdf", "--paths", "paths", "--json", "--time", "60"});
     QVERIFY2(run.code == 0, run.err);
     const nlohmann::json json = reportOf(run);
     QVERIFY(json["problems"] == 2 && json["solved"] == 1 && json["certified"] == 1);
     QCOMPARE(json["results"][1]["outcome"].get<std::string>(), std::string("start_in_collision"));
-    const auto path = nlohmann::json::parse(bench.content("paths/ball_1.json").toStdString());
+    const auto path = nlohmann::json::parse(fixture.content("paths/ball_1.json").toStdString());
     QVERIFY(path["certified"].get<bool>());
     QVERIFY(path["waypoints"].front() == nlohmann::json({-0.9, -0.2}));
     QVERIFY(path["waypoints"].back() == nlohmann::json({0.9, 0.2}));
-    const nlohmann::json other = reportOf(bench.run({"benchmark-planning", "set.json", "--robot", "arm.urdf",
-                                                     "--planner", "rrtconnect", "--json", "--time", "60"}));
+    const nlohmann::json other = reportOf(fixture.run({"benchmark-planning", "set.json", "--robot", "arm.urdf",
+                                                       "--planner", "rrtconnect", "--json", "--time", "60"}));
     QVERIFY(other["planner"] == "rrtconnect" && other["certified"] == 1);
     QVERIFY(other["checks_mean"].get<double>() > 0.0);
-    QCOMPARE(bench.run({"benchmark-planning", "set.json"}).code, 1);
-    const QByteArray text = bench.run({"benchmark-planning", "set.json", "--robot", "arm.urdf", "--time", "60"}).out;
+    QCOMPARE(fixture.run({"benchmark-planning", "set.json"}).code, 1);
+    const QByteArray text = fixture.run({"benchmark-planning", "set.json", "--robot", "arm.urdf", "--time", "60"}).out;
     const QByteArray length = QByteArray::number(json["length_rad_mean"].get<double>(), 'g', 3);
     QVERIFY2(text.contains("mean length " + length + " rad"), text);
     QVERIFY2(text.contains("ball_2: start_in_collision\n"), text);
@@ -197,16 +198,16 @@ class RobotCommandsTest : public QObject {
 
   // The same problem as a pair of YAML files, by either of them, and in a folder of pairs.
   void aBenchmarkOfPairs() {
-    const Bench bench;
-    bench.put("arm.urdf", planarUrdf());
-    bench.put("set.json", planarSet());
-    QVERIFY(QDir(bench.path()).mkpath("folder"));
+    const Fixture fixture;
+    fixture.put("arm.urdf", planarUrdf());
+    fixture.put("set.json", planarSet());
+    QVERIFY(QDir(fixture.path()).mkpath("folder"));
     for (const QString place : {"", "folder/"}) {
-      bench.put(place + "ball_scene0001.yaml", kPlanarScene);
-      bench.put(place + "ball_request0001.yaml", kPlanarRequest);
+      fixture.put(place + "ball_scene0001.yaml", kPlanarScene);
+      fixture.put(place + "ball_request0001.yaml", kPlanarRequest);
     }
     const auto planned = [&](const QString& set) {
-      return reportOf(bench.run({"benchmark-planning", set, "--robot", "arm.urdf", "--json", "--time", "60"}));
+      return reportOf(fixture.run({"benchmark-planning", set, "--robot", "arm.urdf", "--json", "--time", "60"}));
     };
     const nlohmann::json expected = planned("set.json")["results"][0];
     for (const QString set : {"ball_scene0001.yaml", "ball_request0001.yaml", "folder"}) {
@@ -215,21 +216,21 @@ class RobotCommandsTest : public QObject {
       for (const char* key : {"name", "outcome", "certified", "length_rad", "checks"})
         QVERIFY2(json["results"][0][key] == expected[key], json.dump().c_str());
     }
-    bench.put("lonely_request7.yaml", kPlanarRequest);
-    const Ran lonely = bench.run({"benchmark-planning", "lonely_request7.yaml", "--robot", "arm.urdf"});
+    fixture.put("lonely_request7.yaml", kPlanarRequest);
+    const Ran lonely = fixture.run({"benchmark-planning", "lonely_request7.yaml", "--robot", "arm.urdf"});
     QVERIFY2(lonely.code == 1 && lonely.err.contains("lonely_scene7.yaml"), lonely.err);
-    bench.put("bad_scene.yaml", "a: &a [*a]");
-    bench.put("bad_request.yaml", kPlanarRequest);
-    const Ran bad = bench.run({"benchmark-planning", "bad_request.yaml", "--robot", "arm.urdf"});
+    fixture.put("bad_scene.yaml", "a: &a [*a]");
+    fixture.put("bad_request.yaml", kPlanarRequest);
+    const Ran bad = fixture.run({"benchmark-planning", "bad_request.yaml", "--robot", "arm.urdf"});
     QVERIFY2(bad.code == 1 && bad.err.contains("bad_scene.yaml") && bad.err.contains("alias"), bad.err);
   }
 
   // At the goal the third link lies across the first: that is named with its depth, and allowed only if that is asked
   // for. The balls of both links are 50 mm apart and 60 mm wide.
   void ownLinksThatOverlap() {
-    const Bench bench;
-    bench.put("arm.urdf", planarUrdf(3));
-    bench.put("set.json", R"({"scene": "folded", "joints": ["j1", "j2", "j3"], "problems": [
+    const Fixture fixture;
+    fixture.put("arm.urdf", planarUrdf(3));
+    fixture.put("set.json", R"({"scene": "folded", "joints": ["j1", "j2", "j3"], "problems": [
       {"index": 4, "start": [0, 0.5, 0.2], "goal": [0, 2.0, 2.71], "objects": []}]})");
     double depth = 0.0;
     for (int i = 2; i <= 10; ++i) {
@@ -240,7 +241,7 @@ class RobotCommandsTest : public QObject {
     }
     QVERIFY(depth > 1.0);
     const QStringList words{"benchmark-planning", "set.json", "--robot", "arm.urdf", "--time", "60"};
-    const nlohmann::json strict = reportOf(bench.run(words + QStringList{"--json"}));
+    const nlohmann::json strict = reportOf(fixture.run(words + QStringList{"--json"}));
     QVERIFY(strict["solved"] == 0 && strict["with_own_overlaps"] == 1);
     const nlohmann::json result = strict["results"][0];
     QCOMPARE(result["outcome"].get<std::string>(), std::string("goal_in_collision"));
@@ -248,17 +249,17 @@ class RobotCommandsTest : public QObject {
     const nlohmann::json overlap = result["own_overlaps"][0];
     QVERIFY(overlap["links"] == nlohmann::json({"l1", "l3"}) && overlap["at"] == "goal" && overlap["allowed"] == false);
     QVERIFY(std::abs(overlap["depth_mm"].get<double>() - depth) < 1e-6);
-    const QByteArray text = bench.run(words).out;
+    const QByteArray text = fixture.run(words).out;
     QVERIFY2(text.contains("folded_4: goal_in_collision; l1 overlaps l3 by"), text);
     const QStringList allowing = words + QStringList{"--own-overlaps", "--paths", "paths"};
-    const nlohmann::json allowed = reportOf(bench.run(allowing + QStringList{"--json"}));
+    const nlohmann::json allowed = reportOf(fixture.run(allowing + QStringList{"--json"}));
     QVERIFY2(allowed["solved"] == 1 && allowed["certified"] == 0 && allowed["solved_with_overlaps_allowed"] == 1,
              allowed.dump().c_str());
     QVERIFY(allowed["results"][0]["certified_but_for_overlaps"].get<bool>());
-    const nlohmann::json path = bench.json("paths/folded_4.json");
+    const nlohmann::json path = fixture.json("paths/folded_4.json");
     QVERIFY(!path["certified"].get<bool>() && path["certified_but_for_overlaps"].get<bool>());
     QVERIFY(path["waypoints"].back() == nlohmann::json({0, 2.0, 2.71}) && path["own_overlaps"][0]["allowed"] == true);
-    const QByteArray said = bench.run(allowing).out;
+    const QByteArray said = fixture.run(allowing).out;
     QVERIFY2(said.contains("1 with overlapping links allowed") && said.contains("certified but for these pairs"), said);
   }
 
@@ -267,14 +268,14 @@ class RobotCommandsTest : public QObject {
   void theOverlapsOfTheUr5() {
     const QString data = qEnvironmentVariable("HANDWHEEL_DATA") + "/planning/motionbenchmaker-ur5/";
     if (!QFile::exists(data)) QSKIP("HANDWHEEL_DATA is not set or has no motionbenchmaker-ur5.");
-    const Bench bench;
+    const Fixture fixture;
     std::map<std::string, int> partners;
     double least = 1e9, most = 0.0;
     for (const char* set :
          {"bookshelf_small", "bookshelf_tall", "bookshelf_thin", "box", "cage", "table_pick", "table_under_pick"}) {
       const nlohmann::json json = reportOf(
-          bench.run({"benchmark-planning", data + set + "_ur5.json", "--robot", data + "robot/ur5_spherized.urdf",
-                     "--srdf", data + "robot/ur5.srdf", "--time", "0.001", "--json"}));
+          fixture.run({"benchmark-planning", data + set + "_ur5.json", "--robot", data + "robot/ur5_spherized.urdf",
+                       "--srdf", data + "robot/ur5.srdf", "--time", "0.001", "--json"}));
       for (const nlohmann::json& result : json["results"]) {
         if (!result.contains("own_overlaps")) continue;
         for (const nlohmann::json& each : result["own_overlaps"]) {

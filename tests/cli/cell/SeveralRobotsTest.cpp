@@ -43,7 +43,7 @@ class TwoBars {
   QByteArray read(const QString& name) const { return m_bench.content(name); }
 
  private:
-  Bench m_bench;
+  Fixture m_bench;
 };
 
 }  // namespace

@@ -21,16 +21,16 @@ inline QByteArray largeTube() {
   return grid(n, n, at, [](int, int) { return false; }).off();
 }
 
-inline void putInto(const Bench& bench, const QString& name, const QByteArray& content) {
-  QVERIFY(QDir(bench.path()).mkpath(QFileInfo(name).path()));
-  bench.put(name, content);
+inline void putInto(const Fixture& fixture, const QString& name, const QByteArray& content) {
+  QVERIFY(QDir(fixture.path()).mkpath(QFileInfo(name).path()));
+  fixture.put(name, content);
 }
 
 // Good files of which one has a hole, and one in a folder below.
-inline void putGoodFiles(const Bench& bench) {
-  putInto(bench, "in/a.off", openCube().off());
-  putInto(bench, "in/sub/b.off", cube().off());
-  putInto(bench, "in/sub/c.off", tetrahedron().off());
+inline void putGoodFiles(const Fixture& fixture) {
+  putInto(fixture, "in/a.off", openCube().off());
+  putInto(fixture, "in/sub/b.off", cube().off());
+  putInto(fixture, "in/sub/c.off", tetrahedron().off());
 }
 
 // "a.off closed", for each file in the order of the report.
@@ -71,8 +71,8 @@ inline bool isGone(pid_t process) {
 // A batch that is under way.
 class Batch {
  public:
-  Batch(const Bench& bench, const QStringList& words) {
-    m_process.setWorkingDirectory(bench.path());
+  Batch(const Fixture& fixture, const QStringList& words) {
+    m_process.setWorkingDirectory(fixture.path());
     auto environment = QProcessEnvironment::systemEnvironment();
     // A signal ends the program with the sanitizers as it does without.
     environment.insert("ASAN_OPTIONS", environment.value("ASAN_OPTIONS") + ":handle_segv=0");
@@ -108,8 +108,8 @@ class Batch {
   QProcess m_process;
 };
 
-inline bool tellsOf(const Bench& bench, const char* file) {
-  const QByteArray report = bench.content("out/repair-report.json");
+inline bool tellsOf(const Fixture& fixture, const char* file) {
+  const QByteArray report = fixture.content("out/repair-report.json");
   return report.contains(file);
 }
 

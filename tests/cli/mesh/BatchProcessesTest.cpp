@@ -22,26 +22,26 @@ class BatchProcessesTest : public QObject {
   void endedChildStopsNoOther() {
     QFETCH(int, signal);
     QFETCH(QByteArray, reason);
-    const Bench bench;
-    putGoodFiles(bench);
-    putInto(bench, "in/large.off", largeTube());
-    Batch batch(bench, {"in", "-o", "out", "-j", "2"});
+    const Fixture fixture;
+    putGoodFiles(fixture);
+    putInto(fixture, "in/large.off", largeTube());
+    Batch batch(fixture, {"in", "-o", "out", "-j", "2"});
     QTRY_VERIFY_WITH_TIMEOUT(batch.childFor("in/large.off") != 0, 30000);
     ::kill(batch.childFor("in/large.off"), signal);
     const Ran ran = batch.finish();
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.out.contains("in/large.off: failed: " + reason + "\n"), ran.out);
-    QCOMPARE(states(bench.json("out/repair-report.json")),
+    QCOMPARE(states(fixture.json("out/repair-report.json")),
              (QStringList{"in/a.off closed", "in/large.off failed", "in/sub/b.off closed", "in/sub/c.off closed"}));
-    QVERIFY(!QFile::exists(bench.path() + "/out/large.off"));
+    QVERIFY(!QFile::exists(fixture.path() + "/out/large.off"));
   }
 
   // Also one that does not listen.
   void timeLimit() {
-    const Bench bench;
-    putGoodFiles(bench);
-    putInto(bench, "in/large.off", largeTube());
-    Batch batch(bench, {"in", "-o", "out", "--time-limit", "5"});
+    const Fixture fixture;
+    putGoodFiles(fixture);
+    putInto(fixture, "in/large.off", largeTube());
+    Batch batch(fixture, {"in", "-o", "out", "--time-limit", "5"});
     QTRY_VERIFY_WITH_TIMEOUT(batch.childFor("in/large.off") != 0, 30000);
     ::kill(batch.childFor("in/large.off"), SIGSTOP);
     const Ran ran = batch.finish();
@@ -61,11 +61,11 @@ class BatchProcessesTest : public QObject {
   void interrupt() {
     QFETCH(int, signal);
     QFETCH(bool, isDeaf);
-    const Bench bench;
-    putGoodFiles(bench);
-    for (const char* name : {"in/large1.off", "in/large2.off"}) putInto(bench, name, largeTube());
-    putInto(bench, "out/large1.off", "what was there before");
-    Batch batch(bench, {"in", "-o", "out", "-j", "2"});
+    const Fixture fixture;
+    putGoodFiles(fixture);
+    for (const char* name : {"in/large1.off", "in/large2.off"}) putInto(fixture, name, largeTube());
+    putInto(fixture, "out/large1.off", "what was there before");
+    Batch batch(fixture, {"in", "-o", "out", "-j", "2"});
     QTRY_VERIFY_WITH_TIMEOUT(batch.childFor("in/large1.off") != 0 && batch.childFor("in/large2.off") != 0, 30000);
     const QList<pid_t> children = batch.children();
     if (isDeaf) ::kill(children.front(), SIGSTOP);
@@ -74,10 +74,10 @@ class BatchProcessesTest : public QObject {
     QCOMPARE(ran.code, 130);
     QCOMPARE(ran.err, QByteArray("handwheel: Cancelled after 1 of 5 files. Run again with --resume to do the rest.\n"));
     for (pid_t child : children) QVERIFY(isGone(child));
-    QCOMPARE(QDir(bench.path() + "/out").entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+    QCOMPARE(QDir(fixture.path() + "/out").entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
              (QStringList{"a.off", "large1.off", "repair-report.json"}));
-    QCOMPARE(bench.content("out/large1.off"), QByteArray("what was there before"));
-    const Ran next = bench.run({"repair", "in", "-o", "out", "-j", "2", "--resume"});
+    QCOMPARE(fixture.content("out/large1.off"), QByteArray("what was there before"));
+    const Ran next = fixture.run({"repair", "in", "-o", "out", "-j", "2", "--resume"});
     QVERIFY(next.code == 0 || next.code == 2);
     QCOMPARE(next.out.count("done before"), 1);
   }
@@ -89,18 +89,18 @@ class BatchProcessesTest : public QObject {
   }
   void endedBatchLeavesNoProcess() {
     QFETCH(int, signal);
-    const Bench bench;
-    for (const char* name : {"in/large1.off", "in/large2.off"}) putInto(bench, name, largeTube());
-    putInto(bench, "out/large1.off", "what was there before");
-    Batch batch(bench, {"in", "-o", "out", "-j", "2"});
+    const Fixture fixture;
+    for (const char* name : {"in/large1.off", "in/large2.off"}) putInto(fixture, name, largeTube());
+    putInto(fixture, "out/large1.off", "what was there before");
+    Batch batch(fixture, {"in", "-o", "out", "-j", "2"});
     QTRY_VERIFY_WITH_TIMEOUT(batch.childFor("in/large1.off") != 0 && batch.childFor("in/large2.off") != 0, 30000);
     const QList<pid_t> children = batch.children();
     batch.send(signal);
     QCOMPARE(batch.finish().code, -1);
     for (pid_t child : children) QTRY_VERIFY(isGone(child));
-    QCOMPARE(QDir(bench.path() + "/out").entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+    QCOMPARE(QDir(fixture.path() + "/out").entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
              QStringList{"large1.off"});
-    QCOMPARE(bench.content("out/large1.off"), QByteArray("what was there before"));
+    QCOMPARE(fixture.content("out/large1.off"), QByteArray("what was there before"));
   }
 };
 

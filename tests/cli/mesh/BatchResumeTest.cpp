@@ -14,53 +14,53 @@ class BatchResumeTest : public QObject {
 
  private slots:
   void resumesWhatWasKilled() {
-    const Bench bench;
-    putGoodFiles(bench);
-    putInto(bench, "in/large.off", largeTube());
-    Batch batch(bench, {"in", "-o", "out"});
+    const Fixture fixture;
+    putGoodFiles(fixture);
+    putInto(fixture, "in/large.off", largeTube());
+    Batch batch(fixture, {"in", "-o", "out"});
     QTRY_VERIFY_WITH_TIMEOUT(batch.childFor("in/large.off") != 0, 30000);
     const pid_t child = batch.childFor("in/large.off");
-    QVERIFY(tellsOf(bench, "in/a.off"));
+    QVERIFY(tellsOf(fixture, "in/a.off"));
     batch.send(SIGKILL);
     QCOMPARE(batch.finish().code, -1);
     QTRY_VERIFY(isGone(child));  // it does not outlive the batch
-    QCOMPARE(bench.json("out/repair-report.json").at("summary").at("not_done").get<int>(), 3);
-    QVERIFY(!QFile::exists(bench.path() + "/out/large.off"));
+    QCOMPARE(fixture.json("out/repair-report.json").at("summary").at("not_done").get<int>(), 3);
+    QVERIFY(!QFile::exists(fixture.path() + "/out/large.off"));
 
-    const QDateTime written = QFileInfo(bench.path() + "/out/a.off").lastModified();
-    const Ran ran = bench.run({"repair", "in", "-o", "out", "--resume"});
+    const QDateTime written = QFileInfo(fixture.path() + "/out/a.off").lastModified();
+    const Ran ran = fixture.run({"repair", "in", "-o", "out", "--resume"});
     QVERIFY(ran.code == 0 || ran.code == 2);
     QVERIFY(lineWith(ran, "in/a.off").endsWith(" (done before)"));
     QCOMPARE(ran.out.count("done before"), 1);
-    QCOMPARE(QFileInfo(bench.path() + "/out/a.off").lastModified(), written);
-    QCOMPARE(bench.json("out/repair-report.json").at("summary").at("not_done").get<int>(), 0);
-    QCOMPARE(QDir(bench.path() + "/out").entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+    QCOMPARE(QFileInfo(fixture.path() + "/out/a.off").lastModified(), written);
+    QCOMPARE(fixture.json("out/repair-report.json").at("summary").at("not_done").get<int>(), 0);
+    QCOMPARE(QDir(fixture.path() + "/out").entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
              (QStringList{"a.off", "large.off", "repair-report.json", "sub"}));
   }
 
   void resumeDoesWhatHasChanged() {
-    const Bench bench;
-    putGoodFiles(bench);
-    putInto(bench, "in/bad.off", "OFF\nnonsense\n");
+    const Fixture fixture;
+    putGoodFiles(fixture);
+    putInto(fixture, "in/bad.off", "OFF\nnonsense\n");
     const auto doneBefore = [&](const QStringList& more) {
-      const Ran ran = bench.run(QStringList{"repair", "in", "-o", "out", "--resume"} + more);
+      const Ran ran = fixture.run(QStringList{"repair", "in", "-o", "out", "--resume"} + more);
       return ran.code == 1 ? ran.out.count("done before") : -1;
     };
     QCOMPARE(doneBefore({}), 0);  // there is no earlier run
     QCOMPARE(doneBefore({}), 3);  // what failed is tried again
     QCOMPARE(doneBefore({"-j", "2", "--time-limit", "1000"}), 3);
-    QVERIFY(QFile::remove(bench.path() + "/out/a.off"));
+    QVERIFY(QFile::remove(fixture.path() + "/out/a.off"));
     QCOMPARE(doneBefore({}), 2);
-    putInto(bench, "in/sub/b.off", cube(2.0).off() + "\n");
+    putInto(fixture, "in/sub/b.off", cube(2.0).off() + "\n");
     QCOMPARE(doneBefore({}), 2);
     const utimbuf earlier{1000, 1000};
-    QCOMPARE(::utime(qPrintable(bench.path() + "/in/a.off"), &earlier), 0);
+    QCOMPARE(::utime(qPrintable(fixture.path() + "/in/a.off"), &earlier), 0);
     QCOMPARE(doneBefore({}), 2);
-    putInto(bench, "out/sub/c.off", "cut short");
+    putInto(fixture, "out/sub/c.off", "cut short");
     QCOMPARE(doneBefore({}), 2);
     QCOMPARE(doneBefore({"--fill", "ear"}), 0);
     QCOMPARE(doneBefore({"--fill=ear"}), 3);
-    QCOMPARE(bench.json("out/repair-report.json").at("options").at(0).get<std::string>(), std::string("--fill=ear"));
+    QCOMPARE(fixture.json("out/repair-report.json").at("options").at(0).get<std::string>(), std::string("--fill=ear"));
   }
 
   void reportThatIsNone_data() {
@@ -74,27 +74,27 @@ class BatchResumeTest : public QObject {
   }
   void reportThatIsNone() {
     QFETCH(QByteArray, content);
-    const Bench bench;
-    putGoodFiles(bench);
-    bench.put("r.json", content);
-    const Ran ran = bench.run({"repair", "in", "-o", "out", "--report", "r.json", "--resume"});
+    const Fixture fixture;
+    putGoodFiles(fixture);
+    fixture.put("r.json", content);
+    const Ran ran = fixture.run({"repair", "in", "-o", "out", "--report", "r.json", "--resume"});
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.startsWith("handwheel: r.json is not a report to resume from: "), ran.err);
-    QCOMPARE(bench.content("r.json"), content);
+    QCOMPARE(fixture.content("r.json"), content);
   }
 
   // Entries that make no sense are as if they were not there.
   void reportWithNonsense() {
-    const Bench bench;
-    putGoodFiles(bench);
-    QCOMPARE(bench.run({"repair", "in", "-o", "out"}).code, 0);
-    Json report = bench.json("out/repair-report.json");
+    const Fixture fixture;
+    putGoodFiles(fixture);
+    QCOMPARE(fixture.run({"repair", "in", "-o", "out"}).code, 0);
+    Json report = fixture.json("out/repair-report.json");
     report["files"][0]["input_bytes"] = "many";
     report["files"][1]["state"] = 7;
     report["files"].push_back(nullptr);
     report["files"].push_back({{"state", "closed"}, {"notes", 3}, {"seconds", "x"}});
-    bench.put("out/repair-report.json", QByteArray::fromStdString(report.dump()));
-    const Ran ran = bench.run({"repair", "in", "-o", "out", "--resume"});
+    fixture.put("out/repair-report.json", QByteArray::fromStdString(report.dump()));
+    const Ran ran = fixture.run({"repair", "in", "-o", "out", "--resume"});
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.out.count("done before"), 1);
     QVERIFY(lineWith(ran, "in/sub/c.off").endsWith("(done before)"));

@@ -24,16 +24,16 @@ class CompareTest : public QObject {
 
  private slots:
   void statistics() {
-    const Bench bench;
-    bench.put("high.off", sheetAt(0.5).off());
-    bench.put("low.off", sheetAt(0).off());
-    const Ran ran = bench.run({"compare", "high.off", "low.off", "--report", "r.json"}, "de_DE.UTF-8");
+    const Fixture fixture;
+    fixture.put("high.off", sheetAt(0.5).off());
+    fixture.put("low.off", sheetAt(0).off());
+    const Ran ran = fixture.run({"compare", "high.off", "low.off", "--report", "r.json"}, "de_DE.UTF-8");
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.err, QByteArray());
     QVERIFY(ran.out.contains("Largest distance found either way: 0.5\n"));
     QVERIFY(QRegularExpression("RMS +0\\.5 +0\\.5\n").match(ran.out).hasMatch());
     QVERIFY(QRegularExpression("Mean +0\\.5 +-0\\.5\n").match(ran.out).hasMatch());
-    const auto json = bench.json("r.json");
+    const auto json = fixture.json("r.json");
     QCOMPARE(json["mesh_from_scan"]["vertices"].get<int>(), 25);
     QCOMPARE(json["mesh_from_scan"]["samples"].get<int>(), 200000);
     QVERIFY(std::abs(json["mesh_from_scan"]["area_mm2"].get<double>() - 16.0) < 1e-12);
@@ -44,21 +44,21 @@ class CompareTest : public QObject {
   }
 
   void itselfIsNoDistanceAway() {
-    const Bench bench;
-    bench.put("a.off", holedBox().off());
-    QCOMPARE(bench.run({"convert", "a.off", "a.handwheel"}).code, 0);
-    const Ran ran = bench.run({"compare", "a.off", "a.handwheel", "--samples", "1000", "--report", "r.json"});
+    const Fixture fixture;
+    fixture.put("a.off", holedBox().off());
+    QCOMPARE(fixture.run({"convert", "a.off", "a.handwheel"}).code, 0);
+    const Ran ran = fixture.run({"compare", "a.off", "a.handwheel", "--samples", "1000", "--report", "r.json"});
     QCOMPARE(ran.code, 0);
-    QVERIFY(bench.json("r.json")["largest_distance_mm"].get<double>() < 1e-12);
-    QCOMPARE(bench.json("r.json")["mesh_from_scan"]["samples"].get<int>(), 1000);
+    QVERIFY(fixture.json("r.json")["largest_distance_mm"].get<double>() < 1e-12);
+    QCOMPARE(fixture.json("r.json")["mesh_from_scan"]["samples"].get<int>(), 1000);
   }
 
   void pageStandsAlone() {
-    const Bench bench;
-    bench.put("a<&.off", cube(2).off());
-    bench.put("b.off", cube(1).off());
-    QCOMPARE(bench.run({"compare", "a<&.off", "b.off", "--report", "r.html"}).code, 0);
-    const QByteArray page = bench.content("r.html");
+    const Fixture fixture;
+    fixture.put("a<&.off", cube(2).off());
+    fixture.put("b.off", cube(1).off());
+    QCOMPARE(fixture.run({"compare", "a<&.off", "b.off", "--report", "r.html"}).code, 0);
+    const QByteArray page = fixture.content("r.html");
     QVERIFY(page.contains("a&lt;&amp;.off"));
     QCOMPARE(page.count("src="), 1);
     QVERIFY(page.contains("src=\"data:image/png;base64,") && !page.contains("href="));
@@ -79,13 +79,13 @@ class CompareTest : public QObject {
   }
 
   void printed() {
-    const Bench bench;
-    bench.put("a.off", cube(2).off());
-    bench.put("b.off", cube(1).off());
-    const Ran ran = bench.run({"compare", "a.off", "b.off", "--report", "r.pdf"});
+    const Fixture fixture;
+    fixture.put("a.off", cube(2).off());
+    fixture.put("b.off", cube(1).off());
+    const Ran ran = fixture.run({"compare", "a.off", "b.off", "--report", "r.pdf"});
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.err, QByteArray());
-    const QByteArray pdf = bench.content("r.pdf");
+    const QByteArray pdf = fixture.content("r.pdf");
     QVERIFY(pdf.startsWith("%PDF-"));
     QVERIFY(pdf.trimmed().endsWith("%%EOF"));
     QCOMPARE(pdf.count("/Subtype /Image"), 3);  // histograms, and the mesh in colours
@@ -94,11 +94,11 @@ class CompareTest : public QObject {
 
   // Without a display and without xvfb-run the figures are written all the same.
   void withoutPicture() {
-    const Bench bench;
-    bench.put("a.off", cube(2).off());
-    bench.put("b.off", cube(1).off());
+    const Fixture fixture;
+    fixture.put("a.off", cube(2).off());
+    fixture.put("b.off", cube(1).off());
     QProcess process;
-    process.setWorkingDirectory(bench.path());
+    process.setWorkingDirectory(fixture.path());
     QProcessEnvironment environment = environmentWith("C");
     environment.remove("DISPLAY");
     environment.insert("PATH", "/nonexistent");
@@ -108,36 +108,36 @@ class CompareTest : public QObject {
     QCOMPARE(process.exitCode(), 0);
     QCOMPARE(process.readAllStandardError(),
              QByteArray("handwheel: No picture was made: there is no display, and xvfb-run is not installed.\n"));
-    QVERIFY(bench.content("r.html").contains("1.73205"));
-    QVERIFY(!bench.content("r.html").contains("src="));
+    QVERIFY(fixture.content("r.html").contains("1.73205"));
+    QVERIFY(!fixture.content("r.html").contains("src="));
   }
 
   // A cube within one of twice its size: each side at least that far away, so only colours of one sign.
   void deviationMap() {
-    const Bench bench;
-    bench.put("a.off", Shape().add(cube(1), {0.5, 0.5, 0.5}).off());
-    bench.put("b.off", cube(2).off());
-    QCOMPARE(bench.run({"picture", "a.off", "map.png", "--scan", "b.off", "--range", "0.5"}).code, 0);
-    const QImage map(bench.path() + "/map.png");
+    const Fixture fixture;
+    fixture.put("a.off", Shape().add(cube(1), {0.5, 0.5, 0.5}).off());
+    fixture.put("b.off", cube(2).off());
+    QCOMPARE(fixture.run({"picture", "a.off", "map.png", "--scan", "b.off", "--range", "0.5"}).code, 0);
+    const QImage map(fixture.path() + "/map.png");
     QCOMPARE(map.size(), QSize(1600, 1200));
     for (const QPoint& side : {QPoint(400, 300), QPoint(1200, 300), QPoint(400, 900), QPoint(1200, 900)}) {
       const QColor middle = map.pixelColor(side);
       QVERIFY2(middle.blue() > middle.red() + 60, qPrintable(middle.name()));
     }
     for (const char* range : {"0", "-1", "nan", "x"}) {
-      QCOMPARE(bench.run({"picture", "a.off", "n.png", "--scan", "b.off", "--range", range}).code, 1);
+      QCOMPARE(fixture.run({"picture", "a.off", "n.png", "--scan", "b.off", "--range", range}).code, 1);
     }
-    QCOMPARE(bench.run({"picture", "a.off", "n.png", "--scan", "missing.off"}).code, 1);
-    QCOMPARE(bench.names(), (QStringList{"a.off", "b.off", "map.png"}));
+    QCOMPARE(fixture.run({"picture", "a.off", "n.png", "--scan", "missing.off"}).code, 1);
+    QCOMPARE(fixture.names(), (QStringList{"a.off", "b.off", "map.png"}));
   }
 
   void mistakes() {
-    const Bench bench;
-    bench.put("a.off", cube().off());
-    bench.put("a.html", cube().off());
-    bench.put("none.off", "OFF\n0 0 0\n");
+    const Fixture fixture;
+    fixture.put("a.off", cube().off());
+    fixture.put("a.html", cube().off());
+    fixture.put("none.off", "OFF\n0 0 0\n");
     const auto says = [&](const QStringList& words, const char* sentence) {
-      const Ran ran = bench.run(words);
+      const Ran ran = fixture.run(words);
       return ran.code == 1 && ran.out.isEmpty() && ran.err.startsWith(QByteArray("handwheel: ") + sentence);
     };
     QVERIFY(says({"compare", "a.off"}, "The command compare needs FILE SCAN."));
@@ -147,10 +147,10 @@ class CompareTest : public QObject {
                  "--report takes a name that ends in .html, .pdf or .json."));
     QVERIFY(says({"compare", "a.off", "a.html", "--report", "./a.html"},
                  "FILE and SCAN cannot be the report too: ./a.html."));
-    QCOMPARE(bench.run({"compare", "a.off", "none.off"}).code, 1);
-    QCOMPARE(bench.run({"compare", "a.off", "missing.off"}).code, 1);
-    QCOMPARE(bench.run({"compare", "a.off", "a.off", "--report", "no/such/r.html"}).code, 1);
-    QCOMPARE(bench.names(), (QStringList{"a.html", "a.off", "none.off"}));
+    QCOMPARE(fixture.run({"compare", "a.off", "none.off"}).code, 1);
+    QCOMPARE(fixture.run({"compare", "a.off", "missing.off"}).code, 1);
+    QCOMPARE(fixture.run({"compare", "a.off", "a.off", "--report", "no/such/r.html"}).code, 1);
+    QCOMPARE(fixture.names(), (QStringList{"a.html", "a.off", "none.off"}));
   }
 };
 

@@ -21,8 +21,8 @@ Shape wavyRing(int around) {
       [](int, int) { return false; });
 }
 
-nlohmann::json decimateInspected(const Bench& bench, const QString& name) {
-  return nlohmann::json::parse(bench.run({"inspect", name, "--json"}).out.toStdString());
+nlohmann::json decimateInspected(const Fixture& fixture, const QString& name) {
+  return nlohmann::json::parse(fixture.run({"inspect", name, "--json"}).out.toStdString());
 }
 
 }  // namespace
@@ -37,13 +37,13 @@ class DecimateTest : public QObject {
   }
   void toACount() {
     QFETCH(QString, output);
-    const Bench bench;
-    bench.put("a.off", wavyRing(120).off());
-    const Ran ran = bench.run({"decimate", "a.off", "-o", output, "--faces", "400"}, "de_DE.UTF-8");
+    const Fixture fixture;
+    fixture.put("a.off", wavyRing(120).off());
+    const Ran ran = fixture.run({"decimate", "a.off", "-o", output, "--faces", "400"}, "de_DE.UTF-8");
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.out.startsWith("Triangles: 2880 before, "));
-    const auto statistics = decimateInspected(bench, output);
+    const auto statistics = decimateInspected(fixture, output);
     const int triangles = statistics["triangles"];
     QVERIFY(triangles == 400 || triangles == 399);
     QVERIFY(statistics["manifold"].get<bool>() && statistics["oriented"].get<bool>());
@@ -51,41 +51,41 @@ class DecimateTest : public QObject {
 
   // The program's own comparison agrees.
   void withinAnError() {
-    const Bench bench;
-    bench.put("a.off", wavyRing(120).off());
-    const Ran ran = bench.run({"decimate", "a.off", "-o", "b.off", "--error", "0.1"});
+    const Fixture fixture;
+    fixture.put("a.off", wavyRing(120).off());
+    const Ran ran = fixture.run({"decimate", "a.off", "-o", "b.off", "--error", "0.1"});
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.out.contains("Largest distance found between original and result: 0.0"));
     QVERIFY(ran.out.endsWith("No point is farther away than --error allows.\n"));
-    QVERIFY(decimateInspected(bench, "b.off")["triangles"].get<int>() < 1000);
-    QCOMPARE(bench.run({"compare", "b.off", "a.off", "--report", "r.json"}).code, 0);
-    QVERIFY(bench.json("r.json")["largest_distance_mm"].get<double>() <= 0.1);
+    QVERIFY(decimateInspected(fixture, "b.off")["triangles"].get<int>() < 1000);
+    QCOMPARE(fixture.run({"compare", "b.off", "a.off", "--report", "r.json"}).code, 0);
+    QVERIFY(fixture.json("r.json")["largest_distance_mm"].get<double>() <= 0.1);
   }
 
   // What the file holds is as near as is said, rounding to its numbers included.
   void roundingIsCounted() {
-    const Bench bench;
-    bench.put("a.off", Shape().add(wavyRing(120), {1e4, 1e4, 1e4}).off());
-    const Ran ran = bench.run({"decimate", "a.off", "-o", "b.stl", "--error", "0.01"});
+    const Fixture fixture;
+    fixture.put("a.off", Shape().add(wavyRing(120), {1e4, 1e4, 1e4}).off());
+    const Ran ran = fixture.run({"decimate", "a.off", "-o", "b.stl", "--error", "0.01"});
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.out.endsWith("No point is farther away than --error allows.\n"));
-    QCOMPARE(bench.run({"compare", "b.stl", "a.off", "--report", "r.json"}).code, 0);
-    QVERIFY(bench.json("r.json")["largest_distance_mm"].get<double>() <= 0.01);
-    const Ran refused = bench.run({"decimate", "a.off", "-o", "c.stl", "--error", "0.0005"});
+    QCOMPARE(fixture.run({"compare", "b.stl", "a.off", "--report", "r.json"}).code, 0);
+    QVERIFY(fixture.json("r.json")["largest_distance_mm"].get<double>() <= 0.01);
+    const Ran refused = fixture.run({"decimate", "a.off", "-o", "c.stl", "--error", "0.0005"});
     QCOMPARE(refused.code, 1);
     QVERIFY(refused.err.contains(
         "c.stl: the precision of its numbers moves vertices by up to 0.00084"));  // half of 2⁻¹⁰, three times
-    QVERIFY(!bench.names().contains("c.stl"));
+    QVERIFY(!fixture.names().contains("c.stl"));
   }
 
   void bordersStay() {
-    const Bench bench;
-    bench.put("a.off", wavyRing(120).off());
-    const Ran ran = bench.run({"decimate", "a.off", "-o", "b.off", "--faces", "500", "--keep-borders"});
+    const Fixture fixture;
+    fixture.put("a.off", wavyRing(120).off());
+    const Ran ran = fixture.run({"decimate", "a.off", "-o", "b.off", "--faces", "500", "--keep-borders"});
     QCOMPARE(ran.code, 0);
     const auto length = [&](const QString& name) {
       double sum = 0.0;
-      const nlohmann::json inspected = decimateInspected(bench, name);
+      const nlohmann::json inspected = decimateInspected(fixture, name);
       for (const auto& loop : inspected["loops"]) sum += loop["length_mm"].get<double>();
       return sum;
     };
@@ -94,19 +94,19 @@ class DecimateTest : public QObject {
 
   // A cube needs its twelve triangles.
   void whatCannotGo() {
-    const Bench bench;
-    bench.put("a.off", cube(10).off());
+    const Fixture fixture;
+    fixture.put("a.off", cube(10).off());
     const Ran ran =
-        bench.run({"decimate", "a.off", "-o", "b.off", "--faces", "6", "--error", "0.01", "--no-crossings"});
+        fixture.run({"decimate", "a.off", "-o", "b.off", "--faces", "6", "--error", "0.01", "--no-crossings"});
     QCOMPARE(ran.code, 2);
     QVERIFY(ran.out.startsWith("Triangles: 12 before, 12 now.\n"));
     QCOMPARE(ran.err.count('\n'), 1);
-    QCOMPARE(bench.content("b.off").isEmpty(), false);
-    const Ran alone = bench.run({"decimate", "a.off", "-o", "b.off", "--error", "0.01"});
+    QCOMPARE(fixture.content("b.off").isEmpty(), false);
+    const Ran alone = fixture.run({"decimate", "a.off", "-o", "b.off", "--error", "0.01"});
     QCOMPARE(alone.code, 2);
     QVERIFY(alone.err.contains("No triangle was removed"));
-    QCOMPARE(bench.run({"decimate", "a.off", "-o", "b.off", "--faces", "6", "--keep-creases", "30"}).code, 2);
-    QCOMPARE(decimateInspected(bench, "b.off")["triangles"].get<int>(), 12);
+    QCOMPARE(fixture.run({"decimate", "a.off", "-o", "b.off", "--faces", "6", "--keep-creases", "30"}).code, 2);
+    QCOMPARE(decimateInspected(fixture, "b.off")["triangles"].get<int>(), 12);
   }
 
   // What OpenMesh does not support is told with what to do, and that helps.
@@ -114,20 +114,20 @@ class DecimateTest : public QObject {
     const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
     if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");
     const QString scan = data + "/scans/pymeshfix/StanfordBunny.ply";
-    const Bench bench;
-    const Ran refused = bench.run({"decimate", scan, "-o", "b.ply", "--method", "quadric", "--faces", "5000"});
+    const Fixture fixture;
+    const Ran refused = fixture.run({"decimate", scan, "-o", "b.ply", "--method", "quadric", "--faces", "5000"});
     QCOMPARE(refused.code, 1);
     QVERIFY2(refused.err.contains("repair the mesh first. --method bounded has no such limit."), refused.err);
-    QCOMPARE(bench.run({"repair", scan, "-o", "a.ply"}).code, 2);
-    QCOMPARE(bench.run({"decimate", "a.ply", "-o", "b.ply", "--method", "quadric", "--faces", "5000"}).code, 0);
-    QCOMPARE(decimateInspected(bench, "b.ply")["triangles"].get<int>(), 5000);
+    QCOMPARE(fixture.run({"repair", scan, "-o", "a.ply"}).code, 2);
+    QCOMPARE(fixture.run({"decimate", "a.ply", "-o", "b.ply", "--method", "quadric", "--faces", "5000"}).code, 0);
+    QCOMPARE(decimateInspected(fixture, "b.ply")["triangles"].get<int>(), 5000);
   }
 
   void mistakes() {
-    const Bench bench;
-    bench.put("a.off", cube().off());
+    const Fixture fixture;
+    fixture.put("a.off", cube().off());
     const auto says = [&](QStringList words, const char* sentence) {
-      const Ran ran = bench.run(QStringList{"decimate", "a.off"} + words);
+      const Ran ran = fixture.run(QStringList{"decimate", "a.off"} + words);
       return ran.code == 1 && ran.out.isEmpty() && ran.err.startsWith(QByteArray("handwheel: ") + sentence);
     };
     QVERIFY(says({"--faces", "3"}, "The option -o OUT is missing."));
@@ -137,8 +137,8 @@ class DecimateTest : public QObject {
     for (const char* error : {"0", "-1", "inf", "nan", "1mm"})
       QVERIFY(says({"-o", "b.off", "--error", error}, "--error takes a length from 1e-12 to 1e+12 mm, not "));
     QVERIFY(says({"-o", "b.off", "--faces", "4", "--keep-creases", "181"}, "--keep-creases takes an angle"));
-    QCOMPARE(bench.run({"decimate", "a.off", "-o", "b.docx", "--faces", "4"}).code, 1);
-    QCOMPARE(bench.names(), QStringList{"a.off"});
+    QCOMPARE(fixture.run({"decimate", "a.off", "-o", "b.docx", "--faces", "4"}).code, 1);
+    QCOMPARE(fixture.names(), QStringList{"a.off"});
   }
 };
 

@@ -18,78 +18,78 @@ class RepairFilesTest : public QObject {
 
  private slots:
   void outputMayBeTheInput() {
-    const Bench bench;
-    bench.put("a.off", openCube().off());
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "a.off"}).code, 0);
-    QVERIFY(Json::parse(bench.run({"inspect", "a.off", "--json"}).out.toStdString()).at("closed").get<bool>());
-    QCOMPARE(bench.names(), QStringList{"a.off"});
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "a.off"}).code, 0);
+    QVERIFY(Json::parse(fixture.run({"inspect", "a.off", "--json"}).out.toStdString()).at("closed").get<bool>());
+    QCOMPARE(fixture.names(), QStringList{"a.off"});
   }
 
   void missingFolder() {
-    const Bench bench;
-    bench.put("a.off", openCube().off());
-    const Ran ran = bench.run({"repair", "a.off", "-o", "no/such/b.stl"});
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "no/such/b.stl"});
     QCOMPARE(ran.code, 1);
     QVERIFY(ran.err.startsWith("handwheel: no/such/b.stl: "));
     QVERIFY(ran.err.contains("No such file or directory"));
-    QCOMPARE(bench.names(), QStringList{"a.off"});
+    QCOMPARE(fixture.names(), QStringList{"a.off"});
   }
 
   void readOnlyFolder() {
     if (geteuid() == 0) QSKIP("the superuser may write everywhere");
-    const Bench bench;
-    bench.put("a.off", openCube().off());
-    QCOMPARE(chmod(bench.path().toLocal8Bit(), 0500), 0);
-    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl"});
-    QCOMPARE(chmod(bench.path().toLocal8Bit(), 0700), 0);
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
+    QCOMPARE(chmod(fixture.path().toLocal8Bit(), 0500), 0);
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl"});
+    QCOMPARE(chmod(fixture.path().toLocal8Bit(), 0700), 0);
     QCOMPARE(ran.code, 1);
     QVERIFY(ran.err.contains("Permission denied"));
-    QCOMPARE(bench.names(), QStringList{"a.off"});
+    QCOMPARE(fixture.names(), QStringList{"a.off"});
   }
 
   void unknownEndingIsToldBeforeTheWork() {
-    const Bench bench;
-    const Ran ran = bench.run({"repair", "none.stl", "-o", "b.docx"});
+    const Fixture fixture;
+    const Ran ran = fixture.run({"repair", "none.stl", "-o", "b.docx"});
     QCOMPARE(ran.code, 1);
     QVERIFY(ran.err.contains(".docx"));
   }
 
   // Without a display and without xvfb-run there is no picture, but the repair is done.
   void noPictureIsNoFailure() {
-    const Bench bench;
-    bench.put("a.off", openCube().off());
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
     QProcess process;
     QProcessEnvironment environment = environmentWith("C");
     environment.remove("DISPLAY");
-    environment.insert("PATH", bench.path());
+    environment.insert("PATH", fixture.path());
     process.setProcessEnvironment(environment);
-    process.setWorkingDirectory(bench.path());
+    process.setWorkingDirectory(fixture.path());
     process.start(HANDWHEEL_PROGRAM, {"repair", "a.off", "-o", "b.stl", "--screenshot", "s.png"});
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.exitCode(), 0);
     QCOMPARE(process.readAllStandardError(),
              QByteArray("handwheel: No picture was made: there is no display, and xvfb-run is not installed.\n"));
-    QCOMPARE(bench.names(), (QStringList{"a.off", "b.stl"}));
+    QCOMPARE(fixture.names(), (QStringList{"a.off", "b.stl"}));
   }
 
   void picture() {
     if (QStandardPaths::findExecutable("xvfb-run").isEmpty()) QSKIP("xvfb-run is not installed");
-    const Bench bench;
-    bench.put("a.off", openCube().off());
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
     QProcess process;
     QProcessEnvironment environment = environmentWith("C");
     environment.remove("DISPLAY");
     process.setProcessEnvironment(environment);
-    process.setWorkingDirectory(bench.path());
+    process.setWorkingDirectory(fixture.path());
     process.start(HANDWHEEL_PROGRAM, {"repair", "a.off", "-o", "b.stl", "--screenshot", "s.png"});
     QVERIFY(process.waitForFinished(120000));
     QCOMPARE(process.exitCode(), 0);
     // A PNG begins with its signature and the header chunk with width and height, big-endian.
-    const QByteArray png = bench.content("s.png");
+    const QByteArray png = fixture.content("s.png");
     QVERIFY(png.startsWith("\x89PNG\r\n\x1a\n"));
     QCOMPARE(qFromBigEndian<quint32>(png.constData() + 16), 1280u);
     QCOMPARE(qFromBigEndian<quint32>(png.constData() + 20), 800u);
-    QCOMPARE(bench.names(), (QStringList{"a.off", "b.stl", "s.png"}));
+    QCOMPARE(fixture.names(), (QStringList{"a.off", "b.stl", "s.png"}));
   }
 };
 

@@ -58,10 +58,10 @@ class RepairLongLoopsTest : public QObject {
 
  private slots:
   void aCutWithVeryShortEdges() {
-    const Bench bench;
-    bench.put("a.off", openCan(2554, 26, 0, 20).off());
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.off", "--report", "r.json"}).code, 0);
-    const Json report = bench.json("r.json");
+    const Fixture fixture;
+    fixture.put("a.off", openCan(2554, 26, 0, 20).off());
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.off", "--report", "r.json"}).code, 0);
+    const Json report = fixture.json("r.json");
     QCOMPARE(report.at("loops").at(0).at("edges").get<int>(), 2554);
     QCOMPARE(filled(report), std::size_t(1));
     QCOMPARE(report.at("after").at("self_intersecting_pairs").get<int>(), 0);
@@ -80,10 +80,10 @@ class RepairLongLoopsTest : public QObject {
     QFETCH(int, parts);
     Shape both = openCan(2200, 0, 0, 20 - gap / 2, gap / 5);
     both.add(openCan(2200, 0, 40, 20 + gap / 2, gap / 5), {0, 0, 0});
-    const Bench bench;
-    bench.put("a.off", both.off());
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.off", "--report", "r.json"}).code, 0);
-    const Json report = bench.json("r.json");
+    const Fixture fixture;
+    fixture.put("a.off", both.off());
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.off", "--report", "r.json"}).code, 0);
+    const Json report = fixture.json("r.json");
     QCOMPARE(report.at("before").at("loops").size(), std::size_t(2));
     QCOMPARE(filled(report), std::size_t(2));
     QCOMPARE(report.at("after").at("components").get<int>(), parts);
@@ -97,11 +97,11 @@ class RepairLongLoopsTest : public QObject {
   void scannedHead() {
     const QString scan = "/usr/share/opencascade/data/stl/head.stl";
     if (!QFile::exists(scan)) QSKIP("head.stl of the package occt-misc is not installed");
-    const Bench bench;
+    const Fixture fixture;
     // All holes are closed; but the scan has points at which faces touch, and not all of them can be parted.
-    const Ran ran = bench.run({"repair", scan, "-o", "b.stl", "--report", "r.json"});
+    const Ran ran = fixture.run({"repair", scan, "-o", "b.stl", "--report", "r.json"});
     QCOMPARE(ran.code, 2);
-    const Json report = bench.json("r.json");
+    const Json report = fixture.json("r.json");
     const int debris = report.at("after").at("debris").get<int>();
     QCOMPARE(report.at("before").at("debris").get<int>(), 0);
     QVERIFY(debris > 1);
@@ -123,9 +123,9 @@ class RepairLongLoopsTest : public QObject {
     QVERIFY(report.at("replaced_faces").get<int>() > 0);
     QVERIFY(report.at("unmodified_vertices_identical").get<bool>());
 
-    QCOMPARE(bench.run({"repair", scan, "-o", "c.stl", "--keep-tangles", "--report", "k.json"}).code,
+    QCOMPARE(fixture.run({"repair", scan, "-o", "c.stl", "--keep-tangles", "--report", "k.json"}).code,
              2);  // the former name
-    const Json kept = bench.json("k.json");
+    const Json kept = fixture.json("k.json");
     QCOMPARE(kept.at("replaced_faces").get<int>(), 0);
     QVERIFY(filled(kept) < kept.at("loops").size());
   }

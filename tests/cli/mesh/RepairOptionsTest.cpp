@@ -25,16 +25,16 @@ struct Repaired {
   Json report;
 };
 Repaired repairedBox(const QStringList& options) {
-  const Bench bench;
-  bench.put("a.off", holedBox().off());
-  const Ran ran = bench.run(QStringList{"repair", "a.off", "-o", "b.stl", "--report", "r.json"} + options);
-  return {ran, bench.json("r.json")};
+  const Fixture fixture;
+  fixture.put("a.off", holedBox().off());
+  const Ran ran = fixture.run(QStringList{"repair", "a.off", "-o", "b.stl", "--report", "r.json"} + options);
+  return {ran, fixture.json("r.json")};
 }
 
 int idOf(int edges) {
-  const Bench bench;
-  bench.put("a.off", holedBox().off());
-  return loopOf(Json::parse(bench.run({"inspect", "a.off", "--json"}).out.toStdString()), edges).at("id");
+  const Fixture fixture;
+  fixture.put("a.off", holedBox().off());
+  return loopOf(Json::parse(fixture.run({"inspect", "a.off", "--json"}).out.toStdString()), edges).at("id");
 }
 
 }  // namespace
@@ -45,10 +45,10 @@ class RepairOptionsTest : public QObject {
  private slots:
   // Of a setting that no repair reads one would think that it did something.
   void refusesSettingsThatItDoesNotRead() {
-    const Bench bench;
-    bench.put("a.off", holedBox().off());
+    const Fixture fixture;
+    fixture.put("a.off", holedBox().off());
     for (const char* unread : {"servo.rate=500", "mesh.decimation_error=1e-3", "draft,snap.radius=1"}) {
-      const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--fidelity", unread});
+      const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--fidelity", unread});
       QCOMPARE(ran.code, 1);
       QVERIFY2(ran.err.contains("repair does not use the setting"), ran.err);
       for (const char* id :
@@ -82,13 +82,13 @@ class RepairOptionsTest : public QObject {
   }
 
   void unknownLoopIsRefused() {
-    const Bench bench;
-    bench.put("a.off", openCube().off());
-    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--keep-open", "7"});
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--keep-open", "7"});
     QCOMPARE(ran.code, 1);
     QCOMPARE(ran.err, QByteArray("handwheel: There is no loop 7 to keep open; 'handwheel inspect' lists them.\nTry "
                                  "'handwheel help repair'.\n"));
-    QCOMPARE(bench.names(), QStringList{"a.off"});
+    QCOMPARE(fixture.names(), QStringList{"a.off"});
   }
 
   void maxHole() {
@@ -101,15 +101,15 @@ class RepairOptionsTest : public QObject {
   }
 
   void sheetStaysOpen() {
-    const Bench bench;
-    bench.put("a.off", flatSheet(4).off());
-    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"});
+    const Fixture fixture;
+    fixture.put("a.off", flatSheet(4).off());
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"});
     QCOMPARE(ran.code, 2);
     QVERIFY(ran.err.contains("outer boundary"));
     QVERIFY(ran.err.contains("1 outer boundary of an open sheet stays open. --open-sheets back"));
     QVERIFY(ran.err.contains("--open-sheets fill"));
     QVERIFY(ran.out.contains("No holes"));
-    const Json loop = bench.json("r.json").at("loops").at(0);
+    const Json loop = fixture.json("r.json").at("loops").at(0);
     QCOMPARE(loop.at("outcome").get<std::string>(), std::string("kept-open"));
     QCOMPARE(loop.at("reason").get<std::string>(), std::string("It is the outer boundary of an open sheet."));
   }
@@ -118,32 +118,32 @@ class RepairOptionsTest : public QObject {
   // of volume 1·1/2·10.
   void fillRims() {
     const auto at = [](int x, int y) { return std::array<double, 3>{1.0 * x, y == 0 ? 1.0 : 0.0, y == 2 ? 1.0 : 0.0}; };
-    const Bench bench;
-    bench.put("a.off", grid(10, 2, at, [](int, int) { return false; }).off());
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl"}).code, 2);
+    const Fixture fixture;
+    fixture.put("a.off", grid(10, 2, at, [](int, int) { return false; }).off());
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.stl"}).code, 2);
     const Ran backed =
-        bench.run({"repair", "a.off", "-o", "b.stl", "--rims", "back", "--report", "r.json"});  // the former name
+        fixture.run({"repair", "a.off", "-o", "b.stl", "--rims", "back", "--report", "r.json"});  // the former name
     QCOMPARE(backed.code, 0);
     QVERIFY2(backed.out.startsWith("No holes, 1 of 1 outer boundary closed. "), backed.out.constData());
-    QCOMPARE(bench.json("r.json").at("loops").at(0).at("method").get<std::string>(), std::string("backed"));
+    QCOMPARE(fixture.json("r.json").at("loops").at(0).at("method").get<std::string>(), std::string("backed"));
     QCOMPARE(
-        bench
+        fixture
             .run({"repair", "a.off", "-o", "b.stl", "--open-sheets", "fill", "--fill", "minimal", "--report", "r.json"})
             .code,
         0);
-    QVERIFY(std::abs(std::abs(bench.json("r.json").at("after").at("volume_mm3").get<double>()) - 5.0) < 1e-12);
+    QVERIFY(std::abs(std::abs(fixture.json("r.json").at("after").at("volume_mm3").get<double>()) - 5.0) < 1e-12);
   }
 
   // A flat square of 10 × 10 cells of 1 becomes a box of any thickness.
   void thickness() {
-    const Bench bench;
-    bench.put("a.off", flatSheet(10).off());
+    const Fixture fixture;
+    fixture.put("a.off", flatSheet(10).off());
     for (const auto& [asked, said] : {std::pair(0.125, "0.125 mm"), {2.0, "2.00 mm"}}) {
-      const Ran ran = bench.run({"repair", "a.off", "-o", "b.ply", "--open-sheets", "back", "--thickness",
-                                 QString::number(asked), "--report", "r.json"});
+      const Ran ran = fixture.run({"repair", "a.off", "-o", "b.ply", "--open-sheets", "back", "--thickness",
+                                   QString::number(asked), "--report", "r.json"});
       QCOMPARE(ran.code, 0);
       QVERIFY2(ran.out.contains(QByteArray("sheets thickened by ") + said), qPrintable(ran.out));
-      const Json report = bench.json("r.json");
+      const Json report = fixture.json("r.json");
       QCOMPARE(report.at("sheets_thickened").get<int>(), 1);
       QCOMPARE(report.at("sheets_left_open").get<int>(), 0);
       QCOMPARE(report.at("sheet_thickness_mm").at("least").get<double>(), asked);
@@ -155,8 +155,8 @@ class RepairOptionsTest : public QObject {
       QCOMPARE(box.at(1).at(2).get<double>() - box.at(0).at(2).get<double>(), asked);
       QVERIFY(std::abs(report.at("after").at("volume_mm3").get<double>() - 10 * 10 * asked) < 1e-9);
     }
-    QCOMPARE(bench.run({"edit", "a.off", "back 0 --thickness 0.1", "-o", "c.ply"}).code, 0);
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.ply", "--open-sheets", "back", "--thickness", "0"}).code, 1);
+    QCOMPARE(fixture.run({"edit", "a.off", "back 0 --thickness 0.1", "-o", "c.ply"}).code, 0);
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.ply", "--open-sheets", "back", "--thickness", "0"}).code, 1);
   }
 
   // A flake behind the middle of the sheet leaves room for less: at how many vertices is in report and text.
@@ -166,9 +166,9 @@ class RepairOptionsTest : public QObject {
     flake.points = {{5.1, 5.1, -0.5}, {5.3, 5.1, -3.0}, {5.1, 5.3, -3.0}};
     flake.faces = {{0, 1, 2}};
     shape.add(flake, {0, 0, 0});
-    const Bench bench;
-    bench.put("a.off", shape.off());
-    const Ran ran = bench.run({"edit", "a.off", "back 0 --thickness 2", "-o", "c.ply"});
+    const Fixture fixture;
+    fixture.put("a.off", shape.off());
+    const Ran ran = fixture.run({"edit", "a.off", "back 0 --thickness 2", "-o", "c.ply"});
     QCOMPARE(ran.code, 0);
     QVERIFY2(ran.out.contains("thinner than requested at "), qPrintable(ran.out));
     QVERIFY2(ran.out.contains(" of 121 vertices"), qPrintable(ran.out));
@@ -178,18 +178,18 @@ class RepairOptionsTest : public QObject {
   void saysWhichSheetsStayOpen() {
     Shape shape = flatSheet(4);
     shape.add(flatSheet(4), {1e6, 1e6, 1e6});
-    const Bench bench;
-    bench.put("a.off", shape.off());
-    const Ran far = bench.run(
+    const Fixture fixture;
+    fixture.put("a.off", shape.off());
+    const Ran far = fixture.run(
         {"repair", "a.off", "-o", "b.stl", "--open-sheets", "back", "--thickness", "0.001", "--report", "r.json"});
     QCOMPARE(far.code, 2);
     QVERIFY2(
         far.out.contains("sheets: 1 of 2 thickened by 0.00100 mm; 1 sheet left open: the numbers of the file cannot"),
         qPrintable(far.out));
     QVERIFY2(far.err.contains("stays open: the numbers of the file cannot show such a thickness"), qPrintable(far.err));
-    QCOMPARE(bench.json("r.json").at("sheets_thickened").get<int>(), 1);
-    QCOMPARE(bench.json("r.json").at("sheets_left_open").get<int>(), 1);
-    const Ran edited = bench.run({"edit", "a.off", "back 0,1 --thickness 0.001 --numbers single", "-o", "c.off"});
+    QCOMPARE(fixture.json("r.json").at("sheets_thickened").get<int>(), 1);
+    QCOMPARE(fixture.json("r.json").at("sheets_left_open").get<int>(), 1);
+    const Ran edited = fixture.run({"edit", "a.off", "back 0,1 --thickness 0.001 --numbers single", "-o", "c.off"});
     QCOMPARE(edited.code, 2);
     QVERIFY2(edited.err.contains("1 of 2 thickened"), qPrintable(edited.err));
   }
@@ -197,13 +197,13 @@ class RepairOptionsTest : public QObject {
   void removesDebrisWhenAsked() {
     Shape shape = holedBox();
     shape.add({{{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}}, {{0, 1, 2}}}, {20, 0, 0});
-    const Bench bench;
-    bench.put("a.off", shape.off());
-    const Ran kept = bench.run({"repair", "a.off", "-o", "b.stl", "--open-sheets", "keep"});
+    const Fixture fixture;
+    fixture.put("a.off", shape.off());
+    const Ran kept = fixture.run({"repair", "a.off", "-o", "b.stl", "--open-sheets", "keep"});
     QCOMPARE(kept.code, 2);
     QVERIFY2(!kept.err.contains("New:"), kept.err);  // it was there before, whether a report is written or not
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl", "--remove-debris", "--report", "r.json"}).code, 0);
-    const Json report = bench.json("r.json");
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.stl", "--remove-debris", "--report", "r.json"}).code, 0);
+    const Json report = fixture.json("r.json");
     QCOMPARE(report.at("removed_debris").get<int>(), 1);
     QCOMPARE(report.at("after").at("components").get<int>(), 1);
     QCOMPARE(report.at("after").at("bounding_box_mm").at(1).at(0).get<double>(), 10.0);
@@ -212,95 +212,95 @@ class RepairOptionsTest : public QObject {
 
   // Two cubes that pass through each other: each is sound, and together they are not what one wants to print.
   void crossingsAreToldAndCut() {
-    const Bench bench;
-    bench.put("a.off", cube(2).add(cube(2), {1.1, 0.9, 1.3}).off());
-    const Ran repaired = bench.run({"repair", "a.off", "-o", "b.off"});
+    const Fixture fixture;
+    fixture.put("a.off", cube(2).add(cube(2), {1.1, 0.9, 1.3}).off());
+    const Ran repaired = fixture.run({"repair", "a.off", "-o", "b.off"});
     QCOMPARE(repaired.code, 2);
     QVERIFY(repaired.err.contains("The surface intersects itself: "));
-    const Ran cut = bench.run({"repair", "a.off", "-o", "b.off", "--cut-crossings", "--report", "r.json"});
+    const Ran cut = fixture.run({"repair", "a.off", "-o", "b.off", "--cut-crossings", "--report", "r.json"});
     QCOMPARE(cut.code, 0);
     QCOMPARE(cut.err, QByteArray("handwheel: 1 body lies inside another; --unite removes what lies inside.\n"));
-    QCOMPARE(bench.json("r.json").at("cut_crossings").get<int>(), 1);
-    QCOMPARE(bench.json("r.json").at("after").at("self_intersecting_pairs").get<int>(), 0);
+    QCOMPARE(fixture.json("r.json").at("cut_crossings").get<int>(), 1);
+    QCOMPARE(fixture.json("r.json").at("after").at("self_intersecting_pairs").get<int>(), 0);
     // All of both is still there, what they share twice.
-    QVERIFY(std::abs(bench.json("r.json").at("after").at("volume_mm3").get<double>() - 16.0) < 1e-9);
+    QVERIFY(std::abs(fixture.json("r.json").at("after").at("volume_mm3").get<double>() - 16.0) < 1e-9);
   }
 
   // What both have in common is there once. Bodies that are apart stay as they are.
   void bodiesAreUnited() {
-    const Bench bench;
-    bench.put("a.off", cube(2).add(cube(2), {1.1, 0.9, 1.3}).off());
-    const Ran united = bench.run({"repair", "a.off", "-o", "b.off", "--unite", "--report", "r.json"});
+    const Fixture fixture;
+    fixture.put("a.off", cube(2).add(cube(2), {1.1, 0.9, 1.3}).off());
+    const Ran united = fixture.run({"repair", "a.off", "-o", "b.off", "--unite", "--report", "r.json"});
     QCOMPARE(united.code, 0);
     QCOMPARE(united.err, QByteArray());
-    const Json after = bench.json("r.json").at("after");
+    const Json after = fixture.json("r.json").at("after");
     QCOMPARE(after.at("self_intersecting_pairs").get<int>(), 0);
     QCOMPARE(after.at("components").get<int>(), 1);
     QVERIFY(std::abs(after.at("volume_mm3").get<double>() - (16.0 - 0.9 * 1.1 * 0.7)) < 1e-9);
-    QVERIFY(bench.json("r.json").at("inner_faces").get<int>() > 0);
+    QVERIFY(fixture.json("r.json").at("inner_faces").get<int>() > 0);
     QVERIFY(united.out.contains("bodies that intersect united"));
-    QCOMPARE(bench.run({"edit", "a.off", "-o", "c.off", "unite"}).code, 0);
-    QCOMPARE(bench.run({"repair", "c.off", "-o", "d.off", "--unite", "--report", "s.json"}).code, 0);
-    QCOMPARE(bench.json("s.json").at("inner_faces").get<int>(), 0);
-    QVERIFY(bench.run({"repair", "c.off", "-o", "d.off", "--unite"}).err.contains("No bodies were united"));
-    QVERIFY(std::abs(bench.json("s.json").at("after").at("volume_mm3").get<double>() - (16.0 - 0.9 * 1.1 * 0.7)) <
+    QCOMPARE(fixture.run({"edit", "a.off", "-o", "c.off", "unite"}).code, 0);
+    QCOMPARE(fixture.run({"repair", "c.off", "-o", "d.off", "--unite", "--report", "s.json"}).code, 0);
+    QCOMPARE(fixture.json("s.json").at("inner_faces").get<int>(), 0);
+    QVERIFY(fixture.run({"repair", "c.off", "-o", "d.off", "--unite"}).err.contains("No bodies were united"));
+    QVERIFY(std::abs(fixture.json("s.json").at("after").at("volume_mm3").get<double>() - (16.0 - 0.9 * 1.1 * 0.7)) <
             1e-9);
   }
 
   // Single precision is coarse far from the origin.
   void roundingIsTold() {
-    const Bench bench;
-    bench.put("near.off", cube().off());
-    bench.put("far.off", Shape().add(cube(), {1e6 + 0.01, 0, 0}).off());
-    QCOMPARE(bench.run({"repair", "near.off", "-o", "b.stl"}).err, QByteArray());
-    QCOMPARE(bench.run({"repair", "far.off", "-o", "b.off"}).err, QByteArray());
-    const Ran ran = bench.run({"repair", "far.off", "-o", "b.stl", "--report", "r.json"});
+    const Fixture fixture;
+    fixture.put("near.off", cube().off());
+    fixture.put("far.off", Shape().add(cube(), {1e6 + 0.01, 0, 0}).off());
+    QCOMPARE(fixture.run({"repair", "near.off", "-o", "b.stl"}).err, QByteArray());
+    QCOMPARE(fixture.run({"repair", "far.off", "-o", "b.off"}).err, QByteArray());
+    const Ran ran = fixture.run({"repair", "far.off", "-o", "b.stl", "--report", "r.json"});
     QVERIFY(ran.err.contains("moved vertices by up to 0.01 mm"));
-    QVERIFY(std::abs(bench.json("r.json").at("rounding_moved_mm").get<double>() - 0.01) < 1e-9);
+    QVERIFY(std::abs(fixture.json("r.json").at("rounding_moved_mm").get<double>() - 0.01) < 1e-9);
   }
 
   void noFolderForTheReport() {
-    const Bench bench;
-    bench.put("a.off", openCube().off());
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
     for (const char* beside : {"--report", "--screenshot"}) {
-      const Ran ran = bench.run({"repair", "a.off", "-o", "a.off", beside, "none/r.png"});
+      const Ran ran = fixture.run({"repair", "a.off", "-o", "a.off", beside, "none/r.png"});
       QCOMPARE(ran.code, 1);
       QVERIFY(ran.err.contains("There is no folder none for none/r.png."));
-      QCOMPARE(bench.content("a.off"), openCube().off());
+      QCOMPARE(fixture.content("a.off"), openCube().off());
     }
   }
 
   void partialReadsWhatIsThere() {
-    const Bench bench;
+    const Fixture fixture;
     QByteArray damaged = openCube().off();
     damaged.replace("10 0\n", "11 0\n").append("3 0 1 99\n");  // one face more, with a vertex that does not exist
-    bench.put("a.off", damaged);
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl"}).code, 1);
-    QCOMPARE(bench.names(), QStringList{"a.off"});
-    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--partial", "--report", "r.json"});
+    fixture.put("a.off", damaged);
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.stl"}).code, 1);
+    QCOMPARE(fixture.names(), QStringList{"a.off"});
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--partial", "--report", "r.json"});
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.err.contains("99"));
-    QVERIFY(bench.json("r.json").at("damage").size() >= 1);
+    QVERIFY(fixture.json("r.json").at("damage").size() >= 1);
   }
 
   // The list ends after a thousand places, and says how many there are besides.
   void countsWhatIsNotListed() {
-    const Bench bench;
+    const Fixture fixture;
     QByteArray damaged = openCube().off();
     damaged.replace("10 0\n", "1511 0\n");
     for (int i = 0; i < 1501; ++i) damaged += "3 0 1 99\n";
-    bench.put("a.off", damaged);
-    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--partial", "--report", "r.json"});
+    fixture.put("a.off", damaged);
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--partial", "--report", "r.json"});
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.err.count('\n'), 1001);
     QVERIFY(ran.err.endsWith("handwheel: Damage at 501 further places.\n"));
-    QCOMPARE(bench.json("r.json").at("damage").size(), std::size_t(1001));
+    QCOMPARE(fixture.json("r.json").at("damage").size(), std::size_t(1001));
   }
 
   // The open end of a tube of 48 sides, each turned by 7.5° from the next, gets a lid at a right angle: that is said. A
   // ball that is closed where a cap was cut off goes on as it did: nothing is said.
   void patchesThatBendMoreThanTheirSurroundings() {
-    const Bench bench;
+    const Fixture fixture;
     constexpr int kSides = 48, kRings = 12;
     Shape tube, ball;
     for (int k = 0; k <= kRings; ++k) {
@@ -323,19 +323,19 @@ class RepairOptionsTest : public QObject {
       }
     }
     ball.faces = tube.faces;
-    bench.put("tube.off", tube.off());
-    bench.put("ball.off", ball.off());
-    const Ran lid = bench.run({"repair", "tube.off", "-o", "a.off"});
+    fixture.put("tube.off", tube.off());
+    fixture.put("ball.off", ball.off());
+    const Ran lid = fixture.run({"repair", "tube.off", "-o", "a.off"});
     QCOMPARE(lid.code, 0);
     QVERIFY2(lid.err.contains("check its patch: the patch bends by 90°, its surroundings by at most 8°"), lid.err);
     // Of many such patches the first are named: the report has all.
     Shape many;
     for (int i = 0; i < 13; ++i) many.add(tube, {0.0, 0.0, 100.0 * i});
-    bench.put("many.off", many.off());
-    const Ran lids = bench.run({"repair", "many.off", "-o", "c.off"});
+    fixture.put("many.off", many.off());
+    const Ran lids = fixture.run({"repair", "many.off", "-o", "c.off"});
     QCOMPARE(lids.err.count("check its patch"), 10);
     QVERIFY2(lids.err.contains("Check 3 further patches, too: --report FILE has the bends of all."), lids.err);
-    const Ran cap = bench.run({"repair", "ball.off", "-o", "b.off"});
+    const Ran cap = fixture.run({"repair", "ball.off", "-o", "b.off"});
     QCOMPARE(cap.code, 0);
     QCOMPARE(cap.err, QByteArray());
   }

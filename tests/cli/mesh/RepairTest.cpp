@@ -24,25 +24,25 @@ class RepairTest : public QObject {
 
  private:
   // A repair of the result of a repair writes the same file, unless the first said that a sheet looks like a hole now.
-  static void isDoneInOneGo(const Bench& bench, const QString& scan) {
-    if (bench.run({"repair", scan, "-o", "once.stl"}).err.contains("which the repair has changed")) return;
-    bench.run({"repair", "once.stl", "-o", "twice.stl"});
-    QVERIFY(!bench.content("once.stl").isEmpty());
-    QVERIFY2(bench.content("twice.stl") == bench.content("once.stl"), qPrintable(scan));
+  static void isDoneInOneGo(const Fixture& fixture, const QString& scan) {
+    if (fixture.run({"repair", scan, "-o", "once.stl"}).err.contains("which the repair has changed")) return;
+    fixture.run({"repair", "once.stl", "-o", "twice.stl"});
+    QVERIFY(!fixture.content("once.stl").isEmpty());
+    QVERIFY2(fixture.content("twice.stl") == fixture.content("once.stl"), qPrintable(scan));
   }
 
  private slots:
   // The missing top comes back as two triangles, and nothing else changes.
   void closesTheCube() {
-    const Bench bench;
-    bench.put("a.off", openCube().off());
-    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--fill", "minimal", "--report", "r.json"});
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--fill", "minimal", "--report", "r.json"});
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(
         ran.out,
         QByteArray("1 of 1 hole filled. b.stl: closed, manifold, oriented, free of self-intersections, one piece.\n"));
-    const Json report = bench.json("r.json");
+    const Json report = fixture.json("r.json");
     QCOMPARE(report.at("after").at("triangles").get<int>(), 12);
     QCOMPARE(report.at("after").at("vertices").get<int>(), 8);
     QVERIFY(std::abs(report.at("after").at("volume_mm3").get<double>() - 1.0) < 1e-12);
@@ -57,10 +57,10 @@ class RepairTest : public QObject {
   }
 
   void reportHasItsKeysInOrder() {
-    const Bench bench;
-    bench.put("a.off", openCube().off());
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.ply", "--report", "r.json", "--unit", "cm"}).code, 0);
-    const auto report = nlohmann::ordered_json::parse(bench.content("r.json").toStdString());
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.ply", "--report", "r.json", "--unit", "cm"}).code, 0);
+    const auto report = nlohmann::ordered_json::parse(fixture.content("r.json").toStdString());
     const std::vector<std::string> expected{
         "input", "output", "options", "before", "after", "loops", "loop_counts", "removed_degenerate",
         "removed_duplicates", "removed_flaps", "removed_debris", "reoriented_faces", "reoriented_bodies",
@@ -85,7 +85,7 @@ class RepairTest : public QObject {
     QCOMPARE(report["after"]["bounding_box_mm"][1][0].get<double>(), 1.0);
     // "before" and "after" are what inspect says of the two files, but for the doubt about their unit.
     const auto inspected = [&](const char* name) {
-      auto json = nlohmann::ordered_json::parse(bench.run({"inspect", name, "--json"}).out.toStdString());
+      auto json = nlohmann::ordered_json::parse(fixture.run({"inspect", name, "--json"}).out.toStdString());
       json.erase("unit_doubtful");
       return json;
     };
@@ -96,12 +96,12 @@ class RepairTest : public QObject {
 
   // 3MF says in which unit its numbers are: a cube of 2 m must not arrive as one of 2 mm.
   void unitOfAThreeMf() {
-    const Bench bench;
-    bench.put("a.off", cube(2.0).off());
+    const Fixture fixture;
+    fixture.put("a.off", cube(2.0).off());
     for (const auto& [unit, millimetres] :
          {std::pair("mm", 2.0), std::pair("cm", 20.0), std::pair("m", 2000.0), std::pair("in", 50.8)}) {
-      QCOMPARE(bench.run({"repair", "a.off", "-o", "b.3mf", "--unit", unit}).code, 0);
-      const Json read = Json::parse(bench.run({"inspect", "b.3mf", "--json"}).out.toStdString());
+      QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.3mf", "--unit", unit}).code, 0);
+      const Json read = Json::parse(fixture.run({"inspect", "b.3mf", "--json"}).out.toStdString());
       QVERIFY(std::abs(read.at("bounding_box_mm").at(1).at(0).get<double>() - millimetres) < 1e-9);
     }
   }
@@ -114,35 +114,35 @@ class RepairTest : public QObject {
 
   void everyMethodClosesTheCube() {
     QFETCH(QString, method);
-    const Bench bench;
-    bench.put("a.off", openCube(2.0).off());
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl", "--fill", method, "--report", "r.json"}).code, 0);
-    const Json after = bench.json("r.json").at("after");
+    const Fixture fixture;
+    fixture.put("a.off", openCube(2.0).off());
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.stl", "--fill", method, "--report", "r.json"}).code, 0);
+    const Json after = fixture.json("r.json").at("after");
     QVERIFY(after.at("closed").get<bool>() && after.at("manifold").get<bool>() && after.at("oriented").get<bool>());
     QCOMPARE(after.at("self_intersecting_pairs").get<int>(), 0);
   }
 
   void soundInputStaysAsItIs() {
-    const Bench bench;
-    bench.put("a.off", cube(0.3).off());
-    const Ran ran = bench.run({"repair", "a.off", "-o", "b.off"});
+    const Fixture fixture;
+    fixture.put("a.off", cube(0.3).off());
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.off"});
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.out,
              QByteArray("No holes. b.off: closed, manifold, oriented, free of self-intersections, one piece.\n"));
-    QCOMPARE(bench.run({"inspect", "b.off", "--json"}).out, bench.run({"inspect", "a.off", "--json"}).out);
+    QCOMPARE(fixture.run({"inspect", "b.off", "--json"}).out, fixture.run({"inspect", "a.off", "--json"}).out);
   }
 
   void removesDuplicateAndDegenerateFaces() {
     Shape shape = cube();
     shape.faces.push_back(shape.faces.front());
     shape.faces.push_back({0, 1, 1});
-    const Bench bench;
-    bench.put("a.off", shape.off());
-    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"});
+    const Fixture fixture;
+    fixture.put("a.off", shape.off());
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"});
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.out, QByteArray("No holes. b.stl: closed, manifold, oriented, free of self-intersections, one piece.\n"
                                  "Also: 1 degenerate triangle removed, 1 duplicate triangle removed.\n"));
-    const Json report = bench.json("r.json");
+    const Json report = fixture.json("r.json");
     QCOMPARE(report.at("removed_duplicates").get<int>(), 1);
     QCOMPARE(report.at("removed_degenerate").get<int>(), 1);
     QCOMPARE(report.at("after").at("triangles").get<int>(), 12);
@@ -152,43 +152,43 @@ class RepairTest : public QObject {
   // Left as it is unless it is asked for; but such a part is not sound, and the exit code says so. Two cubes of which
   // one has a corner in the other.
   void whatPassesThroughItselfIsNotSound() {
-    const Bench bench;
-    bench.put("a.off", cube().add(cube(), {0.41, 0.27, 0.33}).off());
-    const Ran ran = bench.run({"repair", "a.off", "-o", "b.off"});
+    const Fixture fixture;
+    fixture.put("a.off", cube().add(cube(), {0.41, 0.27, 0.33}).off());
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.off"});
     QCOMPARE(ran.code, 2);
     QVERIFY(ran.out.contains("b.off: closed, manifold, oriented, "));
     QVERIFY(ran.out.contains(" self-intersections, 2 pieces.\n"));
     QVERIFY(ran.err.contains("The surface intersects itself"));
-    const Ran cut = bench.run({"repair", "a.off", "-o", "b.ply", "--cut-crossings"});
+    const Ran cut = fixture.run({"repair", "a.off", "-o", "b.ply", "--cut-crossings"});
     QCOMPARE(cut.code, 0);
     QVERIFY(cut.out.contains("b.ply: closed, manifold, oriented, free of self-intersections, 2 pieces.\n"));
   }
 
   void nothingButFacesWithoutArea() {
-    const Bench bench;
-    bench.put("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
-    const Ran ran = bench.run({"repair", "a.off", "-o", "b.ply"});
+    const Fixture fixture;
+    fixture.put("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.ply"});
     QCOMPARE(ran.code, 1);
     QCOMPARE(ran.err, QByteArray("handwheel: a.off: no triangle has an area, so there is nothing to repair.\n"));
-    QCOMPARE(bench.names(), QStringList{"a.off"});
+    QCOMPARE(fixture.names(), QStringList{"a.off"});
   }
 
   void saysWhatIsNotKept() {
-    const Bench bench;
-    bench.put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
-    const Ran ran = bench.run({"repair", "a.obj", "-o", "b.ply", "--report", "r.json"});
+    const Fixture fixture;
+    fixture.put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
+    const Ran ran = fixture.run({"repair", "a.obj", "-o", "b.ply", "--report", "r.json"});
     QCOMPARE(ran.code, 2);
     QVERIFY(ran.err.startsWith("handwheel: Not kept: normals.\n"));
-    QCOMPARE(bench.json("r.json").at("lost_attributes").at(0).get<std::string>(), std::string("normals"));
+    QCOMPARE(fixture.json("r.json").at("lost_attributes").at(0).get<std::string>(), std::string("normals"));
   }
 
   void turnsFaces() {
     Shape shape = cube();
     std::swap(shape.faces[7][0], shape.faces[7][1]);
-    const Bench bench;
-    bench.put("a.off", shape.off());
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"}).code, 0);
-    const Json report = bench.json("r.json");
+    const Fixture fixture;
+    fixture.put("a.off", shape.off());
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"}).code, 0);
+    const Json report = fixture.json("r.json");
     QVERIFY(!report.at("before").at("oriented").get<bool>());
     QVERIFY(report.at("after").at("oriented").get<bool>());
     QCOMPARE(report.at("reoriented_faces").get<int>(), 1);
@@ -199,10 +199,10 @@ class RepairTest : public QObject {
   void partsNonManifoldEdges() {
     Shape both = cube();
     both.add(cube(), {1, 1, 0});
-    const Bench bench;
-    bench.put("a.off", both.off());
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"}).code, 0);
-    const Json report = bench.json("r.json");
+    const Fixture fixture;
+    fixture.put("a.off", both.off());
+    QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"}).code, 0);
+    const Json report = fixture.json("r.json");
     QCOMPARE(report.at("after").at("components").get<int>(), 2);
     QVERIFY(std::abs(report.at("after").at("volume_mm3").get<double>() - 2.0) < 1e-5);
     QVERIFY(report.at("separated_vertices").get<int>() > 0);
@@ -214,27 +214,27 @@ class RepairTest : public QObject {
   void againChangesNothing() {
     Shape both = openCube();
     both.add(cube(), {1, 1, 0});
-    const Bench bench;
-    bench.put("a.off", both.off());
-    isDoneInOneGo(bench, "a.off");
+    const Fixture fixture;
+    fixture.put("a.off", both.off());
+    isDoneInOneGo(fixture, "a.off");
   }
 
   void againChangesNothingOfScans() {
     const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
     if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");
-    const Bench bench;
+    const Fixture fixture;
     for (const char* scan : {"geogram-data/SaraPezzini.obj", "admesh/conveyor.stl", "meshlab-rangemaps/lato180.ply",
                              "comodo/lego_figure_head.stl"})
-      isDoneInOneGo(bench, data + "/scans/" + scan);
+      isDoneInOneGo(fixture, data + "/scans/" + scan);
   }
 
   void bunny() {
     const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
     if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");
-    const Bench bench;
+    const Fixture fixture;
     const QString scan = data + "/scans/common-3d-test-models/stanford-bunny.obj";
-    QCOMPARE(bench.run({"repair", scan, "-o", "b.stl", "--report", "r.json"}).code, 0);
-    const Json report = bench.json("r.json");
+    QCOMPARE(fixture.run({"repair", scan, "-o", "b.stl", "--report", "r.json"}).code, 0);
+    const Json report = fixture.json("r.json");
     QCOMPARE(report.at("loops").size(), std::size_t(5));
     for (const Json& loop : report.at("loops")) QCOMPARE(loop.at("outcome").get<std::string>(), std::string("filled"));
     const Json after = report.at("after");
@@ -248,8 +248,8 @@ class RepairTest : public QObject {
   void conveyor() {
     const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
     if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");
-    const Bench bench;
-    const Ran ran = bench.run({"repair", data + "/scans/admesh/conveyor.stl", "-o", "b.stl"});
+    const Fixture fixture;
+    const Ran ran = fixture.run({"repair", data + "/scans/admesh/conveyor.stl", "-o", "b.stl"});
     QCOMPARE(ran.code, 2);
     QVERIFY(ran.err.contains("1 outer boundary of an open sheet stays open."));
   }
@@ -258,10 +258,10 @@ class RepairTest : public QObject {
   void rangeMap() {
     const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
     if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");
-    const Bench bench;
+    const Fixture fixture;
     const QString scan = data + "/scans/meshlab-rangemaps/lato180.ply";
-    bench.run({"repair", scan, "-o", "b.ply", "--open-sheets", "back", "--report", "r.json"});
-    const Json report = bench.json("r.json"), after = report.at("after");
+    fixture.run({"repair", scan, "-o", "b.ply", "--open-sheets", "back", "--report", "r.json"});
+    const Json report = fixture.json("r.json"), after = report.at("after");
     QVERIFY(after.at("closed").get<bool>());
     QCOMPARE(after.at("self_intersecting_pairs").get<int>(), 0);
     QVERIFY(after.at("volume_mm3").get<double>() > 0.0);

@@ -57,11 +57,11 @@ Shape difficult() {
 }
 
 // All that so many processes wrote, of which the places of things in memory differ; one, where each wrote the same.
-std::set<QByteArray> writtenBy(int processes, const Bench& bench, const QString& input, const QString& output) {
+std::set<QByteArray> writtenBy(int processes, const Fixture& fixture, const QString& input, const QString& output) {
   std::set<QByteArray> written;
   for (int i = 0; i < processes; ++i) {
-    bench.run({"repair", input, "-o", output, "--open-sheets", "fill"});
-    written.insert(bench.content(output));
+    fixture.run({"repair", input, "-o", output, "--open-sheets", "fill"});
+    written.insert(fixture.content(output));
   }
   return written;
 }
@@ -74,9 +74,9 @@ class RepeatedRepairTest : public QObject {
 
  private slots:
   void aDifficultMesh() {
-    const Bench bench;
-    bench.put("a.off", difficult().off());
-    const std::set<QByteArray> written = writtenBy(6, bench, "a.off", "b.off");
+    const Fixture fixture;
+    fixture.put("a.off", difficult().off());
+    const std::set<QByteArray> written = writtenBy(6, fixture, "a.off", "b.off");
     QCOMPARE(written.size(), std::size_t(1));
     QVERIFY(!written.begin()->isEmpty());
   }
@@ -92,8 +92,8 @@ class RepeatedRepairTest : public QObject {
     QFETCH(QString, file);
     QFETCH(int, processes);
     if (!QFile::exists(file)) QSKIP("the scan is not there");
-    const Bench bench;
-    const std::set<QByteArray> written = writtenBy(processes, bench, file, "b.stl");
+    const Fixture fixture;
+    const std::set<QByteArray> written = writtenBy(processes, fixture, file, "b.stl");
     QCOMPARE(written.size(), std::size_t(1));
     QVERIFY(!written.begin()->isEmpty());
   }

@@ -58,25 +58,25 @@ class SectionTest : public QObject {
     QFETCH(QString, plane);
     QFETCH(QByteArray, length);
     QFETCH(QByteArray, area);
-    const Bench bench;
-    bench.put("a.off", cube().off());
-    const Ran ran = bench.run({"section", "a.off", "--plane", plane, "-o", "b.svg"});
+    const Fixture fixture;
+    fixture.put("a.off", cube().off());
+    const Ran ran = fixture.run({"section", "a.off", "--plane", plane, "-o", "b.svg"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.out, "Outlines: 1 closed, 0 open.\nLength: " + length + " mm.\nArea: " + area + " mm\xc2\xb2.\n");
   }
 
   void drawings() {
-    const Bench bench;
-    bench.put("a.off", cube().off());
-    QCOMPARE(bench.run({"section", "a.off", "--plane", "z=0.5", "-o", "b.dxf"}).code, 0);
-    const std::vector<Curve> curves = dxfCurves(bench.content("b.dxf"));
+    const Fixture fixture;
+    fixture.put("a.off", cube().off());
+    QCOMPARE(fixture.run({"section", "a.off", "--plane", "z=0.5", "-o", "b.dxf"}).code, 0);
+    const std::vector<Curve> curves = dxfCurves(fixture.content("b.dxf"));
     QCOMPARE(curves.size(), std::size_t(1));
     QVERIFY(std::abs(twiceArea(curves[0]) - 2.0) < 1e-12);
-    QVERIFY(bench.content("b.dxf").contains("$INSUNITS\n70\n4\n") && bench.content("b.dxf").endsWith("0\nEOF\n"));
+    QVERIFY(fixture.content("b.dxf").contains("$INSUNITS\n70\n4\n") && fixture.content("b.dxf").endsWith("0\nEOF\n"));
 
-    QCOMPARE(bench.run({"section", "a.off", "--plane", "z=0.5", "-o", "b.svg"}, "de_DE.UTF-8").code, 0);
-    QXmlStreamReader svg(bench.content("b.svg"));
+    QCOMPARE(fixture.run({"section", "a.off", "--plane", "z=0.5", "-o", "b.svg"}, "de_DE.UTF-8").code, 0);
+    QXmlStreamReader svg(fixture.content("b.svg"));
     QString path;
     while (!svg.atEnd()) {
       svg.readNext();
@@ -97,13 +97,13 @@ class SectionTest : public QObject {
   }
 
   void openOutlinesAndNothing() {
-    const Bench bench;
-    bench.put("a.off", openCube().off());
-    const Ran open = bench.run({"section", "a.off", "--plane", "x=0.5", "-o", "b.svg"});
+    const Fixture fixture;
+    fixture.put("a.off", openCube().off());
+    const Ran open = fixture.run({"section", "a.off", "--plane", "x=0.5", "-o", "b.svg"});
     QCOMPARE(open.code, 2);
     QVERIFY(open.out.startsWith("Outlines: 0 closed, 1 open.\n") && !open.out.contains("Area"));
-    QVERIFY(open.err.contains("An outline is open") && bench.names().contains("b.svg"));
-    const Ran beside = bench.run({"section", "a.off", "--plane", "x=7", "-o", "b.svg"});
+    QVERIFY(open.err.contains("An outline is open") && fixture.names().contains("b.svg"));
+    const Ran beside = fixture.run({"section", "a.off", "--plane", "x=7", "-o", "b.svg"});
     QCOMPARE(beside.code, 2);
     QVERIFY(beside.err.contains("The plane does not intersect the mesh."));
   }
@@ -120,12 +120,12 @@ class SectionTest : public QObject {
   }
   void wrongWords() {
     QFETCH(QStringList, words);
-    const Bench bench;
-    bench.put("a.off", cube().off());
-    const Ran ran = bench.run(QStringList{"section", "a.off"} + words);
+    const Fixture fixture;
+    fixture.put("a.off", cube().off());
+    const Ran ran = fixture.run(QStringList{"section", "a.off"} + words);
     QCOMPARE(ran.code, 1);
     QVERIFY(ran.err.startsWith("handwheel: ") && ran.out.isEmpty());
-    QCOMPARE(bench.names(), QStringList{"a.off"});
+    QCOMPARE(fixture.names(), QStringList{"a.off"});
   }
 };
 

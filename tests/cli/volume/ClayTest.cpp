@@ -47,8 +47,8 @@ double capsule(double radius, const Place& from, const Place& to) {
 }
 
 // What the command says of a part; null and a failed check where it fails.
-nlohmann::json sculpt(const Bench& bench, const QStringList& words) {
-  const Ran ran = bench.run(QStringList{"clay"} + words + QStringList{"--json"}, "de_DE.UTF-8");
+nlohmann::json sculpt(const Fixture& fixture, const QStringList& words) {
+  const Ran ran = fixture.run(QStringList{"clay"} + words + QStringList{"--json"}, "de_DE.UTF-8");
   if (ran.code != 0 || !ran.err.isEmpty()) qWarning("%s", ran.err.constData());
   return ran.code == 0 ? nlohmann::json::parse(ran.out.toStdString()) : nlohmann::json();
 }
@@ -85,11 +85,11 @@ class ClayTest : public QObject {
   void carves() {
     QFETCH(double, period);
     QFETCH(QString, rate);
-    const Bench bench;
-    bench.put("a.off", clayBlock().off());
-    bench.put("s.csv", strokesCsv({kStrokeFrom, kStrokeTo}, period));
-    const auto report = sculpt(bench, {"a.off", "--strokes", "s.csv", "--tool", "carve", "--radius", "3", "--voxel",
-                                       "0.25", "--rate", rate, "-o", "b.handwheel"});
+    const Fixture fixture;
+    fixture.put("a.off", clayBlock().off());
+    fixture.put("s.csv", strokesCsv({kStrokeFrom, kStrokeTo}, period));
+    const auto report = sculpt(fixture, {"a.off", "--strokes", "s.csv", "--tool", "carve", "--radius", "3", "--voxel",
+                                         "0.25", "--rate", rate, "-o", "b.handwheel"});
     const double removed = figure(report, "removed_mm3");
     QVERIFY2(isCapsule(removed, capsule(kToolRadius, kStrokeFrom, kStrokeTo), kToolRadius),
              QByteArray::number(removed));
@@ -101,10 +101,10 @@ class ClayTest : public QObject {
     QCOMPARE(figure(report, "voxel_mm"), 0.25);
     QCOMPARE(figure(report, "radius_mm"), kToolRadius);
     // It is there in the file, and in one of a mesh.
-    const auto inspected = nlohmann::json::parse(bench.run({"inspect", "b.handwheel", "--json"}).out.toStdString());
+    const auto inspected = nlohmann::json::parse(fixture.run({"inspect", "b.handwheel", "--json"}).out.toStdString());
     QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.25);
-    QCOMPARE(bench.run({"remesh", "b.handwheel", "-o", "b.off"}).code, 0);
-    const auto mesh = nlohmann::json::parse(bench.run({"inspect", "b.off", "--json"}).out.toStdString());
+    QCOMPARE(fixture.run({"remesh", "b.handwheel", "-o", "b.off"}).code, 0);
+    const auto mesh = nlohmann::json::parse(fixture.run({"inspect", "b.off", "--json"}).out.toStdString());
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
     QCOMPARE(mesh["components"].get<int>(), 2);  // the block, and the cavity in it
     QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / (24000.0 - removed) - 1.0) < 0.01);
@@ -112,27 +112,27 @@ class ClayTest : public QObject {
 
   // Beside the part clay comes, and nothing is there to be carved, smoothed or moved.
   void besideThePart() {
-    const Bench bench;
-    bench.put("a.off", clayBlock().off());
+    const Fixture fixture;
+    fixture.put("a.off", clayBlock().off());
     Place from = kStrokeFrom, to = kStrokeTo;
     for (Place* p : {&from, &to}) (*p)[2] += 40.0;
-    bench.put("s.csv", strokesCsv({from, to}));
+    fixture.put("s.csv", strokesCsv({from, to}));
     const QStringList words{"a.off", "--strokes", "s.csv", "--radius", "3", "--voxel", "0.25", "-o", "b.stl"};
     for (const char* tool : {"carve", "inflate", "smooth", "flatten", "tug", "smudge", "attract", "pinch"}) {
-      const auto report = sculpt(bench, words + QStringList{"--tool", tool});
+      const auto report = sculpt(fixture, words + QStringList{"--tool", tool});
       QCOMPARE(figure(report, "changed_blocks"), 0.0);
       QCOMPARE(figure(report, "added_mm3"), 0.0);
       QCOMPARE(figure(report, "removed_mm3"), 0.0);
       QCOMPARE(figure(report, "volume_mm3"), figure(report, "volume_before_mm3"));
     }
-    const Ran said = bench.run(QStringList{"clay"} + words + QStringList{"--tool", "smooth"});
+    const Ran said = fixture.run(QStringList{"clay"} + words + QStringList{"--tool", "smooth"});
     QCOMPARE(said.code, 0);
     QVERIFY2(said.out.contains("no stroke comes to the material"), said.out);
-    const auto report = sculpt(bench, words + QStringList{"--tool", "add"});
+    const auto report = sculpt(fixture, words + QStringList{"--tool", "add"});
     const double added = figure(report, "added_mm3");
     QVERIFY2(isCapsule(added, capsule(kToolRadius, from, to), kToolRadius), QByteArray::number(added));
     QCOMPARE(figure(report, "removed_mm3"), 0.0);
-    const auto mesh = nlohmann::json::parse(bench.run({"inspect", "b.stl", "--json"}).out.toStdString());
+    const auto mesh = nlohmann::json::parse(fixture.run({"inspect", "b.stl", "--json"}).out.toStdString());
     QCOMPARE(mesh["components"].get<int>(), 2);
     QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / (24000.0 + added) - 1.0) < 0.01);
   }
@@ -140,21 +140,21 @@ class ClayTest : public QObject {
   // On either side of the middle the same is removed; by two numbered strokes, between which the hand moves only, and
   // by one that is mirrored, as much as by both.
   void symmetry() {
-    const Bench bench;
-    bench.put("a.off", clayBlock().off());
+    const Fixture fixture;
+    fixture.put("a.off", clayBlock().off());
     const std::vector<Place> left{{6.0, 8.0, 19.0}, {14.0, 20.0, 17.0}};
     std::vector<Place> right = left;
     for (Place& p : right) p[0] = 40.0 - p[0];
-    bench.put("left.csv", strokesCsv(left));
-    bench.put("right.csv", strokesCsv(right));
+    fixture.put("left.csv", strokesCsv(left));
+    fixture.put("right.csv", strokesCsv(right));
     QByteArray both = "t_s,x_mm,y_mm,z_mm,stroke\n" + linesOf(left, 1.0, ",1") + "1.5,20,15,18,0\n";
     for (std::size_t i = 0; i < right.size(); ++i)
       both += QByteArray::number(2 + static_cast<int>(i)) + "," + linesOf({right[i]}).mid(2).trimmed() + ",2\n";
-    bench.put("both.csv", both);
+    fixture.put("both.csv", both);
     const auto removed = [&](const char* strokes, const QStringList& more = {}) {
-      return figure(sculpt(bench, QStringList{"a.off", "--strokes", strokes, "--radius", "2.5", "--voxel", "0.25", "-o",
-                                              "b.vdb"} +
-                                      more),
+      return figure(sculpt(fixture, QStringList{"a.off", "--strokes", strokes, "--radius", "2.5", "--voxel", "0.25",
+                                                "-o", "b.vdb"} +
+                                        more),
                     "removed_mm3");
     };
     const double one = removed("left.csv"), other = removed("right.csv");
@@ -183,54 +183,54 @@ class ClayTest : public QObject {
     QFETCH(QStringList, words);
     QFETCH(QString, where);
     QFETCH(int, way);
-    const Bench bench;
+    const Fixture fixture;
     Shape block = cube(20.0);
     for (Place& p : block.points) p = turnedPlace(p);
-    bench.put("a.off", block.off());
+    fixture.put("a.off", block.off());
     std::vector<Place> places{{5.0, 10.0, 20.0}, {15.0, 10.0, 20.0}};
     if (where == "out") places = {{10.0, 10.0, 20.0}, {10.0, 10.0, 23.0}};
     if (where == "edge") places = {{5.0, 0.0, 20.0}, {15.0, 0.0, 20.0}};
     for (Place& p : places) p = turnedPlace(p);
-    bench.put("s.csv", strokesCsv(places));
-    const auto report = sculpt(bench, QStringList{"a.off", "--strokes", "s.csv", "--radius", "5", "--voxel", "0.25",
-                                                  "-o", "b.handwheel", "--tool"} +
-                                          words);
+    fixture.put("s.csv", strokesCsv(places));
+    const auto report = sculpt(fixture, QStringList{"a.off", "--strokes", "s.csv", "--radius", "5", "--voxel", "0.25",
+                                                    "-o", "b.handwheel", "--tool"} +
+                                            words);
     QVERIFY(figure(report, "changed_blocks") > 0.0);
     const double change = figure(report, "added_mm3") - figure(report, "removed_mm3");
     QVERIFY2(change * way >= 0.0 && (way == 0 || change != 0.0), QByteArray::number(change));
     QVERIFY(std::abs(figure(report, "volume_mm3") - figure(report, "volume_before_mm3") - change) < 1e-6);
     const auto mesh = [&] {
-      if (bench.run({"remesh", "b.handwheel", "-o", "b.off"}).code != 0) return nlohmann::json();
-      return nlohmann::json::parse(bench.run({"inspect", "b.off", "--json"}).out.toStdString());
+      if (fixture.run({"remesh", "b.handwheel", "-o", "b.off"}).code != 0) return nlohmann::json();
+      return nlohmann::json::parse(fixture.run({"inspect", "b.off", "--json"}).out.toStdString());
     }();
     QVERIFY(mesh.is_object() && mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
   }
 
   // What a stroke has masked is there for the next command, and held back; without the mask it goes.
   void masks() {
-    const Bench bench;
-    bench.put("a.off", clayBlock().off());
-    bench.put("s.csv", strokesCsv({{12.0, 12.0, 19.5}, {26.0, 18.0, 19.5}}));
-    const auto masked = sculpt(bench, {"a.off", "--strokes", "s.csv", "--tool", "mask", "--radius", "6", "--falloff",
-                                       "0", "--voxel", "0.25", "-o", "masked.handwheel"});
+    const Fixture fixture;
+    fixture.put("a.off", clayBlock().off());
+    fixture.put("s.csv", strokesCsv({{12.0, 12.0, 19.5}, {26.0, 18.0, 19.5}}));
+    const auto masked = sculpt(fixture, {"a.off", "--strokes", "s.csv", "--tool", "mask", "--radius", "6", "--falloff",
+                                         "0", "--voxel", "0.25", "-o", "masked.handwheel"});
     QVERIFY(figure(masked, "changed_blocks") > 0.0);
     QCOMPARE(figure(masked, "added_mm3") + figure(masked, "removed_mm3"), 0.0);
     const QStringList carve{"--strokes", "s.csv", "--tool", "carve", "--radius", "1.5", "-o", "b.stl"};
-    QCOMPARE(figure(sculpt(bench, QStringList{"masked.handwheel"} + carve), "removed_mm3"), 0.0);
-    const auto bare = sculpt(bench, QStringList{"a.off", "--voxel", "0.25"} + carve);
+    QCOMPARE(figure(sculpt(fixture, QStringList{"masked.handwheel"} + carve), "removed_mm3"), 0.0);
+    const auto bare = sculpt(fixture, QStringList{"a.off", "--voxel", "0.25"} + carve);
     QVERIFY(figure(bare, "removed_mm3") > 20.0);
   }
 
   // Strokes on a layer that has no strength are there all the same: at full strength the part is what it is without
   // layers, to the last voxel.
   void layers() {
-    const Bench bench;
-    bench.put("a.off", clayBlock().off());
-    bench.put("s.csv", strokesCsv({{12.0, 12.0, 19.5}, {26.0, 18.0, 19.5}}));
+    const Fixture fixture;
+    fixture.put("a.off", clayBlock().off());
+    fixture.put("s.csv", strokesCsv({{12.0, 12.0, 19.5}, {26.0, 18.0, 19.5}}));
     const QStringList carve{"--strokes", "s.csv", "--tool", "carve", "--radius", "2"};
-    const auto plain = sculpt(bench, QStringList{"a.off", "--voxel", "0.5", "-o", "plain.handwheel"} + carve);
+    const auto plain = sculpt(fixture, QStringList{"a.off", "--voxel", "0.5", "-o", "plain.handwheel"} + carve);
     const auto hidden =
-        sculpt(bench, QStringList{"a.off", "--voxel", "0.5", "-o", "hidden.handwheel", "--layer", "dents:0"} + carve);
+        sculpt(fixture, QStringList{"a.off", "--voxel", "0.5", "-o", "hidden.handwheel", "--layer", "dents:0"} + carve);
     QVERIFY(figure(plain, "removed_mm3") > 10.0);
     QCOMPARE(figure(hidden, "removed_mm3"), figure(plain, "removed_mm3"));
     QCOMPARE(figure(hidden, "volume_mm3"), figure(hidden, "volume_before_mm3"));
@@ -239,23 +239,23 @@ class ClayTest : public QObject {
     QCOMPARE(hidden["layer"]["strength"].get<double>(), 0.0);
     QVERIFY(hidden["layer"]["blocks"].get<int>() > 0);
     const auto volumeOf = [&](const char* file) {
-      const auto told = nlohmann::json::parse(bench.run({"inspect", file, "--json"}).out.toStdString());
+      const auto told = nlohmann::json::parse(fixture.run({"inspect", file, "--json"}).out.toStdString());
       return told["document"]["volume"].get<double>();
     };
     for (const char* strength : {"1", "0.5"}) {
       const QString word = QStringLiteral("layer.1.strength=") + QLatin1String(strength);
-      QCOMPARE(bench.run({"set", "hidden.handwheel", word, "-o", QStringLiteral("at%1.handwheel").arg(strength)}).code,
-               0);
+      QCOMPARE(
+          fixture.run({"set", "hidden.handwheel", word, "-o", QStringLiteral("at%1.handwheel").arg(strength)}).code, 0);
     }
     QCOMPARE(volumeOf("at1.handwheel"), figure(plain, "volume_mm3"));
     const double half = volumeOf("at0.5.handwheel");
     QVERIFY(half > figure(plain, "volume_mm3") && half < figure(plain, "volume_before_mm3"));
     // A second layer; strokes below it, and on one that is weak, are refused.
-    const auto second = sculpt(bench, QStringList{"at1.handwheel", "-o", "two.handwheel", "--layer", "more"} + carve);
+    const auto second = sculpt(fixture, QStringList{"at1.handwheel", "-o", "two.handwheel", "--layer", "more"} + carve);
     QCOMPARE(figure(second, "layers"), 2.0);
     const auto refused = [&](const char* file, const QStringList& words, const char* says) {
-      const Ran ran = bench.run(QStringList{"clay", file, "-o", "never.handwheel"} + words + carve);
-      return ran.code == 1 && ran.err.contains(says) && !bench.names().contains("never.handwheel");
+      const Ran ran = fixture.run(QStringList{"clay", file, "-o", "never.handwheel"} + words + carve);
+      return ran.code == 1 && ran.err.contains(says) && !fixture.names().contains("never.handwheel");
     };
     QVERIFY(refused("two.handwheel", {"--layer", "dents"}, "is above it"));
     QVERIFY(refused("hidden.handwheel", {}, "takes no strokes"));
@@ -265,14 +265,14 @@ class ClayTest : public QObject {
 
   // A tool is as large as in the window where nothing is said: a twentieth of the part.
   void usualTool() {
-    const Bench bench;
-    bench.put("a.off", clayBlock().off());
-    bench.put("s.csv", strokesCsv({kStrokeFrom, kStrokeTo}));
-    const auto report = sculpt(bench, {"a.off", "--strokes", "s.csv", "--voxel", "0.5", "-o", "b.nrrd"});
+    const Fixture fixture;
+    fixture.put("a.off", clayBlock().off());
+    fixture.put("s.csv", strokesCsv({kStrokeFrom, kStrokeTo}));
+    const auto report = sculpt(fixture, {"a.off", "--strokes", "s.csv", "--voxel", "0.5", "-o", "b.nrrd"});
     QVERIFY(std::abs(figure(report, "radius_mm") - 2.0) < 0.01);
     QVERIFY(std::abs(figure(report, "removed_mm3") / capsule(2.0, kStrokeFrom, kStrokeTo) - 1.0) < 0.03);
     // It can be sculpted again as it is, and its own voxels hold.
-    const auto again = sculpt(bench, {"b.nrrd", "--strokes", "s.csv", "--tool", "add", "-o", "c.handwheel"});
+    const auto again = sculpt(fixture, {"b.nrrd", "--strokes", "s.csv", "--tool", "add", "-o", "c.handwheel"});
     QVERIFY(std::abs(figure(again, "voxel_mm") - 0.5) < 1e-6);
     QVERIFY(figure(again, "added_mm3") > 0.9 * figure(report, "removed_mm3"));
   }
@@ -316,13 +316,13 @@ class ClayTest : public QObject {
     QFETCH(QByteArray, strokes);
     QFETCH(QStringList, words);
     QFETCH(QByteArray, says);
-    const Bench bench;
-    bench.put("a.off", clayBlock().off());
-    bench.put("s.csv", strokes);
-    const Ran ran = bench.run(QStringList{"clay", "a.off", "--voxel", "0.5"} + words);
+    const Fixture fixture;
+    fixture.put("a.off", clayBlock().off());
+    fixture.put("s.csv", strokes);
+    const Ran ran = fixture.run(QStringList{"clay", "a.off", "--voxel", "0.5"} + words);
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains(says), ran.err);
-    QVERIFY(!bench.names().contains("b.stl") && !bench.names().contains("b.txt"));
+    QVERIFY(!fixture.names().contains("b.stl") && !fixture.names().contains("b.txt"));
   }
 };
 

@@ -25,16 +25,16 @@ class DrillTest : public QObject {
  private slots:
   // Near the head, or of all of the part: the same figures, of fewer voxels. A top that is missing is closed by a lid.
   void asAllOfThePart() {
-    const Bench bench;
-    bench.put("a.off", openCube(20.0).off());
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.1,9.9,23\n1,10.1,9.9,-4\n1.5,10.1,9.9,23\n");
+    const Fixture fixture;
+    fixture.put("a.off", openCube(20.0).off());
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.1,9.9,23\n1,10.1,9.9,-4\n1.5,10.1,9.9,23\n");
     const QStringList words{"drill",  "a.off",   "--path", "p.csv",  "--tool",
                             "ball:4", "--voxel", "0.25",   "--rate", "200"};
-    const Ran near = bench.run(QStringList(words) << "--json");
+    const Ran near = fixture.run(QStringList(words) << "--json");
     QCOMPARE(near.err, QByteArray());
     QCOMPARE(near.code, 0);
-    const Ran all = bench.run(QStringList(words) << "--whole"
-                                                 << "--json");
+    const Ran all = fixture.run(QStringList(words) << "--whole"
+                                                   << "--json");
     QCOMPARE(all.code, 0);
     const auto figures = drillJson(near.out), whole = drillJson(all.out);
     for (const char* const key : {"removed_mm3", "max_thrust_N", "max_torque_Nmm", "energy_J", "breakthrough_s"}) {
@@ -44,22 +44,22 @@ class DrillTest : public QObject {
     QVERIFY(figures["hybrid"].get<bool>() && !whole["hybrid"].get<bool>());
     QVERIFY(figures["voxels_at_most"].get<double>() < whole["voxels_at_most"].get<double>());
     QVERIFY(!figures.contains("predicted_bytes") && whole.contains("predicted_bytes"));
-    QVERIFY(bench.run(words).out.contains("Voxels were made near the head"));
-    const Ran saved = bench.run(QStringList(words) << "-o"
-                                                   << "b.handwheel"
-                                                   << "--json");
+    QVERIFY(fixture.run(words).out.contains("Voxels were made near the head"));
+    const Ran saved = fixture.run(QStringList(words) << "-o"
+                                                     << "b.handwheel"
+                                                     << "--json");
     QCOMPARE(saved.code, 0);
     QVERIFY(!drillJson(saved.out)["hybrid"].get<bool>());
     // What is a volume already is made of nothing.
-    QVERIFY(!drillJson(bench.run({"drill", "b.handwheel", "--path", "p.csv", "--json"}).out).contains("hybrid"));
+    QVERIFY(!drillJson(fixture.run({"drill", "b.handwheel", "--path", "p.csv", "--json"}).out).contains("hybrid"));
   }
 
   // 0.1 mm on a part of 300 mm, whose voxels would take more than a gigabyte, in a few megabytes.
   void fineVoxelsOnALargePart() {
-    const Bench bench;
-    bench.put("a.off", cube(300.0).off());
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,140.03,150.04,302\n1,140.03,150.04,299\n");
-    const Ran ran = bench.run(
+    const Fixture fixture;
+    fixture.put("a.off", cube(300.0).off());
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,140.03,150.04,302\n1,140.03,150.04,299\n");
+    const Ran ran = fixture.run(
         {"drill", "a.off", "--path", "p.csv", "--tool", "ball:3", "--voxel", "0.1", "--rate", "100", "--json"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
@@ -72,35 +72,35 @@ class DrillTest : public QObject {
   // A mesh has the hole in the triangles of the part, whether its numbers are those of STL or not: the volume is that
   // of the cube less the hole, and the eight triangles of the sides are as they were.
   void holeInTheTriangles() {
-    const Bench bench;
-    bench.put("a.off", cube(20.0).off());
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.3,9.4,23\n1,10.3,9.4,-4\n");
+    const Fixture fixture;
+    fixture.put("a.off", cube(20.0).off());
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.3,9.4,23\n1,10.3,9.4,-4\n");
     const QStringList words{"drill",   "a.off", "--path", "p.csv", "--tool", "ball:4",
                             "--voxel", "0.25",  "--rate", "200",   "-o"};
     for (const QString name : {"b.off", "b.stl"}) {
-      const Ran ran = bench.run(QStringList(words) << name << "--json");
+      const Ran ran = fixture.run(QStringList(words) << name << "--json");
       QCOMPARE(ran.err, QByteArray());
       QCOMPARE(ran.code, 0);
       const auto figures = drillJson(ran.out);
       QVERIFY(figures["hybrid"].get<bool>() && figures["joined"].get<bool>() && !figures.contains("not_joined"));
       QCOMPARE(figures["kept_triangles"].get<int>(), 8);
-      const auto mesh = drillJson(bench.run({"inspect", name, "--json"}).out);
+      const auto mesh = drillJson(fixture.run({"inspect", name, "--json"}).out);
       QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
       QCOMPARE(mesh["self_intersecting_pairs"].get<int>(), 0);
       QCOMPARE(mesh["triangles"].get<int>(), figures["triangles"].get<int>());
       const double hole = 8000.0 - mesh["volume_mm3"].get<double>();
       QVERIFY2(std::abs(hole / (M_PI * 4.0 * 20.0) - 1.0) < 0.01, QByteArray::number(hole));
     }
-    QVERIFY(bench.run(QStringList(words) << "c.ply").out.contains("8 of"));
-    const auto whole = drillJson(bench.run(QStringList(words) + QStringList{"d.off", "--whole", "--json"}).out);
+    QVERIFY(fixture.run(QStringList(words) << "c.ply").out.contains("8 of"));
+    const auto whole = drillJson(fixture.run(QStringList(words) + QStringList{"d.off", "--whole", "--json"}).out);
     QVERIFY(!whole["hybrid"].get<bool>() && !whole.contains("joined"));
     // A top that is missing is closed by a lid of four.
-    bench.put("a.off", openCube(20.0).off());
-    const auto lidded = drillJson(bench.run(QStringList(words) + QStringList{"e.off", "--json"}).out);
+    fixture.put("a.off", openCube(20.0).off());
+    const auto lidded = drillJson(fixture.run(QStringList(words) + QStringList{"e.off", "--json"}).out);
     QVERIFY(lidded["joined"].get<bool>());
     QCOMPARE(lidded["closing_triangles"].get<int>(), 4);
     QCOMPARE(lidded["kept_triangles"].get<int>(), 8);
-    QVERIFY(bench.run(QStringList(words) << "e.off").out.contains("closed by 4 triangles"));
+    QVERIFY(fixture.run(QStringList(words) << "e.off").out.contains("closed by 4 triangles"));
   }
 
   // Where that cannot be, the surface of all voxels is written, and the report says why.
@@ -113,35 +113,35 @@ class DrillTest : public QObject {
   void holeInTheVoxels() {
     QFETCH(bool, isCrossing);
     QFETCH(QStringList, more);
-    const Bench bench;
+    const Fixture fixture;
     Shape part = cube(20.0);
     if (isCrossing) part.add(cube(10.0), {40.0, 40.0, 40.0}).add(cube(10.0), {45.0, 45.0, 45.0});
-    bench.put("a.off", part.off());
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.3,9.4,23\n1,10.3,9.4,-4\n");
+    fixture.put("a.off", part.off());
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.3,9.4,23\n1,10.3,9.4,-4\n");
     const QStringList words = QStringList{"drill",   "a.off", "--path", "p.csv", "--tool", "ball:4",
                                           "--voxel", "0.25",  "--rate", "200",   "-o",     "b.off"} +
                               more;
-    const Ran ran = bench.run(QStringList(words) << "--json");
+    const Ran ran = fixture.run(QStringList(words) << "--json");
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     const auto figures = drillJson(ran.out);
     QVERIFY(!figures["hybrid"].get<bool>() && !figures["joined"].get<bool>());
     QVERIFY(!figures["not_joined"].get<std::string>().empty());
-    const auto mesh = drillJson(bench.run({"inspect", "b.off", "--json"}).out);
+    const auto mesh = drillJson(fixture.run({"inspect", "b.off", "--json"}).out);
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
-    QVERIFY(bench.run(words).out.contains("because"));
+    QVERIFY(fixture.run(words).out.contains("because"));
   }
 
   // Columns that a path does not need may hold anything, also those that number the strokes of a hand elsewhere.
   void otherColumns() {
-    const Bench bench;
-    bench.put("a.off", cube(20.0).off());
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.1,9.9,23\n1,10.1,9.9,15\n2,10.1,9.9,23\n3,10.1,9.9,15\n");
-    bench.put("q.csv",
-              "stroke,t_s,x_mm,y_mm,z_mm,stroke\n2.5,0,10.1,9.9,23,first\n,1,10.1,9.9,15,\n-1,2,10.1,9.9,23,nan\n"
-              "1,3,10.1,9.9,15\n");
+    const Fixture fixture;
+    fixture.put("a.off", cube(20.0).off());
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10.1,9.9,23\n1,10.1,9.9,15\n2,10.1,9.9,23\n3,10.1,9.9,15\n");
+    fixture.put("q.csv",
+                "stroke,t_s,x_mm,y_mm,z_mm,stroke\n2.5,0,10.1,9.9,23,first\n,1,10.1,9.9,15,\n-1,2,10.1,9.9,23,nan\n"
+                "1,3,10.1,9.9,15\n");
     const auto removedBy = [&](const char* path) {
-      const Ran ran = bench.run(
+      const Ran ran = fixture.run(
           {"drill", "a.off", "--path", path, "--voxel", "0.25", "--rate", "100", "--tool", "ball:4", "--json"});
       if (ran.code != 0) qWarning("%s", ran.err.constData());
       return ran.code == 0 ? drillJson(ran.out)["removed_mm3"].get<double>() : -1.0;
@@ -153,10 +153,10 @@ class DrillTest : public QObject {
 
   // Beside the part nothing is drilled, and no voxel is made.
   void besideThePart() {
-    const Bench bench;
-    bench.put("a.off", cube(20.0).off());
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,60,10,25\n1,60,10,-5\n");
-    const Ran ran = bench.run({"drill", "a.off", "--path", "p.csv", "--voxel", "0.3", "--json"});
+    const Fixture fixture;
+    fixture.put("a.off", cube(20.0).off());
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,60,10,25\n1,60,10,-5\n");
+    const Ran ran = fixture.run({"drill", "a.off", "--path", "p.csv", "--voxel", "0.3", "--json"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     const auto figures = drillJson(ran.out);
@@ -168,10 +168,10 @@ class DrillTest : public QObject {
   // Bodies that overlap: walls within them vanish, which only the whole part tells. It is made of voxels, then; the
   // hole is in one of the bodies, beside the other.
   void overlappingBodies() {
-    const Bench bench;
-    bench.put("a.off", cube(20.0).add(cube(10.0), {15.0, 5.0, 5.0}).off());
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,8.1,10.1,24\n1,8.1,10.1,-4\n");
-    const Ran ran = bench.run(
+    const Fixture fixture;
+    fixture.put("a.off", cube(20.0).add(cube(10.0), {15.0, 5.0, 5.0}).off());
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,8.1,10.1,24\n1,8.1,10.1,-4\n");
+    const Ran ran = fixture.run(
         {"drill", "a.off", "--path", "p.csv", "--tool", "ball:4", "--voxel", "0.25", "--rate", "200", "--json"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
@@ -183,29 +183,29 @@ class DrillTest : public QObject {
   // A body that is inside out encloses nothing, and takes nothing from the sound one beside it, however large it is:
   // the whole part tells. Alone it is refused.
   void besideABodyInsideOut() {
-    const Bench bench;
+    const Fixture fixture;
     Shape insideOut = cube(20.0);
     for (auto& face : insideOut.faces) std::swap(face[1], face[2]);
-    bench.put("a.off", cube(5.0).add(insideOut, {10.0, 0.0, 0.0}).off());
-    bench.put("b.off", insideOut.off());
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,2.53,2.47,8\n1,2.53,2.47,-3\n");
+    fixture.put("a.off", cube(5.0).add(insideOut, {10.0, 0.0, 0.0}).off());
+    fixture.put("b.off", insideOut.off());
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,2.53,2.47,8\n1,2.53,2.47,-3\n");
     const QStringList words{"--path", "p.csv", "--tool", "ball:3", "--voxel", "0.125", "--rate", "200", "--json"};
-    const Ran ran = bench.run(QStringList{"drill", "a.off"} + words);
+    const Ran ran = fixture.run(QStringList{"drill", "a.off"} + words);
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     const auto figures = drillJson(ran.out);
     QVERIFY(!figures["hybrid"].get<bool>());
     const double exact = M_PI * 1.5 * 1.5 * 5.0;
     QVERIFY(std::abs(figures["removed_mm3"].get<double>() / exact - 1.0) < 0.03);  // by voxels on the border
-    const Ran alone = bench.run(QStringList{"drill", "b.off"} + words);
+    const Ran alone = fixture.run(QStringList{"drill", "b.off"} + words);
     QCOMPARE(alone.code, 1);
     QVERIFY(alone.out.isEmpty() && alone.err.contains("b.off"));
   }
 
   // The curves of He's runs have the shapes that he states.
   void experiments() {
-    const Bench bench;
-    const Ran ran = bench.run({"drill-experiments", "feed", "--values", "10,6", "--plot", "runs.csv", "--json"});
+    const Fixture fixture;
+    const Ran ran = fixture.run({"drill-experiments", "feed", "--values", "10,6", "--plot", "runs.csv", "--json"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     const auto experiment = drillJson(ran.out)["experiments"][0];
@@ -213,15 +213,15 @@ class DrillTest : public QObject {
     QCOMPARE(experiment["holes"][0]["value"].get<double>(), 6.0);
     QCOMPARE(experiment["checks"].size(), std::size_t{1});
     QVERIFY(experiment["checks"][0]["holds"].get<bool>());
-    const QByteArray points = bench.content("runs.csv");
+    const QByteArray points = fixture.content("runs.csv");
     for (const char* const series : {"Handwheel", "He 2008", "Balance of energy", "(3-22)", "(3-23)"})
       QVERIFY(points.contains(series));
-    const Ran unknown = bench.run({"drill-experiments", "speed"});
+    const Ran unknown = fixture.run({"drill-experiments", "speed"});
     QCOMPARE(unknown.code, 1);
     QVERIFY(unknown.err.contains("There is no experiment speed"));
     for (const char* const values : {"", "1,", "0", "1,-2", "nan", "1e-9", "fast"})
-      QCOMPARE(bench.run({"drill-experiments", "feed", "--values", values}).code, 1);
-    QCOMPARE(bench.run({"drill-experiments", "--values", "1"}).code, 1);
+      QCOMPARE(fixture.run({"drill-experiments", "feed", "--values", values}).code, 1);
+    QCOMPARE(fixture.run({"drill-experiments", "--values", "1"}).code, 1);
   }
 };
 

@@ -12,7 +12,7 @@ using namespace handwheel;
 namespace {
 
 // A MetaImage of two balls of 1000 in 0, with radius 8 and 3 mm, the value falling linearly over a step of samples.
-void putBalls(const Bench& bench, const char* ending) {
+void putBalls(const Fixture& fixture, const char* ending) {
   constexpr int kSize = 48;
   QByteArray samples;
   for (int z = 0; z < kSize; ++z)
@@ -27,10 +27,10 @@ void putBalls(const Bench& bench, const char* ending) {
       "ObjectType = Image\nNDims = 3\nDimSize = 48 48 48\nElementSpacing = 1 1 1\n"
       "ElementType = MET_SHORT\nElementDataFile = ";
   if (QByteArray(ending) == "mha") {
-    bench.put("balls.mha", head + "LOCAL\n" + samples);
+    fixture.put("balls.mha", head + "LOCAL\n" + samples);
   } else {
-    bench.put("balls.mhd", head + "balls.raw\n");
-    bench.put("balls.raw", samples);
+    fixture.put("balls.mhd", head + "balls.raw\n");
+    fixture.put("balls.raw", samples);
   }
 }
 
@@ -41,7 +41,7 @@ nlohmann::json figuresIn(const QByteArray& out) {
 }
 
 // A made-up head in slices: a ball of 1000 in air, as above; the folder has the name of the patient.
-void putSeries(const Bench& bench) {
+void putSeries(const Fixture& fixture) {
   test::MadeSlice slice;
   slice.width = slice.height = 40;
   slice.spacing = 1.0;
@@ -49,12 +49,12 @@ void putSeries(const Bench& bench) {
   slice.value = [](const Vec3& p) {
     return std::round(1000.0 * std::clamp(12.0 - (p - Vec3(20, 20, 0)).norm(), -1.0, 1.0));
   };
-  QDir(bench.path()).mkdir("Erika");
+  QDir(fixture.path()).mkdir("Erika");
   for (int i = 0; i < 16; ++i) {
     if (i == 5) continue;
     slice.origin.z() = 2.0 * i - 16.0;
     const std::string bytes = test::dicomOf(slice);
-    bench.put(QString("Erika/%1").arg(i), QByteArray(bytes.data(), static_cast<int>(bytes.size())));
+    fixture.put(QString("Erika/%1").arg(i), QByteArray(bytes.data(), static_cast<int>(bytes.size())));
   }
 }
 
@@ -71,10 +71,10 @@ class SegmentTest : public QObject {
   }
   void aMesh() {
     QFETCH(QByteArray, ending);
-    const Bench bench;
-    putBalls(bench, ending.constData());
+    const Fixture fixture;
+    putBalls(fixture, ending.constData());
     const Ran ran =
-        bench.run({"segment", "balls." + ending, "-o", "a.stl", "--range", "500:", "--json"}, "de_DE.UTF-8");
+        fixture.run({"segment", "balls." + ending, "-o", "a.stl", "--range", "500:", "--json"}, "de_DE.UTF-8");
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     const auto figures = figuresIn(ran.out);
@@ -87,22 +87,22 @@ class SegmentTest : public QObject {
     QCOMPARE(voxels, std::round(voxels));
     QVERIFY2(std::abs(voxels / (kBallVolume * (512.0 + 27.0)) - 1.0) < 0.06, QByteArray::number(voxels));
     QVERIFY2(std::abs(volume / (kBallVolume * (512.0 + 27.0)) - 1.0) < 0.02, QByteArray::number(volume));
-    const auto mesh = figuresIn(bench.run({"inspect", "a.stl", "--json"}).out);
+    const auto mesh = figuresIn(fixture.run({"inspect", "a.stl", "--json"}).out);
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
     QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / (kBallVolume * (512.0 + 27.0)) - 1.0) < 0.02);
   }
 
   void theLargest() {
-    const Bench bench;
-    putBalls(bench, "mha");
-    const Ran ran = bench.run({"segment", "balls.mha", "-o", "a.handwheel", "--range", "500:2000", "--largest", "1",
-                               "--voxel", "0.5", "--smooth", "--json"});
+    const Fixture fixture;
+    putBalls(fixture, "mha");
+    const Ran ran = fixture.run({"segment", "balls.mha", "-o", "a.handwheel", "--range", "500:2000", "--largest", "1",
+                                 "--voxel", "0.5", "--smooth", "--json"});
     QCOMPARE(ran.code, 0);
     const auto figures = figuresIn(ran.out);
     QCOMPARE(figures["components"].get<int>(), 2);
     QCOMPARE(figures["components_kept"].get<int>(), 1);
     QVERIFY(std::abs(figures["volume_mm3"].get<double>() / (kBallVolume * 512.0) - 1.0) < 0.02);
-    const auto inspected = figuresIn(bench.run({"inspect", "a.handwheel", "--json"}).out);
+    const auto inspected = figuresIn(fixture.run({"inspect", "a.handwheel", "--json"}).out);
     QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.5);
   }
 
@@ -114,47 +114,47 @@ class SegmentTest : public QObject {
   }
   void files() {
     QFETCH(QString, name);
-    const Bench bench;
-    putBalls(bench, "mha");
-    QCOMPARE(bench.run({"segment", "balls.mha", "-o", name, "--range", "500:", "--largest", "1"}).code, 0);
-    const Ran remeshed = bench.run({"remesh", name, "-o", "b.stl"});
+    const Fixture fixture;
+    putBalls(fixture, "mha");
+    QCOMPARE(fixture.run({"segment", "balls.mha", "-o", name, "--range", "500:", "--largest", "1"}).code, 0);
+    const Ran remeshed = fixture.run({"remesh", name, "-o", "b.stl"});
     QCOMPARE(remeshed.err,
              QByteArray("handwheel: The file: closed, manifold, oriented, free of self-intersections, one piece.\n"));
     QCOMPARE(remeshed.code, 0);
-    const auto mesh = figuresIn(bench.run({"inspect", "b.stl", "--json"}).out);
+    const auto mesh = figuresIn(fixture.run({"inspect", "b.stl", "--json"}).out);
     QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / (kBallVolume * 512.0) - 1.0) < 0.02);
-    QCOMPARE(bench.run({"voxelize", "b.stl", "-o", "c" + name.mid(1), "--voxel", "0.5"}).code, 0);
-    const auto again = figuresIn(bench.run({"inspect", "c" + name.mid(1), "--json"}).out);
+    QCOMPARE(fixture.run({"voxelize", "b.stl", "-o", "c" + name.mid(1), "--voxel", "0.5"}).code, 0);
+    const auto again = figuresIn(fixture.run({"inspect", "c" + name.mid(1), "--json"}).out);
     QVERIFY(std::abs(again["document"]["volume"].get<double>() / (kBallVolume * 512.0) - 1.0) < 0.02);
   }
 
   // A range that nobody chose is said.
   void otsu() {
-    const Bench bench;
-    putBalls(bench, "mha");
-    const Ran ran = bench.run({"segment", "balls.mha", "-o", "a.stl", "--json"});
+    const Fixture fixture;
+    putBalls(fixture, "mha");
+    const Ran ran = fixture.run({"segment", "balls.mha", "-o", "a.stl", "--json"});
     QCOMPARE(ran.code, 0);
     const double least = figuresIn(ran.out)["range"][0].get<double>();
     QVERIFY(least > 100.0 && least < 900.0);
-    const Ran opened = bench.run({"remesh", "balls.mha", "-o", "b.stl"});
+    const Ran opened = fixture.run({"remesh", "balls.mha", "-o", "b.stl"});
     QCOMPARE(opened.code, 0);
     QVERIFY(opened.err.contains("are taken as material"));
   }
 
   // A folder of DICOM, or one file of it; what is missing is said, and nothing of the patient is.
   void dicom() {
-    const Bench bench;
-    putSeries(bench);
+    const Fixture fixture;
+    putSeries(fixture);
     for (const char* input : {"Erika", "Erika/7"}) {
-      const Ran ran = bench.run({"segment", input, "-o", "a.handwheel", "--range", "0:", "--json"});
+      const Ran ran = fixture.run({"segment", input, "-o", "a.handwheel", "--range", "0:", "--json"});
       QCOMPARE(ran.code, 0);
       const auto figures = figuresIn(ran.out);
       QCOMPARE(figures["spacing_mm"].get<std::vector<double>>(), (std::vector<double>{1, 1, 2}));
       QVERIFY(std::abs(figures["volume_mm3"].get<double>() / (kBallVolume * 1728.0) - 1.0) < 0.03);
       QCOMPARE(figures["warnings"].size(), std::size_t{1});
       QVERIFY(ran.err.contains("Slices are missing (1)"));
-      const QByteArray inspected = bench.run({"inspect", "a.handwheel", "--json"}).out;
-      for (const QByteArray& said : {ran.out, ran.err, bench.content("a.handwheel"), inspected})
+      const QByteArray inspected = fixture.run({"inspect", "a.handwheel", "--json"}).out;
+      for (const QByteArray& said : {ran.out, ran.err, fixture.content("a.handwheel"), inspected})
         QVERIFY(!said.contains("Mustermann") && !said.contains("Erika"));
     }
   }
@@ -185,18 +185,18 @@ class SegmentTest : public QObject {
   void refusals() {
     QFETCH(QStringList, words);
     QFETCH(QByteArray, text);
-    const Bench bench;
-    putBalls(bench, "mha");
-    QDir(bench.path()).mkdir("empty");
-    bench.put("b.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
+    const Fixture fixture;
+    putBalls(fixture, "mha");
+    QDir(fixture.path()).mkdir("empty");
+    fixture.put("b.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
     const QByteArray head =
         "ObjectType = Image\nNDims = 3\nDimSize = 1 1 1\nElementType = MET_SHORT\nElementDataFile = ";
-    bench.put("lost.mhd", head + "lost.raw\n");
-    bench.put("away.mhd", head + "../../etc/hostname\n");
-    const Ran ran = bench.run(QStringList{"segment"} + words);
+    fixture.put("lost.mhd", head + "lost.raw\n");
+    fixture.put("away.mhd", head + "../../etc/hostname\n");
+    const Ran ran = fixture.run(QStringList{"segment"} + words);
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains(text), ran.err.constData());
-    QVERIFY(!bench.names().contains("b.stl"));
+    QVERIFY(!fixture.names().contains("b.stl"));
   }
 };
 

@@ -31,9 +31,10 @@ class VolumeTest : public QObject {
  private slots:
   // A mesh becomes a volume, which is inspected and becomes a mesh: a block without its top is the block.
   void thereAndBack() {
-    const Bench bench;
-    bench.put("a.off", openBlock());
-    const Ran made = bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.25", "--json"}, "de_DE.UTF-8");
+    const Fixture fixture;
+    fixture.put("a.off", openBlock());
+    const Ran made =
+        fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.25", "--json"}, "de_DE.UTF-8");
     QCOMPARE(made.err, QByteArray());
     QCOMPARE(made.code, 0);
     const auto figures = volumeJson(made.out);
@@ -41,14 +42,14 @@ class VolumeTest : public QObject {
     QCOMPARE(figures["closed_boundaries"].get<int>(), 1);
     QVERIFY(std::abs(figures["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.03);
     QVERIFY(std::abs(figures["enclosed_mm3"].get<double>() / 8000.0 - 1.0) < 1e-6);
-    const auto inspected = volumeJson(bench.run({"inspect", "a.handwheel", "--json"}).out);
+    const auto inspected = volumeJson(fixture.run({"inspect", "a.handwheel", "--json"}).out);
     QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.25);
 
-    QCOMPARE(bench.run({"remesh", "a.handwheel", "-o", "b.stl"}).code, 0);
-    const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+    QCOMPARE(fixture.run({"remesh", "a.handwheel", "-o", "b.stl"}).code, 0);
+    const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
     QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.01);
-    const Ran fewer = bench.run({"remesh", "a.handwheel", "-o", "c.stl", "--error", "0.2", "--json"});
+    const Ran fewer = fixture.run({"remesh", "a.handwheel", "-o", "c.stl", "--error", "0.2", "--json"});
     QCOMPARE(fewer.code, 0);
     const auto reduced = volumeJson(fewer.out);
     QVERIFY(reduced["triangles"].get<int>() < reduced["triangles_before"].get<int>() / 10);
@@ -58,12 +59,12 @@ class VolumeTest : public QObject {
   // Before a volume is made it is said what that needs. Where it is half of the memory that is left nothing is made
   // unless somebody agrees; what is more than all of it stays refused.
   void memoryIsSaidAndAskedFor() {
-    const Bench bench;
-    bench.put("a.off", openBlock());
-    const Ran said = bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5"});
+    const Fixture fixture;
+    fixture.put("a.off", openBlock());
+    const Ran said = fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5"});
     QVERIFY2(said.out.startsWith("Voxels of 0.5 mm need about ") && said.out.contains(" MB available"), said.out);
     const auto figures =
-        volumeJson(bench.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"}).out);
+        volumeJson(fixture.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"}).out);
     const double bytes = figures["predicted_bytes"].get<double>();
     QVERIFY(bytes > 0.0 && figures["predicted_s"].get<double>() > 0.0);
     const auto voxelFor = [&](double share) {  // of the memory; it goes by the square
@@ -74,35 +75,35 @@ class VolumeTest : public QObject {
                                       {"shell", "a.off", "-o", "c.handwheel", "--wall", "1"},
                                       {"boolean", "a.off", "a.off", "--unite", "-o", "c.handwheel"}};
     for (const QStringList& command : commands) {
-      const Ran large = bench.run(QStringList(command) << "--voxel" << voxelFor(0.5));
+      const Ran large = fixture.run(QStringList(command) << "--voxel" << voxelFor(0.5));
       QCOMPARE(large.code, 1);
       QVERIFY2(large.err.contains("a.off") && large.err.contains("more than a quarter of the ") &&
                    large.err.contains("--yes"),
                large.err);
-      const Ran huge = bench.run(QStringList(command) << "--voxel" << voxelFor(3.0) << "--yes");
+      const Ran huge = fixture.run(QStringList(command) << "--voxel" << voxelFor(3.0) << "--yes");
       QCOMPARE(huge.code, 1);
       QVERIFY2(huge.err.contains(" MB are available") && !huge.err.contains("--yes"), huge.err);
-      QCOMPARE(bench
+      QCOMPARE(fixture
                    .run(QStringList(command) << "--voxel"
                                              << "0.5"
                                              << "--yes")
                    .code,
                0);
     }
-    const Ran edited = bench.run({"edit", "a.off", "by-volume --voxel=" + voxelFor(0.5), "-o", "d.off"});
+    const Ran edited = fixture.run({"edit", "a.off", "by-volume --voxel=" + voxelFor(0.5), "-o", "d.off"});
     QVERIFY2(edited.err.contains("more than a quarter"), edited.err);
   }
 
   // A plate of 0.3 mm between samples 1 mm apart is lost, which is a warning; of a cube alone nothing is said.
   void thinWallsAreSaid() {
-    const Bench bench;
+    const Fixture fixture;
     Shape part = cube(10.0), plate = cube(1.0);
-    bench.put("a.off", part.off());
+    fixture.put("a.off", part.off());
     for (auto& p : plate.points) p = {0.3 * p[0], 10.0 * p[1], 10.0 * p[2]};
     part.add(plate, {20.0, 0.0, 0.0});
-    bench.put("b.off", part.off());
+    fixture.put("b.off", part.off());
     for (const QByteArray name : {"a", "b"}) {
-      const Ran ran = bench.run({"voxelize", name + ".off", "-o", name + ".handwheel", "--voxel", "1", "--json"});
+      const Ran ran = fixture.run({"voxelize", name + ".off", "-o", name + ".handwheel", "--voxel", "1", "--json"});
       QCOMPARE(ran.code, 0);
       QCOMPARE(ran.err.contains("Walls thinner than a voxel (1 mm) were lost"), name == "b");
       // 212 mm² of 812 are the plate's.
@@ -114,25 +115,25 @@ class VolumeTest : public QObject {
   // 5 km from the origin, single precision has steps of 0.5 mm: of triangles of 0.25 mm many lose their area in an STL,
   // which is said. OFF keeps all digits.
   void remeshedFilesAreChecked() {
-    const Bench bench;
+    const Fixture fixture;
     Shape far = cube(10.0);
     for (auto& p : far.points)
       for (double& x : p) x += 5e6;
-    bench.put("a.off", far.off());
-    QCOMPARE(bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.25"}).code, 0);
-    const Ran rounded = bench.run({"remesh", "a.handwheel", "-o", "b.stl", "--json"});
+    fixture.put("a.off", far.off());
+    QCOMPARE(fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.25"}).code, 0);
+    const Ran rounded = fixture.run({"remesh", "a.handwheel", "-o", "b.stl", "--json"});
     QCOMPARE(rounded.code, 2);
     QVERIFY(!volumeJson(rounded.out)["sound"].get<bool>());
-    const auto inFile = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+    const auto inFile = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
     QVERIFY(inFile["closed"].get<bool>());
-    const Ran exact = bench.run({"remesh", "a.handwheel", "-o", "b.off", "--json"});
+    const Ran exact = fixture.run({"remesh", "a.handwheel", "-o", "b.off", "--json"});
     QCOMPARE(exact.code, 0);
     QVERIFY(volumeJson(exact.out)["sound"].get<bool>());
-    const auto meant = volumeJson(bench.run({"inspect", "b.off", "--json"}).out);
+    const auto meant = volumeJson(fixture.run({"inspect", "b.off", "--json"}).out);
     const int lost = inFile["degenerate_faces"].get<int>() - meant["degenerate_faces"].get<int>();
     QVERIFY(lost > 1000);
     QVERIFY2(rounded.err.contains(", " + QByteArray::number(lost) + " more triangles have no area"), rounded.err);
-    const Ran fewer = bench.run({"remesh", "a.handwheel", "-o", "c.off", "--faces", "500", "--json"});
+    const Ran fewer = fixture.run({"remesh", "a.handwheel", "-o", "c.off", "--faces", "500", "--json"});
     QCOMPARE(fewer.code, 0);
     const int left = volumeJson(fewer.out)["triangles"].get<int>();
     QVERIFY2(left >= 490 && left <= 500, QByteArray::number(left));
@@ -149,9 +150,9 @@ class VolumeTest : public QObject {
   void drillTheExercise() {
     QFETCH(double, end);
     QFETCH(int, points);
-    const Bench bench;
+    const Fixture fixture;
     const QString exercise = QStringLiteral(SOURCE_SAMPLES "/exercises/skull.exercise.json");
-    QCOMPARE(bench.run({"exercise", exercise, "--stock", "-o", "stock.handwheel"}).code, 0);
+    QCOMPARE(fixture.run({"exercise", exercise, "--stock", "-o", "stock.handwheel"}).code, 0);
     // Beside the middle by 30 mm, in front of it by 35, on the ellipsoid of 72, 90 and 66 mm, across its surface.
     const double x = 30.0, y = 35.0, z = 66.0 * std::sqrt(1.0 - x * x / 5184.0 - y * y / 8100.0);
     double in[3] = {-x / 5184.0, -y / 8100.0, -z / 4356.0};
@@ -165,22 +166,22 @@ class VolumeTest : public QObject {
                   .arg(y + depth * in[1] / length, 0, 'f', 6)
                   .arg(z + depth * in[2] / length, 0, 'f', 6)
                   .toLatin1();
-    bench.put("p.csv", path);
+    fixture.put("p.csv", path);
     const Ran drilled =
-        bench.run({"drill", "stock.handwheel", "--path", "p.csv", "--rate", "100", "-o", "work.handwheel", "--json"});
+        fixture.run({"drill", "stock.handwheel", "--path", "p.csv", "--rate", "100", "-o", "work.handwheel", "--json"});
     QCOMPARE(drilled.err, QByteArray());
     QCOMPARE(drilled.code, 0);
     // 8 mm of air, then the 6.5 mm of bone a little obliquely to the inner table.
     const double through = volumeJson(drilled.out)["breakthrough_s"].get<double>();
     QVERIFY2(through > 14.0 && through < 14.7, QByteArray::number(through));
     QCOMPARE(
-        bench.run({"exercise", exercise, "--hand-in", "work.handwheel", "--name", "Ada", "-o", "ada.handwheel"}).code,
+        fixture.run({"exercise", exercise, "--hand-in", "work.handwheel", "--name", "Ada", "-o", "ada.handwheel"}).code,
         0);
-    const Ran marked = bench.run({"mark", exercise, "ada.handwheel", "--csv", "class.csv", "--report", "ada.html"});
+    const Ran marked = fixture.run({"mark", exercise, "ada.handwheel", "--csv", "class.csv", "--report", "ada.html"});
     QCOMPARE(marked.code, 0);
-    const QList<QByteArray> row = bench.content("class.csv").split('\n').at(1).split(',');
-    QVERIFY2(row.contains(QByteArray::number(points)), bench.content("class.csv"));
-    const QByteArray report = bench.content("ada.html");
+    const QList<QByteArray> row = fixture.content("class.csv").split('\n').at(1).split(',');
+    QVERIFY2(row.contains(QByteArray::number(points)), fixture.content("class.csv"));
+    const QByteArray report = fixture.content("ada.html");
     QVERIFY(report.contains("Thrust") && report.contains("Breakthrough: the drill is through"));
     QCOMPARE(report.contains("entered the forbidden region"), points == 0);
     QVERIFY(report.contains("alt=\"work0-picture-0\"") && report.contains("The hole in section"));
@@ -190,13 +191,13 @@ class VolumeTest : public QObject {
   // Down through a block of 20 mm: a hole of the ball's diameter, the work of its volume, and the time at which the
   // front comes out.
   void drill() {
-    const Bench bench;
-    bench.put("a.off", openBlock());
+    const Fixture fixture;
+    fixture.put("a.off", openBlock());
     QByteArray path("t_s,x_mm,y_mm,z_mm\n0,10,10,25\n6,10,10,-5\n");  // 5 mm/s
-    bench.put("p.csv", path);
-    const Ran ran = bench.run({"drill", "a.off", "--path", "p.csv", "--tool", "ball:6", "--voxel", "0.35", "--rate",
-                               "250", "--rpm", "1200", "-o", "b.handwheel", "--forces", "f.csv", "--json"},
-                              "de_DE.UTF-8");
+    fixture.put("p.csv", path);
+    const Ran ran = fixture.run({"drill", "a.off", "--path", "p.csv", "--tool", "ball:6", "--voxel", "0.35", "--rate",
+                                 "250", "--rpm", "1200", "-o", "b.handwheel", "--forces", "f.csv", "--json"},
+                                "de_DE.UTF-8");
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     const auto figures = volumeJson(ran.out);
@@ -209,10 +210,10 @@ class VolumeTest : public QObject {
     const double thrust = 250.0 * M_PI * 9.0 * 5.0 / (5.0 + 0.5 * 1.64 * 6.0 * 2.0 * M_PI * 20.0);
     QVERIFY(std::abs(figures["max_thrust_N"].get<double>() / thrust - 1.0) < 0.2);
     QVERIFY(std::abs(figures["max_torque_Nmm"].get<double>() / (1.64 * 3.0 * thrust) - 1.0) < 0.2);
-    QVERIFY(bench.content("f.csv").startsWith("t_s,x_mm,y_mm,z_mm,thrust_N"));
-    const auto inspected = volumeJson(bench.run({"inspect", "b.handwheel", "--json"}).out);
+    QVERIFY(fixture.content("f.csv").startsWith("t_s,x_mm,y_mm,z_mm,thrust_N"));
+    const auto inspected = volumeJson(fixture.run({"inspect", "b.handwheel", "--json"}).out);
     QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.35);
-    const Ran text = bench.run({"drill", "b.handwheel", "--path", "p.csv"});
+    const Ran text = fixture.run({"drill", "b.handwheel", "--path", "p.csv"});
     QCOMPARE(text.code, 0);
     QVERIFY(text.out.contains("not verified"));
   }
@@ -220,15 +221,15 @@ class VolumeTest : public QObject {
   // A hole of 12 mm in pecks of 5: the thrust is there three times, and falls to nothing between them; one without
   // pecks has it once. Both take the same from the block.
   void drillByProgram() {
-    const Bench bench;
-    bench.put("a.off", openBlock());
+    const Fixture fixture;
+    fixture.put("a.off", openBlock());
     const QByteArray begin = "G21 G90\nS1200 M3\nG0 X10 Y10 Z22\n", end = "G80\nM30\n";
-    bench.put("pecks.ngc", begin + "G83 Z8 R21 Q5 F300\n" + end);
-    bench.put("plain.ngc", begin + "G81 Z8 R21 F300\n" + end);
+    fixture.put("pecks.ngc", begin + "G83 Z8 R21 Q5 F300\n" + end);
+    fixture.put("plain.ngc", begin + "G81 Z8 R21 F300\n" + end);
     std::map<QString, double> removed;
     for (const QString name : {"pecks", "plain"}) {
-      const Ran ran = bench.run({"drill", "a.off", "--program", name + ".ngc", "--tool", "ball:6", "--voxel", "0.35",
-                                 "--rate", "250", "--forces", name + ".csv", "--json"});
+      const Ran ran = fixture.run({"drill", "a.off", "--program", name + ".ngc", "--tool", "ball:6", "--voxel", "0.35",
+                                   "--rate", "250", "--forces", name + ".csv", "--json"});
       QCOMPARE(ran.err, QByteArray());
       QCOMPARE(ran.code, 0);
       removed[name] = volumeJson(ran.out)["removed_mm3"].get<double>();
@@ -236,7 +237,7 @@ class VolumeTest : public QObject {
       QVERIFY(std::abs(removed[name] / (M_PI * 9.0 * 9.0 + 18.0 * M_PI) - 1.0) < 0.01);
       int pecks = 0;
       double last = -1.0;  // s, of a cycle with thrust
-      for (const QByteArray& line : bench.content(name + ".csv").split('\n').mid(1)) {
+      for (const QByteArray& line : fixture.content(name + ".csv").split('\n').mid(1)) {
         const QList<QByteArray> cells = line.split(',');
         if (cells.size() < 5 || !(cells[4].toDouble() > 1.0)) continue;
         const double time = cells[0].toDouble();
@@ -246,11 +247,11 @@ class VolumeTest : public QObject {
       QCOMPARE(pecks, name == "pecks" ? 3 : 1);
     }
     QVERIFY(std::abs(removed["pecks"] / removed["plain"] - 1.0) < 0.01);
-    bench.put("bad.ngc", begin + "G2 X3 Y4\n");
-    const Ran bad = bench.run({"drill", "a.off", "--program", "bad.ngc"});
+    fixture.put("bad.ngc", begin + "G2 X3 Y4\n");
+    const Ran bad = fixture.run({"drill", "a.off", "--program", "bad.ngc"});
     QCOMPARE(bad.code, 1);
     QVERIFY2(bad.err.contains("bad.ngc") && bad.err.contains("line 4") && bad.err.contains("G2"), bad.err);
-    QCOMPARE(bench.run({"drill", "a.off", "--program", "plain.ngc", "--path", "p.csv"}).code, 1);
+    QCOMPARE(fixture.run({"drill", "a.off", "--program", "plain.ngc", "--path", "p.csv"}).code, 1);
   }
 
   void whatCannotBeDrilled_data() {
@@ -267,10 +268,10 @@ class VolumeTest : public QObject {
   void whatCannotBeDrilled() {
     QFETCH(QStringList, words);
     QFETCH(QByteArray, says);
-    const Bench bench;
-    bench.put("a.off", openBlock());
-    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10,10,25\n1,10,10,20\n");
-    const Ran ran = bench.run(words);
+    const Fixture fixture;
+    fixture.put("a.off", openBlock());
+    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10,10,25\n1,10,10,20\n");
+    const Ran ran = fixture.run(words);
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains(says), ran.err);
   }
@@ -286,40 +287,40 @@ class VolumeTest : public QObject {
   void booleans() {
     QFETCH(QByteArray, way);
     QFETCH(double, exact);
-    const Bench bench;
-    bench.put("a.off", openBlock());
+    const Fixture fixture;
+    fixture.put("a.off", openBlock());
     Shape small = cube();
     for (auto& p : small.points) p = {10.0 * p[0] + 17.5, 10.0 * p[1] + 5.0, 10.0 * p[2] + 5.0};
-    bench.put("b.off", small.off());
-    QCOMPARE(bench.run({"voxelize", "b.off", "-o", "b.nrrd", "--voxel", "0.3"}).code, 0);
+    fixture.put("b.off", small.off());
+    QCOMPARE(fixture.run({"voxelize", "b.off", "-o", "b.nrrd", "--voxel", "0.3"}).code, 0);
     for (const char* const second : {"b.off", "b.nrrd"}) {
-      const Ran ran = bench.run({"boolean", "a.off", second, way, "-o", "c.stl", "--voxel", "0.25", "--json"});
+      const Ran ran = fixture.run({"boolean", "a.off", second, way, "-o", "c.stl", "--voxel", "0.25", "--json"});
       QCOMPARE(ran.err, QByteArray());
       QCOMPARE(ran.code, 0);
       const auto figures = volumeJson(ran.out);
       QCOMPARE(figures["voxel_mm"].get<double>(), 0.25);
       QVERIFY(std::abs(figures["first_mm3"].get<double>() / 8000.0 - 1.0) < 0.03);
-      const auto mesh = volumeJson(bench.run({"inspect", "c.stl", "--json"}).out);
+      const auto mesh = volumeJson(fixture.run({"inspect", "c.stl", "--json"}).out);
       QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
       QVERIFY2(std::abs(mesh["volume_mm3"].get<double>() / exact - 1.0) < 0.03,
                qPrintable(QString::number(mesh["volume_mm3"].get<double>())));
     }
-    const Ran text = bench.run({"boolean", "a.off", "b.off", way, "-o", "c.handwheel", "--voxel", "0.5"});
+    const Ran text = fixture.run({"boolean", "a.off", "b.off", way, "-o", "c.handwheel", "--voxel", "0.5"});
     QCOMPARE(text.code, 0);
     QVERIFY(text.out.contains("voxels of 0.5 mm"));
   }
 
   // With sharp edges a block is the block, where marching cubes cut its edges off; and by densities it is nearly so.
   void methods() {
-    const Bench bench;
-    bench.put("a.off", openBlock());
+    const Fixture fixture;
+    fixture.put("a.off", openBlock());
     std::map<QByteArray, double> off;
     for (const QByteArray sampling : {"sign", "density"}) {
-      const Ran made = bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5", "--method", sampling});
+      const Ran made = fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5", "--method", sampling});
       QCOMPARE(made.err, QByteArray());
       for (const QByteArray polygons : {"marching", "dual"}) {
-        QCOMPARE(bench.run({"remesh", "a.handwheel", "-o", "b.stl", "--method", polygons}).code, 0);
-        const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+        QCOMPARE(fixture.run({"remesh", "a.handwheel", "-o", "b.stl", "--method", polygons}).code, 0);
+        const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
         QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
         QCOMPARE(mesh["self_intersecting_pairs"].get<int>(), 0);
         off[sampling + polygons] = std::abs(mesh["volume_mm3"].get<double>() / 8000.0 - 1.0);
@@ -328,47 +329,47 @@ class VolumeTest : public QObject {
     QVERIFY(off["signdual"] < 1e-4);
     QVERIFY(off["signmarching"] > 10.0 * off["signdual"]);
     QVERIFY(off["densitymarching"] < 0.02);
-    QCOMPARE(bench.run({"voxelize", "a.off", "-o", "a.handwheel", "--fidelity", "volume.voxels=40"}).code, 0);
-    QCOMPARE(volumeJson(bench.run({"inspect", "a.handwheel", "--json"}).out)["document"]["voxel"].get<double>(), 0.5);
+    QCOMPARE(fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--fidelity", "volume.voxels=40"}).code, 0);
+    QCOMPARE(volumeJson(fixture.run({"inspect", "a.handwheel", "--json"}).out)["document"]["voxel"].get<double>(), 0.5);
     QVERIFY(
-        bench.run({"voxelize", "a.off", "-o", "a.vdb", "--fidelity", "snap.radius=2"}).err.contains("does not use"));
+        fixture.run({"voxelize", "a.off", "-o", "a.vdb", "--fidelity", "snap.radius=2"}).err.contains("does not use"));
   }
 
   // A wall of 2 mm in a block of 20 mm: an empty cube of 16 mm within.
   void walls() {
-    const Bench bench;
-    bench.put("a.off", openBlock());
+    const Fixture fixture;
+    fixture.put("a.off", openBlock());
     const Ran ran =
-        bench.run({"shell", "a.off", "-o", "b.stl", "--wall", "2", "--voxel", "0.25", "--json"}, "de_DE.UTF-8");
+        fixture.run({"shell", "a.off", "-o", "b.stl", "--wall", "2", "--voxel", "0.25", "--json"}, "de_DE.UTF-8");
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     QVERIFY(std::abs(volumeJson(ran.out)["volume_mm3"].get<double>() / (8000.0 - 4096.0) - 1.0) < 0.03);
-    const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+    const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
-    QCOMPARE(bench.run({"shell", "a.off", "-o", "c.nrrd", "--wall", "1", "--side", "outside", "--voxel", "0.5"}).code,
+    QCOMPARE(fixture.run({"shell", "a.off", "-o", "c.nrrd", "--wall", "1", "--side", "outside", "--voxel", "0.5"}).code,
              0);
-    const Ran smaller = bench.run({"offset", "c.nrrd", "-o", "d.stl", "--distance=-0.2", "--json"});
+    const Ran smaller = fixture.run({"offset", "c.nrrd", "-o", "d.stl", "--distance=-0.2", "--json"});
     QCOMPARE(smaller.err, QByteArray());
     // Steiner's formula for the rounded block: the wall is left from 0.2 to 0.8 mm.
     const auto rounded = [](double d) { return 2400.0 * d + 60.0 * M_PI * d * d + 4.0 / 3.0 * M_PI * d * d * d; };
-    const auto left = volumeJson(bench.run({"inspect", "d.stl", "--json"}).out)["volume_mm3"].get<double>();
+    const auto left = volumeJson(fixture.run({"inspect", "d.stl", "--json"}).out)["volume_mm3"].get<double>();
     QVERIFY2(std::abs(left / (rounded(0.8) - rounded(0.2)) - 1.0) < 0.05, qPrintable(QString::number(left)));
   }
 
   // A block beside a large one is debris below the ball of its volume, a gap is filled, corners become round.
   void wholeVolumes() {
-    const Bench bench;
+    const Fixture fixture;
     Shape two = cube(10.0);
     two.add(cube(4.0), {12.0, 0.0, 0.0});
-    bench.put("a.off", two.off());
+    fixture.put("a.off", two.off());
     const auto left = [&](const QStringList& words) {
       QStringList all = words;
-      const Ran ran = bench.run(all << "a.off"
-                                    << "-o"
-                                    << "b.handwheel"
-                                    << "--voxel"
-                                    << "0.25"
-                                    << "--json");
+      const Ran ran = fixture.run(all << "a.off"
+                                      << "-o"
+                                      << "b.handwheel"
+                                      << "--voxel"
+                                      << "0.25"
+                                      << "--json");
       return ran.code == 0 ? volumeJson(ran.out)["volume_mm3"].get<double>() : -1.0;
     };
     const double across = 4.0 * std::cbrt(6.0 / M_PI);  // of the ball with the volume of the small block
@@ -384,32 +385,32 @@ class VolumeTest : public QObject {
 
   // Between two blocks a gap of a millimetre is filled on the way.
   void repairClosesGaps() {
-    const Bench bench;
+    const Fixture fixture;
     Shape two = cube(10.0);
     two.add(cube(10.0), {11.0, 0.0, 0.0});
-    bench.put("a.off", two.off());
-    const Ran ran = bench.run(
+    fixture.put("a.off", two.off());
+    const Ran ran = fixture.run(
         {"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.25", "--close-gaps", "0.7", "--json"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     const auto figures = volumeJson(ran.out);
     QVERIFY(std::abs(figures["filled_mm3"].get<double>() - 90.0) < 5.0);
     QVERIFY(figures["kept_distance_mm"].get<double>() < 0.25);
-    const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+    const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
     QCOMPARE(mesh["components"].get<int>(), 1);
     QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 2090.0 - 1.0) < 0.02);
   }
 
   void repairByVolume() {
-    const Bench bench;
-    bench.put("a.off", openBlock());
-    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"});
+    const Fixture fixture;
+    fixture.put("a.off", openBlock());
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     const auto figures = volumeJson(ran.out);
     QVERIFY(figures["sound"].get<bool>());
     QVERIFY(figures["scan_distance_mm"].get<double>() < 0.5);
-    const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+    const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
     QCOMPARE(mesh["self_intersecting_pairs"].get<int>(), 0);
     QVERIFY(figures["kept_distance_mm"].get<double>() <= 0.5);
@@ -417,18 +418,18 @@ class VolumeTest : public QObject {
 
   // A volume, too: the block comes back of its distances.
   void repairOfVolumes() {
-    const Bench bench;
-    bench.put("a.off", openBlock());
+    const Fixture fixture;
+    fixture.put("a.off", openBlock());
     for (const char* const file : {"a.nrrd", "a.vdb"}) {
-      QCOMPARE(bench.run({"voxelize", "a.off", "-o", file, "--voxel", "0.5"}).code, 0);
-      const Ran ran = bench.run({"repair", file, "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"});
+      QCOMPARE(fixture.run({"voxelize", "a.off", "-o", file, "--voxel", "0.5"}).code, 0);
+      const Ran ran = fixture.run({"repair", file, "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"});
       QCOMPARE(ran.err, QByteArray());
       QCOMPARE(ran.code, 0);
       QVERIFY(volumeJson(ran.out)["sound"].get<bool>());
-      const auto mesh = volumeJson(bench.run({"inspect", "b.stl", "--json"}).out);
+      const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
       QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.02);
     }
-    const Ran document = bench.run({"repair", "a.vdb", "-o", "b.handwheel", "--by", "volume"});
+    const Ran document = fixture.run({"repair", "a.vdb", "-o", "b.handwheel", "--by", "volume"});
     QCOMPARE(document.code, 1);
   }
 
@@ -470,27 +471,27 @@ class VolumeTest : public QObject {
   }
   // Who follows the advice gets a closed mesh of what encloses nothing.
   void wallsOfASheet() {
-    const Bench bench;
-    bench.put("flat.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
-    const Ran none = bench.run({"voxelize", "flat.off", "-o", "b.handwheel"});
+    const Fixture fixture;
+    fixture.put("flat.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
+    const Ran none = fixture.run({"voxelize", "flat.off", "-o", "b.handwheel"});
     QCOMPARE(none.code, 1);
     QVERIFY2(none.err.contains("--wall"), none.err.constData());
-    QCOMPARE(bench.run({"voxelize", "flat.off", "-o", "b.handwheel", "--wall", "1", "--voxel", "0.25"}).code, 0);
-    QCOMPARE(bench.run({"remesh", "b.handwheel", "-o", "b.stl"}).code, 0);
-    const Ran seen = bench.run({"inspect", "b.stl"});
+    QCOMPARE(fixture.run({"voxelize", "flat.off", "-o", "b.handwheel", "--wall", "1", "--voxel", "0.25"}).code, 0);
+    QCOMPARE(fixture.run({"remesh", "b.handwheel", "-o", "b.stl"}).code, 0);
+    const Ran seen = fixture.run({"inspect", "b.stl"});
     QVERIFY2(seen.out.contains("closed, manifold, oriented, free of self-intersections, one piece"),
              seen.out.constData());
   }
   void refusals() {
     QFETCH(QStringList, words);
     QFETCH(QByteArray, text);
-    const Bench bench;
-    bench.put("a.off", openBlock());
-    bench.put("flat.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
-    const Ran ran = bench.run(words);
+    const Fixture fixture;
+    fixture.put("a.off", openBlock());
+    fixture.put("flat.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
+    const Ran ran = fixture.run(words);
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains(text), ran.err.constData());
-    QVERIFY(!bench.names().contains("b.stl") && !bench.names().contains("b.handwheel"));
+    QVERIFY(!fixture.names().contains("b.stl") && !fixture.names().contains("b.handwheel"));
   }
 };
 

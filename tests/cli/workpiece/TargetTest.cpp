@@ -40,36 +40,36 @@ class TargetTest : public QObject {
            {std::array{a, b, b + 1}, {a, b + 1, a + 1}, {b, a, low}, {a + 1, b + 1, low + 1}})
         bar.faces.push_back(t);
     }
-    const Bench bench;
-    bench.put("bar.off", bar.off());
-    const Ran off = bench.run({"target", "bar.off"});
+    const Fixture fixture;
+    fixture.put("bar.off", bar.off());
+    const Ran off = fixture.run({"target", "bar.off"});
     QVERIFY2(off.code == 0 && off.out.startsWith("Turned part"), off.err);
     for (const char* name : {"bar.ply", "bar.obj", "bar.3mf"}) {
-      QCOMPARE(bench.run({"convert", "bar.off", name}).code, 0);
-      const Ran other = bench.run({"target", name});
+      QCOMPARE(fixture.run({"convert", "bar.off", name}).code, 0);
+      const Ran other = fixture.run({"target", name});
       QVERIFY2(other.code == 0, other.err);
       QCOMPARE(other.out, off.out);
-      QVERIFY(bench.run({"help", "target"}).out.contains(QByteArray(name).mid(3)));
+      QVERIFY(fixture.run({"help", "target"}).out.contains(QByteArray(name).mid(3)));
     }
   }
 
   void listsDimensions() {
-    const Bench bench;
-    bench.put("shaft.svg", kShaftDrawing);
-    const Ran ran = bench.run({"target", "shaft.svg"});
+    const Fixture fixture;
+    fixture.put("shaft.svg", kShaftDrawing);
+    const Ran ran = fixture.run({"target", "shaft.svg"});
     QVERIFY2(ran.code == 0, ran.err);
     QVERIFY2(ran.out.contains("cylinder Ø40, Z 0 to 30, length 30"), ran.out);
     QVERIFY2(ran.out.contains("cylinder Ø24, Z 30 to 80, length 50"), ran.out);
-    const nlohmann::json json = jsonOf(bench.run({"target", "shaft.svg", "--json"}));
+    const nlohmann::json json = jsonOf(fixture.run({"target", "shaft.svg", "--json"}));
     QVERIFY(std::abs(json["volume"].get<double>() / (M_PI * (400.0 * 30.0 + 144.0 * 50.0)) - 1.0) < 1e-9);
     QCOMPARE(json["dimensions"].size(), std::size_t{5});
   }
 
   // Each end is where the other one was.
   void isTurnedEndForEnd() {
-    const Bench bench;
-    bench.put("shaft.svg", kShaftDrawing);
-    const Ran ran = bench.run({"target", "shaft.svg", "--turn-target"});
+    const Fixture fixture;
+    fixture.put("shaft.svg", kShaftDrawing);
+    const Ran ran = fixture.run({"target", "shaft.svg", "--turn-target"});
     QVERIFY2(ran.code == 0 && ran.err.contains("The end of ⌀40 mm is the free one"), ran.err);
     QVERIFY2(ran.out.contains("cylinder Ø24, Z 0 to 50, length 50"), ran.out);
     QVERIFY2(ran.out.contains("cylinder Ø40, Z 50 to 80, length 30"), ran.out);
@@ -77,26 +77,26 @@ class TargetTest : public QObject {
 
   // To every format and back, with the same dimensions.
   void convertsDrawings() {
-    const Bench bench;
-    bench.put("shaft.svg", kShaftDrawing);
-    const nlohmann::json expected = jsonOf(bench.run({"target", "shaft.svg", "--json"}));
+    const Fixture fixture;
+    fixture.put("shaft.svg", kShaftDrawing);
+    const nlohmann::json expected = jsonOf(fixture.run({"target", "shaft.svg", "--json"}));
     for (const char* out : {"a.dxf", "a.svg", "a.handwheel"}) {
-      const Ran written = bench.run({"target", "shaft.svg", "-o", out});
+      const Ran written = fixture.run({"target", "shaft.svg", "-o", out});
       QVERIFY2(written.code == 0, written.err);
-      const nlohmann::json back = jsonOf(bench.run({"target", out, "--json"}));
+      const nlohmann::json back = jsonOf(fixture.run({"target", out, "--json"}));
       QVERIFY2(std::abs(back["volume"].get<double>() / expected["volume"].get<double>() - 1.0) < 1e-9, out);
       QCOMPARE(back["dimensions"].size(), expected["dimensions"].size());
     }
-    QCOMPARE(bench.run({"target", "shaft.svg", "-o", "a.pdf"}).code, 0);
-    QVERIFY(bench.content("a.pdf").startsWith("%PDF-"));
+    QCOMPARE(fixture.run({"target", "shaft.svg", "-o", "a.pdf"}).code, 0);
+    QVERIFY(fixture.content("a.pdf").startsWith("%PDF-"));
   }
 
   void measuresAWorkpiece() {
-    const Bench bench;
-    bench.put("shaft.svg", kShaftDrawing);
-    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);  // 50 x 100 mm
-    const auto over = [&bench](const QStringList& more) {
-      const Ran ran = bench.run(
+    const Fixture fixture;
+    fixture.put("shaft.svg", kShaftDrawing);
+    QCOMPARE(fixture.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);  // 50 x 100 mm
+    const auto over = [&fixture](const QStringList& more) {
+      const Ran ran = fixture.run(
           QStringList{"target", "shaft.svg", "--of", "bar.handwheel", "-o", "with.handwheel", "--json"} + more);
       if (ran.code != 0) qWarning("%s", ran.err.constData());
       const nlohmann::json json = jsonOf(ran);
@@ -110,36 +110,36 @@ class TargetTest : public QObject {
     const auto [asked, more] = over({"--facing", "20"});
     QVERIFY(std::abs(asked - std::hypot(25.0 - 12.0, 20.0)) < 1e-6 && std::abs(more - 20.0) < 1e-9);
     for (const char* const wrong : {"-1", "x", "1e9"})
-      QCOMPARE(bench.run({"target", "shaft.svg", "--of", "bar.handwheel", "--facing", wrong}).code, 1);
+      QCOMPARE(fixture.run({"target", "shaft.svg", "--of", "bar.handwheel", "--facing", wrong}).code, 1);
     // It can be changed afterwards.
-    QCOMPARE(bench.run({"set", "with.handwheel", "facing_allowance=2.5", "-o", "set.handwheel"}).code, 0);
-    QVERIFY(std::abs(jsonOf(bench.run({"target", "set.handwheel", "--json"}))["lower_end"].get<double>() - 17.5) <
+    QCOMPARE(fixture.run({"set", "with.handwheel", "facing_allowance=2.5", "-o", "set.handwheel"}).code, 0);
+    QVERIFY(std::abs(jsonOf(fixture.run({"target", "set.handwheel", "--json"}))["lower_end"].get<double>() - 17.5) <
             1e-9);
-    const Ran inspected = bench.run({"inspect", "with.handwheel"});
+    const Ran inspected = fixture.run({"inspect", "with.handwheel"});
     QVERIFY2(inspected.out.contains("cylinder Ø50, Z 0 to 100, length 100"), inspected.out);
     QVERIFY2(inspected.out.contains("target shaft.svg: "), inspected.out);
   }
 
   void exportsWorkpieces() {
-    const Bench bench;
-    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    const Fixture fixture;
+    QCOMPARE(fixture.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
     for (const char* out : {"bar.dxf", "bar.svg", "bar.pdf"}) {
-      const Ran ran = bench.run({"convert", "bar.handwheel", out});
+      const Ran ran = fixture.run({"convert", "bar.handwheel", out});
       QVERIFY2(ran.code == 0, ran.err);
     }
-    QVERIFY(bench.content("bar.dxf").contains("LINE"));
+    QVERIFY(fixture.content("bar.dxf").contains("LINE"));
   }
 
   void refuses() {
-    const Bench bench;
-    bench.put("text.dxf", "hello");
-    bench.put("binary.dxf", "AutoCAD Binary DXF\r\n");
-    bench.put("open.svg", "<svg><path d=\"M 0 0 L 5 5\"/></svg>");
+    const Fixture fixture;
+    fixture.put("text.dxf", "hello");
+    fixture.put("binary.dxf", "AutoCAD Binary DXF\r\n");
+    fixture.put("open.svg", "<svg><path d=\"M 0 0 L 5 5\"/></svg>");
     for (const auto& [file, words] : {std::pair{"text.dxf", "text.dxf"},
                                       {"binary.dxf", "binary DXF file"},
                                       {"open.svg", "where the axis is"},
                                       {"none.step", "there is no such file"}}) {
-      const Ran ran = bench.run({"target", file});
+      const Ran ran = fixture.run({"target", file});
       QCOMPARE(ran.code, 1);
       QVERIFY2(ran.err.toLower().contains(QByteArray(words).toLower()), ran.err);
     }

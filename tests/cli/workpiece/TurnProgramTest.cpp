@@ -29,9 +29,9 @@ class TurnProgramTest : public QObject {
  private slots:
   // The volume between two cylinders; the time from lengths, feeds and the rapid speed; power and force together.
   void aShoulderIsTurned() {
-    const Bench bench;
-    bench.put("p.ngc", kShoulder);
-    const Ran ran = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "part.step", "--json"});
+    const Fixture fixture;
+    fixture.put("p.ngc", kShoulder);
+    const Ran ran = fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "part.step", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
     const nlohmann::json json = figuresOf(ran);
     QCOMPARE(json.size(), std::size_t{7});
@@ -45,22 +45,23 @@ class TurnProgramTest : public QObject {
     QVERIFY(json["max_force_N"].get<double>() > 300.0 && json["max_force_N"].get<double>() < 3000.0);
     const double speed = M_PI * 40.0 * 800.0 / 1000.0;  // m/min
     QVERIFY(json["max_power_kW"].get<double>() < json["max_force_N"].get<double>() * speed / 60000.0 * 1.01);
-    QVERIFY(bench.names().contains("part.step"));
-    const Ran document = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "part.handwheel"});
+    QVERIFY(fixture.names().contains("part.step"));
+    const Ran document = fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "part.handwheel"});
     QVERIFY2(document.code == 0, document.err);
-    QCOMPARE(bench.run({"turn", "part.handwheel", "--replay"}).code, 0);
+    QCOMPARE(fixture.run({"turn", "part.handwheel", "--replay"}).code, 0);
     // The part itself as a target.
-    const Ran same = bench.run(
+    const Ran same = fixture.run(
         {"turn", "cylinder:40x100", "--program", "p.ngc", "--target", "part.handwheel", "-o", "again.stl", "--json"});
     QVERIFY2(same.code == 0, same.err);
     QVERIFY(figuresOf(same)["profile_error_mm"].get<double>() < 0.02);
   }
 
   void fanucTurnsTheSame() {
-    const Bench bench;
-    bench.put("p.nc", "%\nO1\nG21 G18 G99\nT0101\nG97 S800 M3\nG0 X44. Z2.\nG90 X36. Z-40. F0.2\nX33.\nX30.\nM30\n%\n");
+    const Fixture fixture;
+    fixture.put("p.nc",
+                "%\nO1\nG21 G18 G99\nT0101\nG97 S800 M3\nG0 X44. Z2.\nG90 X36. Z-40. F0.2\nX33.\nX30.\nM30\n%\n");
     const Ran ran =
-        bench.run({"turn", "cylinder:40x100", "--program", "p.nc", "--dialect", "fanuc", "-o", "a.step", "--json"});
+        fixture.run({"turn", "cylinder:40x100", "--program", "p.nc", "--dialect", "fanuc", "-o", "a.step", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
     const double expected = M_PI * (400.0 - 225.0) * 40.0;
     QVERIFY(std::abs(figuresOf(ran)["removed_mm3"].get<double>() / expected - 1.0) < 1e-3);
@@ -68,10 +69,10 @@ class TurnProgramTest : public QObject {
 
   // A nose of 2 mm leaves its fillet at the shoulder: the square minus the quarter circle, by Pappus' theorem.
   void theNoseLeavesAFillet() {
-    const Bench bench;
-    bench.put("p.ngc", kShoulder);
+    const Fixture fixture;
+    fixture.put("p.ngc", kShoulder);
     const Ran ran =
-        bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "--nose", "2", "-o", "a.step", "--json"});
+        fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "--nose", "2", "-o", "a.step", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
     const double r = 2.0, area = r * r * (1.0 - 0.25 * M_PI);
     const double centroid = 15.0 + (10.0 - 3.0 * M_PI) / (12.0 - 3.0 * M_PI) * r;  // of what is left, from the axis
@@ -80,17 +81,17 @@ class TurnProgramTest : public QObject {
   }
 
   void aStillSpindleIsTold() {
-    const Bench bench;
-    bench.put("p.ngc", "G21 G18 G7 S500\nF100\nG0 X44 Z2\nX36\nG1 Z-20\nM2\n");
-    const Ran ran = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.stl", "--json"});
+    const Fixture fixture;
+    fixture.put("p.ngc", "G21 G18 G7 S500\nF100\nG0 X44 Z2\nX36\nG1 Z-20\nM2\n");
+    const Ran ran = fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.stl", "--json"});
     QCOMPARE(figuresOf(ran)["collisions"].get<int>(), 1);
     QVERIFY2(ran.err.contains("line 5: feed into material with the spindle at rest"), ran.err);
   }
 
   void collisionsAreCounted() {
-    const Bench bench;
-    bench.put("p.ngc", "G21 G18 G7 S500 M3\nF100\nG0 X44 Z2\nG0 X30 Z-20\nG0 X44\nG0 Z-105\nG0 X10\nM2\n");
-    const Ran ran = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.stl", "--json"});
+    const Fixture fixture;
+    fixture.put("p.ngc", "G21 G18 G7 S500 M3\nF100\nG0 X44 Z2\nG0 X30 Z-20\nG0 X44\nG0 Z-105\nG0 X10\nM2\n");
+    const Ran ran = fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.stl", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
     QVERIFY(figuresOf(ran)["collisions"].get<int>() >= 2);
     QVERIFY2(ran.err.contains("line 4: rapid move through material") && ran.err.contains("chuck"), ran.err);
@@ -98,8 +99,8 @@ class TurnProgramTest : public QObject {
 
   // A word for a bar is no file: what is wrong with it is said.
   void impossibleBars() {
-    const Bench bench;
-    bench.put("p.ngc", kShoulder);
+    const Fixture fixture;
+    fixture.put("p.ngc", kShoulder);
     const std::pair<const char*, const char*> cases[] = {
         {"cylinder:0x100", "diameter of the bar has to be above 0"},
         {"cylinder:-40x100", "diameter of the bar has to be above 0"},
@@ -115,17 +116,17 @@ class TurnProgramTest : public QObject {
         {"cylinder:40,5x100", "not a number: 40,5. Write it with a point"},
         {"cylinder:40xbar", "not a number: bar"}};
     for (const auto& [word, sentence] : cases) {
-      const Ran turned = bench.run({"turn", word, "--program", "p.ngc", "-o", "a.step"});
+      const Ran turned = fixture.run({"turn", word, "--program", "p.ngc", "-o", "a.step"});
       QVERIFY2(turned.code == 1 && turned.err.contains(sentence), word + turned.err);
-      const Ran program = bench.run({"program", "p.ngc", "--stock", word, "-o", "a.ngc"});
+      const Ran program = fixture.run({"program", "p.ngc", "--stock", word, "-o", "a.ngc"});
       QVERIFY2(program.code == 1 && program.err.contains(sentence), word + program.err);
     }
-    QVERIFY(bench.run({"program", "p.ngc", "--stock", "40x100", "-o", "a.ngc"}).err.contains("cylinder:40x100"));
+    QVERIFY(fixture.run({"program", "p.ngc", "--stock", "40x100", "-o", "a.ngc"}).err.contains("cylinder:40x100"));
   }
 
   // A drawing becomes cycles, and these the part; recorded passes become a program, and this the same part.
   void programsAreWritten() {
-    const Bench bench;
+    const Fixture fixture;
     QByteArray drawing = "0\nSECTION\n2\nENTITIES\n";
     const double corners[][2] = {{0, 0}, {0, 15}, {30, 15}, {30, 10}, {50, 10}, {50, 0}};
     for (int i = 0; i < 5; ++i) {
@@ -133,29 +134,29 @@ class TurnProgramTest : public QObject {
       for (int k = 0; k < 2; ++k)
         drawing += QStringLiteral("1%1\n%2\n2%1\n%3\n").arg(k).arg(corners[i + k][0]).arg(corners[i + k][1]).toUtf8();
     }
-    bench.put("t.dxf", drawing + "0\nENDSEC\n0\nEOF\n");
+    fixture.put("t.dxf", drawing + "0\nENDSEC\n0\nEOF\n");
     for (const char* const dialect : {"linuxcnc", "fanuc"}) {
       const Ran made =
-          bench.run({"program", "t.dxf", "--stock", "cylinder:40x100", "--dialect", dialect, "-o", "t.ngc"});
+          fixture.run({"program", "t.dxf", "--stock", "cylinder:40x100", "--dialect", dialect, "-o", "t.ngc"});
       QVERIFY2(made.code == 0, made.err);
-      const Ran turned = bench.run({"turn", "cylinder:40x100", "--program", "t.ngc", "--dialect", dialect, "--nose",
-                                    "0.4", "--target", "t.dxf", "-o", "t.handwheel", "--json"});
+      const Ran turned = fixture.run({"turn", "cylinder:40x100", "--program", "t.ngc", "--dialect", dialect, "--nose",
+                                      "0.4", "--target", "t.dxf", "-o", "t.handwheel", "--json"});
       QVERIFY2(turned.code == 0, turned.err);
       QCOMPARE(figuresOf(turned)["collisions"].get<int>(), 0);
       QVERIFY2(figuresOf(turned)["profile_error_mm"].get<double>() < 0.2, turned.out);  // the nose in the corner
-      QVERIFY2(bench.run({"program", "t.handwheel", "--dialect", dialect, "-o", "again.ngc"}).code == 0, "");
-      const Ran again = bench.run({"turn", "cylinder:40x100", "--program", "again.ngc", "--dialect", dialect, "--nose",
-                                   "0.4", "-o", "again.stl", "--json"});
+      QVERIFY2(fixture.run({"program", "t.handwheel", "--dialect", dialect, "-o", "again.ngc"}).code == 0, "");
+      const Ran again = fixture.run({"turn", "cylinder:40x100", "--program", "again.ngc", "--dialect", dialect,
+                                     "--nose", "0.4", "-o", "again.stl", "--json"});
       QVERIFY2(again.code == 0, again.err);
       const double ratio =
           figuresOf(again)["removed_mm3"].get<double>() / figuresOf(turned)["removed_mm3"].get<double>();
       QVERIFY2(std::abs(ratio - 1.0) < 2e-3, again.out);
     }
-    QCOMPARE(bench.run({"program", "t.dxf", "--stock", "cylinder:20x100", "-o", "x.ngc"}).code, 1);
+    QCOMPARE(fixture.run({"program", "t.dxf", "--stock", "cylinder:20x100", "-o", "x.ngc"}).code, 1);
     // No command writes over what it was given, nor a program over a document.
     const auto keeps = [&](const char* name, const QStringList& words) {
-      const QByteArray before = bench.content(name);
-      return bench.run(words).code == 1 && bench.content(name) == before && !before.isEmpty();
+      const QByteArray before = fixture.content(name);
+      return fixture.run(words).code == 1 && fixture.content(name) == before && !before.isEmpty();
     };
     QVERIFY(keeps("t.handwheel", {"program", "t.handwheel", "-o", "t.handwheel"}));
     QVERIFY(keeps("t.handwheel", {"program", "t.dxf", "--stock", "cylinder:40x100", "-o", "t.handwheel"}));
@@ -163,12 +164,12 @@ class TurnProgramTest : public QObject {
     QVERIFY(keeps("t.dxf", {"target", "t.dxf", "-o", "t.dxf"}));
     QVERIFY(keeps("t.handwheel", {"turn", "cylinder:40x100", "--program", "again.ngc", "--target", "t.handwheel", "-o",
                                   "t.handwheel"}));
-    QCOMPARE(bench.run({"program", "none.svg", "-o", "x.ngc"}).code, 1);
+    QCOMPARE(fixture.run({"program", "none.svg", "-o", "x.ngc"}).code, 1);
   }
 
   // A sleeve of 24 mm inside: without a drill its bore stays solid, 12 mm from the wall to the axis, and that is told.
   void aBoreThatIsLeftIsTold() {
-    const Bench bench;
+    const Fixture fixture;
     QByteArray drawing = "0\nSECTION\n2\nENTITIES\n";
     const double corners[][2] = {{0, 12}, {0, 18}, {50, 18}, {50, 12}, {0, 12}};
     for (int i = 0; i < 4; ++i) {
@@ -176,37 +177,38 @@ class TurnProgramTest : public QObject {
       for (int k = 0; k < 2; ++k)
         drawing += QStringLiteral("1%1\n%2\n2%1\n%3\n").arg(k).arg(corners[i + k][0]).arg(corners[i + k][1]).toUtf8();
     }
-    bench.put("t.dxf", drawing + "0\nENDSEC\n0\nEOF\n");
-    const Ran left = bench.run({"program", "t.dxf", "--stock", "cylinder:40x100", "-o", "t.ngc"});
+    fixture.put("t.dxf", drawing + "0\nENDSEC\n0\nEOF\n");
+    const Ran left = fixture.run({"program", "t.dxf", "--stock", "cylinder:40x100", "-o", "t.ngc"});
     QVERIFY2(left.code == 0, left.err);
     QVERIFY2(left.err.contains("leaves up to 12 mm over the target, in its bore") && left.err.contains("--drill 20."),
              left.err);
-    const Ran bored = bench.run({"program", "t.dxf", "--stock", "cylinder:40x100", "--drill", "auto", "-o", "b.ngc"});
+    const Ran bored = fixture.run({"program", "t.dxf", "--stock", "cylinder:40x100", "--drill", "auto", "-o", "b.ngc"});
     QVERIFY2(bored.code == 0 && !bored.err.contains("leaves"), bored.err);
   }
 
   void mistakesHaveLineAndColumn() {
-    const Bench bench;
-    bench.put("p.ngc", "G21 G18\nG0 X10\nG1 X8 Y2 F100\nM2\n");
-    const Ran ran = bench.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.step"});
+    const Fixture fixture;
+    fixture.put("p.ngc", "G21 G18\nG0 X10\nG1 X8 Y2 F100\nM2\n");
+    const Ran ran = fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.step"});
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains("p.ngc") && ran.err.contains("line 3") && ran.err.contains("column 7, Y2"), ran.err);
-    QVERIFY(!bench.names().contains("a.step"));
+    QVERIFY(!fixture.names().contains("a.step"));
     // A target that cannot be read is reported before anything is cut or written.
-    bench.put("good.ngc", kShoulder);
-    bench.put("bad.dxf", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n");
+    fixture.put("good.ngc", kShoulder);
+    fixture.put("bad.dxf", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n");
     for (const char* const target : {"none.dxf", "bad.dxf"})
-      QCOMPARE(bench.run({"turn", "cylinder:40x100", "--program", "good.ngc", "--target", target, "-o", "a.step"}).code,
-               1);
-    QVERIFY(!bench.names().contains("a.step"));
-    bench.put("air.ngc", "G0 X100\nM2\n");
-    QCOMPARE(bench.run({"turn", "cylinder:40x100", "--program", "air.ngc", "-o", "a.step"}).code, 2);
+      QCOMPARE(
+          fixture.run({"turn", "cylinder:40x100", "--program", "good.ngc", "--target", target, "-o", "a.step"}).code,
+          1);
+    QVERIFY(!fixture.names().contains("a.step"));
+    fixture.put("air.ngc", "G0 X100\nM2\n");
+    QCOMPARE(fixture.run({"turn", "cylinder:40x100", "--program", "air.ngc", "-o", "a.step"}).code, 2);
     for (const char* const stock :
          {"cylinder:40", "cylinder:0x100", "cylinder:axb", "cylinder:nanx1", "none.handwheel"})
-      QCOMPARE(bench.run({"turn", stock, "--program", "p.ngc", "-o", "a.step"}).code, 1);
-    QCOMPARE(bench.run({"turn", "cylinder:40x9", "--program", "p.ngc", "-o", "a.step", "--material", "cheese"}).code,
+      QCOMPARE(fixture.run({"turn", stock, "--program", "p.ngc", "-o", "a.step"}).code, 1);
+    QCOMPARE(fixture.run({"turn", "cylinder:40x9", "--program", "p.ngc", "-o", "a.step", "--material", "cheese"}).code,
              1);
-    QCOMPARE(bench.run({"turn", "cylinder:40x9", "--program", "p.ngc", "-o", "a.step", "--dialect", "x"}).code, 1);
+    QCOMPARE(fixture.run({"turn", "cylinder:40x9", "--program", "p.ngc", "-o", "a.step", "--dialect", "x"}).code, 1);
   }
 };
 

@@ -59,7 +59,7 @@ void checkSame(const std::vector<StoredRecording>& read, const std::vector<Store
 }
 
 // A document on the disk, and how it comes back.
-struct Bench {
+struct Fixture {
   QTemporaryDir folder;
   std::filesystem::path path = folder.filePath("part.handwheel").toStdString();
   DocumentKinds kinds = meshes();
@@ -88,34 +88,34 @@ class StoredRecordingsTest : public QObject {
  private slots:
   void comeBackTheSame() {
     QVERIFY(rc::check([] {
-      Bench bench;
-      bench.give(anyRecordings());
-      RC_ASSERT(bench.save());
-      const auto opened = bench.kinds.open(bench.path, {});
+      Fixture fixture;
+      fixture.give(anyRecordings());
+      RC_ASSERT(fixture.save());
+      const auto opened = fixture.kinds.open(fixture.path, {});
       RC_ASSERT(opened.hasValue() && opened->file.damage.empty());
-      checkSame(opened->file.recordings, bench.document->file().recordings);
+      checkSame(opened->file.recordings, fixture.document->file().recordings);
       // And once more, through a document that knows nothing else of the file.
-      RC_ASSERT(saveDocument(*opened->kind, opened->file, *opened->content, bench.path).hasValue());
-      const auto again = bench.kinds.open(bench.path, {});
+      RC_ASSERT(saveDocument(*opened->kind, opened->file, *opened->content, fixture.path).hasValue());
+      const auto again = fixture.kinds.open(fixture.path, {});
       RC_ASSERT(again.hasValue());
-      checkSame(again->file.recordings, bench.document->file().recordings);
+      checkSame(again->file.recordings, fixture.document->file().recordings);
     }));
   }
 
   void areAStepOfTheHistory() {
-    Bench bench;
-    QVERIFY(!bench.document->isModified());
-    const std::uint64_t before = bench.document->revision();
-    QSignalSpy changed(bench.document.get(), &Document::changed);  // of the model: a tool would begin anew
-    bench.give({{"0001", "first", "", 0.0, steady(3)}});
-    QVERIFY(bench.document->isModified());
-    QVERIFY(bench.document->revision() > before);
-    QCOMPARE(bench.document->file().recordings.size(), std::size_t{1});
-    bench.document->history()->undo();
-    QVERIFY(bench.document->file().recordings.empty());
-    QVERIFY(!bench.document->isModified());
-    bench.document->history()->redo();
-    QCOMPARE(bench.document->file().recordings[0].ticks.size(), std::size_t{3});
+    Fixture fixture;
+    QVERIFY(!fixture.document->isModified());
+    const std::uint64_t before = fixture.document->revision();
+    QSignalSpy changed(fixture.document.get(), &Document::changed);  // of the model: a tool would begin anew
+    fixture.give({{"0001", "first", "", 0.0, steady(3)}});
+    QVERIFY(fixture.document->isModified());
+    QVERIFY(fixture.document->revision() > before);
+    QCOMPARE(fixture.document->file().recordings.size(), std::size_t{1});
+    fixture.document->history()->undo();
+    QVERIFY(fixture.document->file().recordings.empty());
+    QVERIFY(!fixture.document->isModified());
+    fixture.document->history()->redo();
+    QCOMPARE(fixture.document->file().recordings[0].ticks.size(), std::size_t{3});
     QCOMPARE(changed.count(), 0);
   }
 
@@ -133,18 +133,18 @@ class StoredRecordingsTest : public QObject {
 
   // What an older program knew nothing of, and what somebody wrote beside it, goes through; what is deleted is gone.
   void strangersStayAndTheDeletedIsGone() {
-    Bench bench;
-    bench.give({{"0001", "first", "", 0.0, steady(3)}, {"0002", "second", "", 0.0, steady(2)}});
-    QVERIFY(bench.save());
-    bench.change([](Container& container) {
+    Fixture fixture;
+    fixture.give({{"0001", "first", "", 0.0, steady(3)}, {"0002", "second", "", 0.0, steady(2)}});
+    QVERIFY(fixture.save());
+    fixture.change([](Container& container) {
       (*container.manifest)["recordings"]["0001"]["hand"] = "left";
       (*container.manifest)["recordings"]["0002"]["hand"] = "right";
     });
-    auto opened = bench.kinds.open(bench.path, {});
+    auto opened = fixture.kinds.open(fixture.path, {});
     QVERIFY(opened.hasValue());
     opened->file.recordings.erase(opened->file.recordings.begin());
-    QVERIFY(saveDocument(*opened->kind, opened->file, *opened->content, bench.path).hasValue());
-    const auto read = readContainer(*readFileBytes(bench.path));
+    QVERIFY(saveDocument(*opened->kind, opened->file, *opened->content, fixture.path).hasValue());
+    const auto read = readContainer(*readFileBytes(fixture.path));
     const json& list = (*read->container.manifest)["recordings"];
     QCOMPARE(list.size(), std::size_t{1});
     QVERIFY(list["0002"]["hand"] == "right");
@@ -153,14 +153,14 @@ class StoredRecordingsTest : public QObject {
 
   // A damaged part costs that part; the rest of the document opens, and says what is missing.
   void damageCostsOnePart() {
-    Bench bench;
-    bench.give({{"0001", "long", "", 0.0, steady(140'000)}, {"0002", "short", "", 0.0, steady(5)}});
-    QVERIFY(bench.save());
-    bench.change([](Container& container) {
+    Fixture fixture;
+    fixture.give({{"0001", "long", "", 0.0, steady(140'000)}, {"0002", "short", "", 0.0, steady(5)}});
+    QVERIFY(fixture.save());
+    fixture.change([](Container& container) {
       QCOMPARE(container.blobs.count("recordings/0001/0002"), std::size_t{1});
       container.blobs["recordings/0001/0001"].resize(1000);
     });
-    const auto opened = bench.kinds.open(bench.path, {});
+    const auto opened = fixture.kinds.open(fixture.path, {});
     QVERIFY(opened.hasValue());
     QCOMPARE(opened->file.damage.size(), std::size_t{1});
     const Error& damage = opened->file.damage[0];
@@ -174,11 +174,11 @@ class StoredRecordingsTest : public QObject {
   }
 
   void whatIsLostIsTold() {
-    Bench bench;
-    bench.give({{"0001", "gone", "", 0.0, steady(7)}});
-    QVERIFY(bench.save());
-    bench.change([](Container& container) { container.blobs.erase("recordings/0001/0000"); });
-    const auto opened = bench.kinds.open(bench.path, {});
+    Fixture fixture;
+    fixture.give({{"0001", "gone", "", 0.0, steady(7)}});
+    QVERIFY(fixture.save());
+    fixture.change([](Container& container) { container.blobs.erase("recordings/0001/0000"); });
+    const auto opened = fixture.kinds.open(fixture.path, {});
     QVERIFY(opened.hasValue());
     QVERIFY(!opened->file.damage.empty());
     QCOMPARE(opened->file.recordings[0].ticks.size(), std::size_t{0});
@@ -186,17 +186,17 @@ class StoredRecordingsTest : public QObject {
 
   // Anything may stand in the manifest.
   void anyManifestIsBorne() {
-    Bench bench;
-    QVERIFY(bench.save());
-    const Container whole = readContainer(*readFileBytes(bench.path))->container;
+    Fixture fixture;
+    QVERIFY(fixture.save());
+    const Container whole = readContainer(*readFileBytes(fixture.path))->container;
     QVERIFY(rc::check([&] {
       Container container = whole;
       json& list = (*container.manifest)["recordings"] = anyJson(3);
       if (list.is_object()) list["0001"] = anyJson(2);
       if (list.is_object() && list["0001"].is_object()) list["0001"]["ticks"] = anyJson(0);
       container.blobs["recordings/0001/0000"] = *rc::gen::arbitrary<std::string>();
-      RC_ASSERT(writeFileAtomically(bench.path, *writeContainer(container, Compression::Fast)).hasValue());
-      const auto opened = bench.kinds.open(bench.path, {});
+      RC_ASSERT(writeFileAtomically(fixture.path, *writeContainer(container, Compression::Fast)).hasValue());
+      const auto opened = fixture.kinds.open(fixture.path, {});
       RC_ASSERT(opened.hasValue());
       for (const StoredRecording& each : opened->file.recordings) RC_ASSERT(each.forceLimit >= 0.0);
     }));
@@ -204,23 +204,25 @@ class StoredRecordingsTest : public QObject {
 
   // A foreign file has no place for them, and the user is informed.
   void aForeignFileLacksThem() {
-    Bench bench;
-    const std::filesystem::path stl = bench.folder.filePath("part.stl").toStdString();
-    const auto before = saveDocument(bench.document->kind(), bench.document->file(), *bench.document->snapshot(), stl);
-    bench.give({{"0001", "first", "", 0.0, steady(3)}});
-    const auto after = saveDocument(bench.document->kind(), bench.document->file(), *bench.document->snapshot(), stl);
+    Fixture fixture;
+    const std::filesystem::path stl = fixture.folder.filePath("part.stl").toStdString();
+    const auto before =
+        saveDocument(fixture.document->kind(), fixture.document->file(), *fixture.document->snapshot(), stl);
+    fixture.give({{"0001", "first", "", 0.0, steady(3)}});
+    const auto after =
+        saveDocument(fixture.document->kind(), fixture.document->file(), *fixture.document->snapshot(), stl);
     QVERIFY(before.hasValue() && after.hasValue());
     QCOMPARE(after->notes.size(), before->notes.size() + 1);
   }
 
   void theTableIsThatOfTheRecording() {
-    const Bench bench;
-    const std::filesystem::path csv = bench.folder.filePath("a.csv").toStdString();
+    const Fixture fixture;
+    const std::filesystem::path csv = fixture.folder.filePath("a.csv").toStdString();
     QVERIFY(exportRecording(steady(3), csv).hasValue());
     std::ostringstream expected;
     QVERIFY(writeCsv(steady(3), expected).hasValue());
     QCOMPARE(*readFileBytes(csv), expected.str());
-    const auto nowhere = exportRecording(steady(3), bench.folder.filePath("none/a.csv").toStdString());
+    const auto nowhere = exportRecording(steady(3), fixture.folder.filePath("none/a.csv").toStdString());
     QVERIFY(!nowhere.hasValue() && nowhere.error().code == ErrorCode::WriteFailed);
   }
 };

@@ -124,27 +124,27 @@ class ForceHandoverTest : public QObject {
 
   // A finger, 0.1 mm in the surface of a part in the lathe.
   void aSettingChangesAtTheLathe() {
-    LatheFixture bench;
+    LatheFixture fixture;
     LatheTouch touch;
     touch.plane = 0.0;
-    LatheForce before(bench.channel, bench.material, touch, kLower);
+    LatheForce before(fixture.channel, fixture.material, touch, kLower);
     const double at = 20.0 + LatheSimulation::kFinger;
     const Vec3 within(at - 0.1, 0.0, 60.0 + kLower);
     for (const double away : {5.0, 5.0, 0.5, 0.5, -0.1, -0.1}) {
       feltAt(before, {at + away, 0.0, 60.0 + kLower}, away == 5.0);
-      bench.loop.runSteps(1);  // what is felt is what the simulation knew in the tick before
+      fixture.loop.runSteps(1);  // what is felt is what the simulation knew in the tick before
     }
     QVERIFY((feltAt(before, within) - Vec3(0.1 * touch.stiffness, 0.0, 0.0)).norm() < 1e-6);
     LatheTouch stiffer = touch;
     stiffer.stiffness = 2.0;
-    LatheForce after(bench.channel, bench.material, stiffer, kLower);
+    LatheForce after(fixture.channel, fixture.material, stiffer, kLower);
     after.follow(before);
     QVERIFY((feltAt(after, within) - Vec3(0.2, 0.0, 0.0)).norm() < 1e-6);
-    LatheForce unrelated(bench.channel, bench.material, stiffer, kLower);
+    LatheForce unrelated(fixture.channel, fixture.material, stiffer, kLower);
     QVERIFY(feltAt(unrelated, within).isZero());
     const auto elsewhere = std::make_shared<LatheChannel>();
-    elsewhere->patch.write(bench.channel->patch.read());
-    LatheForce ofOther(elsewhere, bench.material, stiffer, kLower);
+    elsewhere->patch.write(fixture.channel->patch.read());
+    LatheForce ofOther(elsewhere, fixture.material, stiffer, kLower);
     ofOther.follow(before);
     QVERIFY(feltAt(ofOther, within).isZero());
   }

@@ -22,14 +22,14 @@ class LatheSimulationTest : public QObject {
   // The part after the live run, after its passes, and after the same commands at another lathe is the same, bit for
   // bit.
   void repeatedBitForBit() {
-    LatheFixture bench, other;
-    const auto taken = bench.workWithTwoTools(), again = other.workWithTwoTools();
+    LatheFixture fixture, other;
+    const auto taken = fixture.workWithTwoTools(), again = other.workWithTwoTools();
     const auto& lathe = static_cast<const LatheSimulation&>(*taken);
     const auto& last = static_cast<const LatheMoment&>(*lathe.state());
     QVERIFY(last.isCut && last.collisions->empty());
     QVERIFY(last.profile == lathe.run().profile());
     QCOMPARE(lathe.passes().size(), std::size_t{2});
-    TurnedProfile byPasses = bench.rod;
+    TurnedProfile byPasses = fixture.rod;
     for (const TurningPass& pass : lathe.passes()) {
       QVERIFY(pass.path.size() == pass.times.size() && std::is_sorted(pass.times.begin(), pass.times.end()));
       cut(byPasses, pass);
@@ -39,22 +39,22 @@ class LatheSimulationTest : public QObject {
     QVERIFY(same.profile() == last.profile);
     QVERIFY(same.machine().state() == lathe.run().machine().state());
     // The volume that was counted is that of the parts.
-    QVERIFY(std::abs((bench.rod.volume() - last.profile.volume()) / last.removed - 1.0) < 0.005);
+    QVERIFY(std::abs((fixture.rod.volume() - last.profile.volume()) / last.removed - 1.0) < 0.005);
   }
 
   // 2400 N on an arm of 18.5 mm take 2.8 kW at 600 r/min: with 1 kW the spindle slows down, and the pass tells what it
   // was asked for. A motor that holds its speed leaves nothing to tell.
   void whatASlowedSpindleWasAskedFor() {
     for (const double power : {1.0, 0.0}) {
-      LatheFixture bench;
-      LatheSetup setup = bench.setup;
+      LatheFixture fixture;
+      LatheSetup setup = fixture.setup;
       for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
       setup.spindle.power = power;
       setup.spindle.torque = 0.0;
       const auto channel = std::make_shared<LatheChannel>();
       LatheSimulation lathe(
-          LatheRun(setup, bench.tools, bench.rod, LatheMachine::initialState(setup, kRod), bench.material),
-          TurnedSurface(bench.rod, 0.05), kLower, channel, SurfaceFinish(bench.rod.size()));
+          LatheRun(setup, fixture.tools, fixture.rod, LatheMachine::initialState(setup, kRod), fixture.material),
+          TurnedSurface(fixture.rod, 0.05), kLower, channel, SurfaceFinish(fixture.rod.size()));
       const auto after = [&](double seconds, LatheCommand command) {
         channel->commands.push(command);
         for (int i = 0; i < static_cast<int>(std::lround(1000.0 * seconds)); ++i) lathe.step(0.001, {});
@@ -73,9 +73,9 @@ class LatheSimulationTest : public QObject {
   }
 
   void saysWhatIsCut() {
-    LatheFixture bench;
-    bench.turnDown();
-    const LatheMoment& now = bench.moment();
+    LatheFixture fixture;
+    fixture.turnDown();
+    const LatheMoment& now = fixture.moment();
     const LatheLoad& load = now.load;
     QVERIFY(load.isCutting);
     QVERIFY(std::abs(load.cut.depth - 2.0) < 0.2);
@@ -86,31 +86,31 @@ class LatheSimulationTest : public QObject {
     QVERIFY(std::abs(load.torque / (load.forces.cutting * 0.019) - 1.0) < 0.005);
     QVERIFY(std::abs(load.power * 0.8 / (load.torque * 600.0 / 9549.3) - 1.0) < 1e-4);
     QVERIFY(!load.isOverloaded);
-    const LathePatch patch = bench.channel->patch.read();
+    const LathePatch patch = fixture.channel->patch.read();
     QVERIFY(std::abs(patch.velocity.y() + 0.2 * 10.0) < 1e-6);
-    bench.send(LatheDo::Feed, 0.0);
-    bench.run(1.0);
-    QVERIFY(!bench.moment().load.isCutting && bench.moment().load.forces == CutForces() &&
-            bench.moment().sinceCut > 0.9);
+    fixture.send(LatheDo::Feed, 0.0);
+    fixture.run(1.0);
+    QVERIFY(!fixture.moment().load.isCutting && fixture.moment().load.forces == CutForces() &&
+            fixture.moment().sinceCut > 0.9);
   }
 
   void crashesAreHandedOver() {
-    LatheFixture bench;
-    bench.send(LatheDo::Place, 19.0, 102.0);
-    bench.run(2.0);
-    bench.send(LatheDo::Turn, -10.0);
-    bench.run(1.0);
-    QCOMPARE(bench.moment().collisions->size(), std::size_t{1});
-    QVERIFY(bench.moment().collisions->front().cause == CrashCause::SpindleAtRest);
-    QVERIFY(bench.moment().profile == bench.rod);
+    LatheFixture fixture;
+    fixture.send(LatheDo::Place, 19.0, 102.0);
+    fixture.run(2.0);
+    fixture.send(LatheDo::Turn, -10.0);
+    fixture.run(1.0);
+    QCOMPARE(fixture.moment().collisions->size(), std::size_t{1});
+    QVERIFY(fixture.moment().collisions->front().cause == CrashCause::SpindleAtRest);
+    QVERIFY(fixture.moment().profile == fixture.rod);
   }
 
   // A device that acts places the tool; the plane attracts it within its reach, without a step at the border.
   void aDeviceHoldsTheTool() {
-    LatheFixture bench;
+    LatheFixture fixture;
     LatheTouch touch;
     ForceSources sources;
-    sources.push_back(std::make_unique<LatheForce>(bench.channel, materialWith(PlainLaw()), touch, kLower));
+    sources.push_back(std::make_unique<LatheForce>(fixture.channel, materialWith(PlainLaw()), touch, kLower));
     SceneForces forces(std::move(sources));
     TipState tip;
     const auto tick = [&](const Vec3& place, bool isHeld) {
@@ -121,7 +121,7 @@ class LatheSimulationTest : public QObject {
       forces.tick(tip, out);
       tip.isRestart = false;
       tip.time += kServoTick;
-      bench.loop.runSteps(1);
+      fixture.loop.runSteps(1);
       return out;
     };
     QVERIFY(std::abs(tick({30, 2.0, 100}, false).force.y() + 0.3 * 2.0) < 1e-9);
@@ -133,13 +133,13 @@ class LatheSimulationTest : public QObject {
       QVERIFY(std::abs(now - before) <= 0.3 * 0.01 + 1e-9);
       before = now;
     }
-    bench.loop.setGesture(1);
-    bench.channel->inputs->setDeviceGesture(1);
-    const ProfilePoint start = bench.channel->patch.read().tip;
+    fixture.loop.setGesture(1);
+    fixture.channel->inputs->setDeviceGesture(1);
+    const ProfilePoint start = fixture.channel->patch.read().tip;
     for (int i = 0; i < 3000; ++i) tick({start.x() - 5.0, 0.0, start.y() + kLower - 10.0}, true);
-    QVERIFY((bench.channel->patch.read().tip - (start - ProfilePoint(5.0, 10.0))).norm() < 1e-6);
+    QVERIFY((fixture.channel->patch.read().tip - (start - ProfilePoint(5.0, 10.0))).norm() < 1e-6);
     // Held back by material, the spring pulls the hand.
-    bench.send(LatheDo::Spindle, 1.0);
+    fixture.send(LatheDo::Spindle, 1.0);
     for (int i = 0; i < 500; ++i) tick({30.0, 0.0, 95.0 + kLower}, true);
     ForceOut out;
     for (int i = 0; i < 150; ++i) out = tick({19.0, 0.0, 95.0 + kLower}, true);
@@ -149,33 +149,33 @@ class LatheSimulationTest : public QObject {
     QVERIFY(out.force.allFinite());
     const double nan = std::nan("");
     QVERIFY(tick({nan, 0.0, 90.0}, true).force.allFinite());
-    QVERIFY(bench.moment().tip.allFinite());
+    QVERIFY(fixture.moment().tip.allFinite());
   }
 
   // What grinds pushes back along the normal, harder the deeper it is pressed, and along the way of the surface while
   // that turns (He 2008, 5-3, 5-4).
   void whatGrindsPushesBack() {
-    LatheFixture bench;
-    LatheSetup setup = bench.setup;
+    LatheFixture fixture;
+    LatheSetup setup = fixture.setup;
     setup.stations[0].tool = "disk-100";
     for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
-    bench.loop.replace(std::make_unique<LatheSimulation>(
-        LatheRun(setup, bench.tools, bench.rod, LatheMachine::initialState(setup, kRod), nullptr),
-        TurnedSurface(bench.rod, 0.05), kLower, bench.channel));
-    bench.send(LatheDo::Spindle, 1.0);
-    bench.send(LatheDo::Place, 20.5, 60.0);
-    bench.run(2.0);
-    bench.send(LatheDo::Place, 19.9, 60.0);
-    bench.run(0.1);
-    bench.channel->inputs->setDeviceGesture(1);
+    fixture.loop.replace(std::make_unique<LatheSimulation>(
+        LatheRun(setup, fixture.tools, fixture.rod, LatheMachine::initialState(setup, kRod), nullptr),
+        TurnedSurface(fixture.rod, 0.05), kLower, fixture.channel));
+    fixture.send(LatheDo::Spindle, 1.0);
+    fixture.send(LatheDo::Place, 20.5, 60.0);
+    fixture.run(2.0);
+    fixture.send(LatheDo::Place, 19.9, 60.0);
+    fixture.run(0.1);
+    fixture.channel->inputs->setDeviceGesture(1);
     LatheMaterial lawless;
-    lawless.laws.assign(bench.tools.size(), nullptr);
-    LatheForce force(bench.channel, std::make_shared<const LatheMaterial>(lawless), {}, kLower);
+    lawless.laws.assign(fixture.tools.size(), nullptr);
+    LatheForce force(fixture.channel, std::make_shared<const LatheMaterial>(lawless), {}, kLower);
     TipState tip;
     tip.isRestart = false;
     tip.buttons = 1u;
     const auto felt = [&] {
-      const LathePatch patch = bench.channel->patch.read();
+      const LathePatch patch = fixture.channel->patch.read();
       tip.position = Vec3(patch.tip.x(), 0.0, patch.tip.y() + kLower);
       ForceOut out;
       force.advance(tip, out);
@@ -183,10 +183,10 @@ class LatheSimulationTest : public QObject {
     };
     const Vec3 deep = felt();
     QVERIFY(deep.x() > 0.0 && deep.y() > 0.0 && std::abs(deep.z()) < 1e-9);
-    const LatheLoad& load = bench.moment().load;
+    const LatheLoad& load = fixture.moment().load;
     QVERIFY(std::abs(load.forces.cutting - 0.4 * load.forces.radial) < 1e-9 && load.forces.radial > 1.0);
     QVERIFY(load.torque > 0.0 && load.power > 0.0);
-    bench.run(5.0);  // ground away: less and less is left under it
+    fixture.run(5.0);  // ground away: less and less is left under it
     QVERIFY(felt().x() < 0.5 * deep.x());
   }
 
@@ -209,31 +209,31 @@ class LatheSimulationTest : public QObject {
     QFETCH(int, axis);
     QFETCH(ProfilePoint, way);
     QFETCH(ProfilePoint, passive);
-    LatheFixture bench;
-    LatheSetup setup = bench.setup;
+    LatheFixture fixture;
+    LatheSetup setup = fixture.setup;
     setup.stations[0].tool = tool.toStdString();
     for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
-    const std::vector<double> outer(bench.rod.size(), 20.0), inner(bench.rod.size(), 10.0);
+    const std::vector<double> outer(fixture.rod.size(), 20.0), inner(fixture.rod.size(), 10.0);
     const TurnedProfile tube = TurnedProfile::fromRadii(outer, inner, kRod.length);
-    bench.loop.replace(std::make_unique<LatheSimulation>(
-        LatheRun(setup, bench.tools, tube, LatheMachine::initialState(setup, kRod), bench.material),
-        TurnedSurface(tube, 0.05), kLower, bench.channel));
-    bench.send(LatheDo::Spindle, 1.0);
-    if (beside.x() < 20.0) bench.send(LatheDo::Place, beside.x(), 110.0);
-    bench.run(2.0);
-    bench.send(LatheDo::Place, beside.x(), beside.y());
-    bench.run(2.0);
-    bench.send(LatheDo::Feed, -0.1, 0.0, axis == 1 ? LatheAxis::Cross : LatheAxis::Carriage);
-    bench.run(4.0);  // 40 turns, 4 mm
-    QVERIFY(bench.moment().collisions->empty());
-    const LatheLoad load = bench.moment().load;
+    fixture.loop.replace(std::make_unique<LatheSimulation>(
+        LatheRun(setup, fixture.tools, tube, LatheMachine::initialState(setup, kRod), fixture.material),
+        TurnedSurface(tube, 0.05), kLower, fixture.channel));
+    fixture.send(LatheDo::Spindle, 1.0);
+    if (beside.x() < 20.0) fixture.send(LatheDo::Place, beside.x(), 110.0);
+    fixture.run(2.0);
+    fixture.send(LatheDo::Place, beside.x(), beside.y());
+    fixture.run(2.0);
+    fixture.send(LatheDo::Feed, -0.1, 0.0, axis == 1 ? LatheAxis::Cross : LatheAxis::Carriage);
+    fixture.run(4.0);  // 40 turns, 4 mm
+    QVERIFY(fixture.moment().collisions->empty());
+    const LatheLoad load = fixture.moment().load;
     QVERIFY(load.isCutting && load.forces.radial > 10.0);
     QVERIFY((load.passive - passive).norm() < 1e-9);
-    bench.channel->inputs->setDeviceGesture(1);
+    fixture.channel->inputs->setDeviceGesture(1);
     LatheTouch touch;
     touch.mostForce = 100.0;
-    LatheForce force(bench.channel, bench.material, touch, kLower);
-    const LathePatch patch = bench.channel->patch.read();
+    LatheForce force(fixture.channel, fixture.material, touch, kLower);
+    const LathePatch patch = fixture.channel->patch.read();
     TipState tip;
     tip.isRestart = false;
     tip.buttons = 1u;
@@ -249,12 +249,12 @@ class LatheSimulationTest : public QObject {
 
   // A free slide resists by friction and drag, against the hand; the work plane has none.
   void slidesResist() {
-    LatheFixture bench;
-    bench.loop.setGesture(1);
-    bench.channel->inputs->setDeviceGesture(1);
+    LatheFixture fixture;
+    fixture.loop.setGesture(1);
+    fixture.channel->inputs->setDeviceGesture(1);
     LatheTouch touch;
-    LatheForce force(bench.channel, bench.material, touch, kLower);
-    const ProfilePoint at = bench.channel->patch.read().tip;
+    LatheForce force(fixture.channel, fixture.material, touch, kLower);
+    const ProfilePoint at = fixture.channel->patch.read().tip;
     TipState tip;
     tip.position = Vec3(at.x(), 0.0, at.y() + kLower);
     tip.isRestart = false;
@@ -277,18 +277,18 @@ class LatheSimulationTest : public QObject {
   // helix; and never more than the envelope pushes it. Of a part that turns it feels the envelope.
   void threadsAreFelt() {
     constexpr double kPitch = 2.5, kIn = 0.1;  // mm: so deep is the finger in the envelope
-    LatheFixture bench;
+    LatheFixture fixture;
     TurningPass pass;
     pass.noseRadius = isoMetricNose(kPitch);
     pass.thread = ThreadCut{.pitch = kPitch};
     const double r = 20.0 - isoMetricDepth(kPitch) + pass.noseRadius;
     pass.path = {{r, 90.0}, {r, 30.0}};
     pass.times = {0.0, 10.0};
-    bench.threads = PartThreads::with(nullptr, pass);
-    bench.loop.replace(bench.make());
+    fixture.threads = PartThreads::with(nullptr, pass);
+    fixture.loop.replace(fixture.make());
     LatheTouch touch;
     touch.plane = 0.0;
-    LatheForce force(bench.channel, bench.material, touch, kLower);
+    LatheForce force(fixture.channel, fixture.material, touch, kLower);
     TipState tip;
     const auto feel = [&](double distance, double angle, double z) {
       tip.position = Vec3(distance * std::cos(angle), distance * std::sin(angle), z + kLower);
@@ -299,7 +299,7 @@ class LatheSimulationTest : public QObject {
         felt = force.force(tip, 1.0, 1.0);
         tip.isRestart = false;
         tip.time += kServoTick;
-        bench.loop.runSteps(1);
+        fixture.loop.runSteps(1);
       }
       return felt;
     };
@@ -315,22 +315,22 @@ class LatheSimulationTest : public QObject {
     for (double z = 55.0; z < 65.0; z += 0.01) {
       const double now = feel(at, 0.0, z).x();
       QVERIFY(now >= 0.0 && now <= full + 1e-9);
-      QVERIFY(std::abs(now - before) <= touch.stiffness * std::sqrt(3.0) * bench.rod.spacing());  // flanks of 60°
+      QVERIFY(std::abs(now - before) <= touch.stiffness * std::sqrt(3.0) * fixture.rod.spacing());  // flanks of 60°
       before = now;
     }
-    bench.send(LatheDo::Spindle, 1.0);
-    bench.run(1.0);
+    fixture.send(LatheDo::Spindle, 1.0);
+    fixture.run(1.0);
     QVERIFY((feel(at, 0.0, kGroove) - Vec3(full, 0.0, 0.0)).norm() < 1e-9);
   }
 
   // The bar of the tick with the network that ships: 20 µs, here with room for a slow machine.
   void theTickIsShort() {
-    LatheFixture bench;
-    bench.turnDown();
-    bench.loop.setGesture(1);
-    bench.channel->inputs->setDeviceGesture(1);
-    LatheForce force(bench.channel, materialWith(shippedForceModel()), {}, kLower);
-    LathePatch patch = bench.channel->patch.read();
+    LatheFixture fixture;
+    fixture.turnDown();
+    fixture.loop.setGesture(1);
+    fixture.channel->inputs->setDeviceGesture(1);
+    LatheForce force(fixture.channel, materialWith(shippedForceModel()), {}, kLower);
+    LathePatch patch = fixture.channel->patch.read();
     patch.cut = {1.0, 0.2, 90.0}, patch.tool = 0, patch.spindleSpeed = 600.0;
     std::vector<double> times;
     double sum = 0.0;
@@ -340,9 +340,9 @@ class LatheSimulationTest : public QObject {
       tip.position = Vec3(20.0 + 1e-4 * i, 0.1, 60.0);
       tip.buttons = 1u;
       patch.cut.depth = 0.5 + 1e-5 * i;
-      bench.channel->patch.write(patch);
+      fixture.channel->patch.write(patch);
       SimulationInput taken;
-      bench.channel->inputs->pop(taken);
+      fixture.channel->inputs->pop(taken);
       const auto begin = std::chrono::steady_clock::now();
       ForceOut out;
       force.advance(tip, out);

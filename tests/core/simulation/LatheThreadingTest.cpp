@@ -17,8 +17,8 @@ constexpr double kLeadOfNut = 1.5;  // mm: a part of the pitch of the lead screw
 constexpr double kThreadSpeed = 200.0;
 
 // A rod of ⌀40 with the threading tool in the post, and the spindle at 200 r/min.
-struct ThreadingBench : LatheFixture {
-  explicit ThreadingBench(double power = 0.0) {
+struct ThreadingFixture : LatheFixture {
+  explicit ThreadingFixture(double power = 0.0) {
     setup.stations[0].tool = "threading-60";
     setup.spindle.power = power;
     setup.spindle.torque = 0.0;
@@ -66,13 +66,13 @@ class LatheThreadingTest : public QObject {
   // Each time that the tool follows the screw is a pass, on the helix of the one before. The profile stays: the groove
   // is in it.
   void eachRunIsAPass() {
-    ThreadingBench bench;
-    bench.thread(0.5);
-    bench.thread(0.8);
-    const auto taken = bench.finished();
+    ThreadingFixture fixture;
+    fixture.thread(0.5);
+    fixture.thread(0.8);
+    const auto taken = fixture.finished();
     const auto& lathe = static_cast<const LatheSimulation&>(*taken);
     const auto& last = static_cast<const LatheMoment&>(*lathe.state());
-    QVERIFY(last.collisions->empty() && last.isCut && last.profile == bench.rod);
+    QVERIFY(last.collisions->empty() && last.isCut && last.profile == fixture.rod);
     QCOMPARE(lathe.passes().size(), std::size_t{2});
     for (const TurningPass& pass : lathe.passes()) {
       QVERIFY(pass.thread && pass.thread->pitch == kLeadOfNut && !pass.thread->isLeft);
@@ -83,7 +83,7 @@ class LatheThreadingTest : public QObject {
 
   // The part shows its groove while it is cut, as deep as the tool stands; and as the passes leave it in the end.
   void theGrooveIsShown() {
-    ThreadingBench bench;
+    ThreadingFixture fixture;
     const auto deepestShown = [](const LatheMoment& moment) {
       double least = 20.0;
       for (const auto& block : moment.surface.blocks())
@@ -91,11 +91,11 @@ class LatheThreadingTest : public QObject {
           if (p.z() > 92.0 && p.z() < 98.0) least = std::min(least, std::hypot(p.x(), p.y()));
       return least;
     };
-    QCOMPARE(deepestShown(bench.moment()), 20.0);
-    bench.thread(0.5, 4.0);
-    QVERIFY(std::abs(deepestShown(bench.moment()) - 19.5) < 0.02);
-    bench.thread(0.8, 4.0);
-    const auto taken = bench.finished();
+    QCOMPARE(deepestShown(fixture.moment()), 20.0);
+    fixture.thread(0.5, 4.0);
+    QVERIFY(std::abs(deepestShown(fixture.moment()) - 19.5) < 0.02);
+    fixture.thread(0.8, 4.0);
+    const auto taken = fixture.finished();
     const auto& lathe = static_cast<const LatheSimulation&>(*taken);
     const auto& last = static_cast<const LatheMoment&>(*lathe.state());
     QVERIFY(std::abs(deepestShown(last) - 19.2) < 0.02);
@@ -109,22 +109,22 @@ class LatheThreadingTest : public QObject {
 
   // It is shown at 25 Hz at most, and whole where the work ends in the middle of a cut.
   void theGrooveIsShownInTheMiddleOfACut() {
-    ThreadingBench bench;
-    bench.goTo(25.0, 104.0);
-    bench.goTo(19.5, 104.0);
-    bench.send(LatheDo::HalfNut, -kLeadOfNut);
-    bench.run(1.5);
+    ThreadingFixture fixture;
+    fixture.goTo(25.0, 104.0);
+    fixture.goTo(19.5, 104.0);
+    fixture.send(LatheDo::HalfNut, -kLeadOfNut);
+    fixture.run(1.5);
     int shown = 0;
-    std::shared_ptr<const PartThreads> before = bench.moment().surface.threads();
+    std::shared_ptr<const PartThreads> before = fixture.moment().surface.threads();
     for (int i = 0; i < 1000; ++i) {
-      bench.run(0.001);
-      const auto now = bench.moment().surface.threads();
+      fixture.run(0.001);
+      const auto now = fixture.moment().surface.threads();
       shown += now != before;
       before = now;
     }
     QVERIFY2(shown >= 20 && shown <= 25, QByteArray::number(shown));
-    bench.run(0.013);  // since it was shown last
-    const auto taken = bench.finished();
+    fixture.run(0.013);  // since it was shown last
+    const auto taken = fixture.finished();
     const auto& lathe = static_cast<const LatheSimulation&>(*taken);
     const auto& threads = static_cast<const LatheMoment&>(*lathe.state()).surface.threads();
     const auto byPasses = PartThreads::with(nullptr, lathe.passes().back());
@@ -137,9 +137,9 @@ class LatheThreadingTest : public QObject {
 
   // With 0.3 kW the groove slows the spindle down: the straight run tells both speeds, as long as its points.
   void aSlowedThreadSaysWhatWasAskedFor() {
-    ThreadingBench bench(0.3);
-    bench.thread(0.8, 3.0);
-    const auto taken = bench.finished();
+    ThreadingFixture fixture(0.3);
+    fixture.thread(0.8, 3.0);
+    const auto taken = fixture.finished();
     const auto& passes = static_cast<const LatheSimulation&>(*taken).passes();
     QCOMPARE(passes.size(), std::size_t{1});
     const TurningPass& pass = passes.front();
@@ -152,11 +152,11 @@ class LatheThreadingTest : public QObject {
 
   // A hand that lets the button go stops the slides, which it has told to go further.
   void aHandLetsGo() {
-    LatheFixture bench;
-    bench.loop.setGesture(1);
-    bench.channel->inputs->setDeviceGesture(1);
-    LatheForce force(bench.channel, bench.material, {}, kLower);
-    const ProfilePoint from = bench.moment().tip;
+    LatheFixture fixture;
+    fixture.loop.setGesture(1);
+    fixture.channel->inputs->setDeviceGesture(1);
+    LatheForce force(fixture.channel, fixture.material, {}, kLower);
+    const ProfilePoint from = fixture.moment().tip;
     const auto tick = [&](bool isHeld) {
       TipState tip;
       tip.position = Vec3(from.x(), 0.0, from.y() + 100.0 + kLower);
@@ -164,15 +164,15 @@ class LatheThreadingTest : public QObject {
       tip.isRestart = false;
       ForceOut out;
       force.advance(tip, out);
-      bench.loop.runSteps(1);
+      fixture.loop.runSteps(1);
     };
     tick(false);
     for (int i = 0; i < 100; ++i) tick(true);
     tick(false);
-    bench.run(2.0);
-    const double way = bench.moment().tip.y() - from.y(), most = 0.101 * bench.setup.handSpeed;
+    fixture.run(2.0);
+    const double way = fixture.moment().tip.y() - from.y(), most = 0.101 * fixture.setup.handSpeed;
     QVERIFY2(way > 1.0 && way <= most + 1e-9, qPrintable(QString::number(way)));
-    QVERIFY(bench.moment().machine.demands == (std::array<double, kLatheAxes>{}));
+    QVERIFY(fixture.moment().machine.demands == (std::array<double, kLatheAxes>{}));
   }
 };
 

@@ -182,15 +182,15 @@ class HybridPartTest : public QObject {
   void depths() {
     const TriangleSoup soup = turnedBlock();
     const SparseVolume whole = volumeOfSurface(soup, 0.3)->volume;
-    const VolumeSampler reader(whole);
+    const VolumeSampler sampler(whole);
     HybridPart part = *HybridPart::of(soup, 0.3);
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     for (int i = 0; i < 343; ++i) {
       const Vec3 place = 2.7 * Vec3(i % 7 - 3, i / 7 % 7 - 3, i / 49 - 3) + Vec3(0.013, 0.021, 0.017);
-      QCOMPARE(part.depthBefore(place), reader.depthAt(place).depth);
+      QCOMPARE(part.depthBefore(place), sampler.depthAt(place).depth);
     }
     for (const Vec3& place : {Vec3(kNan, 0.0, 0.0), Vec3(0.0, 1e300, 0.0), Vec3(0.0, 0.0, -1e7)})
-      QCOMPARE(part.depthBefore(place), reader.depthAt(place).depth);
+      QCOMPARE(part.depthBefore(place), sampler.depthAt(place).depth);
   }
 
   // Drilled as the whole volume is: thrust, torque, what is removed, breakthrough and what is left.

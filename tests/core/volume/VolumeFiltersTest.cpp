@@ -36,11 +36,11 @@ class VolumeFiltersTest : public QObject {
     const double material = ball.material();
     makeDistances(ball, ball.blocks(), DepthWindow::Beside::Corrected);
     QCOMPARE(ball.material(), material);
-    const VolumeSampler reader(ball);
+    const VolumeSampler sampler(ball);
     for (int i = 0; i < 100; ++i) {
       const Vec3 out = Vec3(std::sin(i), std::cos(3.0 * i), std::sin(2.0 * i + 1.0)).normalized();
       const double radius = 5.0 + 0.4 * std::sin(5.0 * i);
-      QVERIFY(std::abs(reader.depthAt(radius * out).depth - (5.0 - radius)) < 0.15);
+      QVERIFY(std::abs(sampler.depthAt(radius * out).depth - (5.0 - radius)) < 0.15);
     }
   }
 

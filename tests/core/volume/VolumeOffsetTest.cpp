@@ -52,12 +52,12 @@ class VolumeOffsetTest : public QObject {
     for (const Vec3& p : surface.points)
       QVERIFY2(std::abs(p.norm() - radius - distance) < 0.01 * voxel + bend,
                qPrintable(QString::number(p.norm() - radius - distance)));
-    const VolumeSampler reader(*made);
-    QVERIFY(reader.depthAt(Vec3::Zero()).depth > 0.0);
+    const VolumeSampler sampler(*made);
+    QVERIFY(sampler.depthAt(Vec3::Zero()).depth > 0.0);
     for (const double beside : {-2.0, -1.0, 1.0, 2.0}) {
       if (beside * voxel > 0.5 * (radius + distance)) continue;  // the middle, where distances have a corner
       const Vec3 at = (radius + distance - beside * voxel) * Vec3(2.0, -1.0, 3.0).normalized();
-      QVERIFY(std::abs(reader.depthAt(at).depth / voxel - beside) < 0.35);
+      QVERIFY(std::abs(sampler.depthAt(at).depth / voxel - beside) < 0.35);
     }
   }
 

@@ -80,13 +80,13 @@ class VolumeResamplingTest : public QObject {
     const double coarsest = std::max(voxel, from), most = 0.5 * coarsest * coarsest / radius + 0.01 * voxel;
     for (const Vec3& p : surface.points)
       QVERIFY2(std::abs(p.norm() - radius) < most, qPrintable(QString::number(p.norm() - radius)));
-    const VolumeSampler reader(*made);
+    const VolumeSampler sampler(*made);
     for (int i = 0; i < 200; ++i) {
       const Vec3 out = Vec3(std::sin(i), std::cos(3.0 * i), std::sin(2.0 * i + 1.0)).normalized();
       const double depth = 2.5 * voxel * std::sin(5.0 * i);
       // Made anew, distances are of first order: along diagonals too large by up to a quarter.
       const double known = voxel > from ? 0.25 * std::abs(depth) : 0.0;
-      const double found = reader.depthAt((radius - depth) * out).depth;
+      const double found = sampler.depthAt((radius - depth) * out).depth;
       QVERIFY2(std::abs(found - depth) < 0.1 * voxel + most + known,
                qPrintable(QString("%1 %2").arg(found / voxel).arg(depth / voxel)));
     }

@@ -20,27 +20,27 @@ class VolumeSamplerTest : public QObject {
   void samplesOfTheVolume() {
     const SparseVolume ball = ballOfVoxels(5.0, 0.3);
     QVERIFY(rc::check([&] {
-      const VolumeSampler reader(ball);
+      const VolumeSampler sampler(ball);
       for (int i = 0; i < 50; ++i) {
         const auto any = [] { return *rc::gen::inRange(-25, 25); };
         const int x = any(), y = any(), z = any();
-        RC_ASSERT(reader.sample({x, y, z}) == ball.sample({x, y, z}));
+        RC_ASSERT(sampler.sample({x, y, z}) == ball.sample({x, y, z}));
       }
     }));
   }
 
   void depthAndNormalOfABall() {
     const SparseVolume ball = ballOfVoxels(5.0, 0.1);
-    const VolumeSampler reader(ball);
+    const VolumeSampler sampler(ball);
     for (int i = 0; i < 200; ++i) {
       const Vec3 outwards = Vec3(std::sin(i), std::cos(3.0 * i), std::sin(2.0 * i + 1.0)).normalized();
       const double radius = 5.0 + 0.2 * std::sin(5.0 * i);
-      const VolumeSampler::Depth found = reader.depthAt(radius * outwards);
+      const VolumeSampler::Depth found = sampler.depthAt(radius * outwards);
       QVERIFY(std::abs(found.depth - (5.0 - radius)) < 1e-3);
       QVERIFY((found.gradient + outwards).norm() < 0.05);
-      QVERIFY((reader.normalAt(radius * outwards) - outwards).norm() < 0.01);
+      QVERIFY((sampler.normalAt(radius * outwards) - outwards).norm() < 0.01);
     }
-    QVERIFY(reader.normalAt(Vec3::Zero()).isZero());
+    QVERIFY(sampler.normalAt(Vec3::Zero()).isZero());
   }
 
   // Where rays meet a ball is known.

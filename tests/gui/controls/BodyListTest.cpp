@@ -31,8 +31,8 @@ BodySet manyBodies(BodyId count) {
 }
 
 // A list in a window, and what it asks for.
-struct BodyListBench {
-  BodyListBench() {
+struct BodyListFixture {
+  BodyListFixture() {
     QObject::connect(&list, &BodyList::selected, &list, [this](const std::set<BodyId>& ids) { selected = ids; });
     QObject::connect(&list, &BodyList::renameRequested, &list, [this](BodyId id, const QString& name) {
       renamed = {id, name};
@@ -148,44 +148,44 @@ class BodyListTest : public QObject {
   }
 
   void clicksSelect() {
-    BodyListBench bench;
-    bench.list.setBodies(manyBodies(5));
-    bench.click(1);
-    QCOMPARE(bench.selected, std::set<BodyId>{2});
-    bench.click(3, BodyModel::Name, Qt::ControlModifier);
-    QCOMPARE(bench.selected, (std::set<BodyId>{2, 4}));
-    bench.list.setBodies(manyBodies(5).without(1));  // does not lose them, and asks for nothing
-    QCOMPARE(bench.list.selectionModel()->selectedRows().size(), 2);
-    QCOMPARE(bench.selected, (std::set<BodyId>{2, 4}));
-    bench.list.setSelected({5});
-    QCOMPARE(bench.list.currentIndex().data().toString(), QString("body 5"));
-    QCOMPARE(bench.selected, (std::set<BodyId>{2, 4}));
+    BodyListFixture fixture;
+    fixture.list.setBodies(manyBodies(5));
+    fixture.click(1);
+    QCOMPARE(fixture.selected, std::set<BodyId>{2});
+    fixture.click(3, BodyModel::Name, Qt::ControlModifier);
+    QCOMPARE(fixture.selected, (std::set<BodyId>{2, 4}));
+    fixture.list.setBodies(manyBodies(5).without(1));  // does not lose them, and asks for nothing
+    QCOMPARE(fixture.list.selectionModel()->selectedRows().size(), 2);
+    QCOMPARE(fixture.selected, (std::set<BodyId>{2, 4}));
+    fixture.list.setSelected({5});
+    QCOMPARE(fixture.list.currentIndex().data().toString(), QString("body 5"));
+    QCOMPARE(fixture.selected, (std::set<BodyId>{2, 4}));
   }
 
   void eyesAndSpaceHide() {
-    BodyListBench bench;
-    bench.list.setBodies(withBody(manyBodies(3), 3, "hidden", false));
-    bench.click(1, BodyModel::Eye);
-    QCOMPARE(bench.shown, (std::pair<std::set<BodyId>, bool>({2}, false)));
-    QVERIFY(bench.selected.empty());
-    bench.click(2, BodyModel::Eye);
-    QCOMPARE(bench.shown, (std::pair<std::set<BodyId>, bool>({3}, true)));
-    bench.click(0);
-    bench.click(1, BodyModel::Name, Qt::ControlModifier);
-    QTest::keyClick(&bench.list, Qt::Key_Space);
-    QCOMPARE(bench.shown, (std::pair<std::set<BodyId>, bool>({1, 2}, false)));
+    BodyListFixture fixture;
+    fixture.list.setBodies(withBody(manyBodies(3), 3, "hidden", false));
+    fixture.click(1, BodyModel::Eye);
+    QCOMPARE(fixture.shown, (std::pair<std::set<BodyId>, bool>({2}, false)));
+    QVERIFY(fixture.selected.empty());
+    fixture.click(2, BodyModel::Eye);
+    QCOMPARE(fixture.shown, (std::pair<std::set<BodyId>, bool>({3}, true)));
+    fixture.click(0);
+    fixture.click(1, BodyModel::Name, Qt::ControlModifier);
+    QTest::keyClick(&fixture.list, Qt::Key_Space);
+    QCOMPARE(fixture.shown, (std::pair<std::set<BodyId>, bool>({1, 2}, false)));
   }
 
   void f2Renames() {
-    BodyListBench bench;
-    bench.list.setBodies(manyBodies(3));
-    bench.click(1);
-    QTest::keyClick(&bench.list, Qt::Key_F2);
-    auto* line = bench.list.findChild<QLineEdit*>();
+    BodyListFixture fixture;
+    fixture.list.setBodies(manyBodies(3));
+    fixture.click(1);
+    QTest::keyClick(&fixture.list, Qt::Key_F2);
+    auto* line = fixture.list.findChild<QLineEdit*>();
     QVERIFY(line);
     QTest::keyClicks(line, "vice");
     QTest::keyClick(line, Qt::Key_Return);
-    QTRY_COMPARE(bench.renamed, (std::pair<BodyId, QString>(2, "vice")));
+    QTRY_COMPARE(fixture.renamed, (std::pair<BodyId, QString>(2, "vice")));
   }
 };
 

@@ -41,8 +41,8 @@ QStringList found(const QString& query, const QStringList& recent = {}) {
 }
 
 // A palette on a window with menus; the titles of what it lists.
-struct PaletteBench {
-  PaletteBench() : window(sampleWindow()), palette(window.get()) {
+struct PaletteFixture {
+  PaletteFixture() : window(sampleWindow()), palette(window.get()) {
     QSettings().clear();
     before = new QLineEdit(window->centralWidget());
     before->show();
@@ -146,117 +146,117 @@ void CommandPaletteTest::findsWhatItShould() {
 }
 
 void CommandPaletteTest::listsNamedActionsOnly() {
-  PaletteBench bench;
-  bench.window->menuBar()->addAction("nameless");
-  auto* hidden = new QAction("Hidden", bench.window.get());
+  PaletteFixture fixture;
+  fixture.window->menuBar()->addAction("nameless");
+  auto* hidden = new QAction("Hidden", fixture.window.get());
   hidden->setObjectName("hidden");
   hidden->setVisible(false);
-  bench.action("shaded")->setText("Sha&ded");
-  bench.palette.popUp();
-  const QAbstractItemModelTester tester(bench.list->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
-  QCOMPARE(bench.titles(),
+  fixture.action("shaded")->setText("Sha&ded");
+  fixture.palette.popUp();
+  const QAbstractItemModelTester tester(fixture.list->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+  QCOMPARE(fixture.titles(),
            QStringList({"Open…", "Save", "Save as…", "Undo", "Redo", "Shaded", "Shaded with edges", "Wireframe"}));
-  QTest::keyClicks(bench.query, "wire");
-  QCOMPARE(bench.titles(), QStringList({"Wireframe"}));
-  const QModelIndex row = bench.list->currentIndex();
+  QTest::keyClicks(fixture.query, "wire");
+  QCOMPARE(fixture.titles(), QStringList({"Wireframe"}));
+  const QModelIndex row = fixture.list->currentIndex();
   QCOMPARE(row.data(CommandModel::PathRole).toString(), QString("View › Shading"));
 }
 
 void CommandPaletteTest::saysWhenThereIsNone() {
-  PaletteBench bench;
-  bench.palette.popUp();
-  const auto* nothing = bench.palette.findChild<QWidget*>("noCommand");
-  QVERIFY(bench.list->isVisible() && !nothing->isVisible());
-  QTest::keyClicks(bench.query, "xyzzy");
-  QVERIFY(!bench.list->isVisible() && nothing->isVisible());
+  PaletteFixture fixture;
+  fixture.palette.popUp();
+  const auto* nothing = fixture.palette.findChild<QWidget*>("noCommand");
+  QVERIFY(fixture.list->isVisible() && !nothing->isVisible());
+  QTest::keyClicks(fixture.query, "xyzzy");
+  QVERIFY(!fixture.list->isVisible() && nothing->isVisible());
 }
 
 void CommandPaletteTest::keyboardOnly() {
-  PaletteBench bench;
-  QSignalSpy undone(bench.action("undo"), &QAction::triggered);
-  QSignalSpy redone(bench.action("redo"), &QAction::triggered);
-  QTest::keyClick(bench.before, Qt::Key_K, Qt::ControlModifier);
-  QVERIFY(bench.palette.isVisible());
-  QVERIFY(bench.query->hasFocus());
-  QTest::keyClicks(bench.query, "do");
-  QVERIFY(bench.titles().contains("Undo") && bench.titles().contains("Redo"));
-  const QString first = bench.current();
-  QTest::keyClick(bench.query, Qt::Key_Down);
-  QVERIFY(bench.current() != first);
-  QTest::keyClick(bench.query, Qt::Key_Up);
-  QCOMPARE(bench.current(), first);
-  QTest::keyClick(bench.query, Qt::Key_Return);
-  QVERIFY(!bench.palette.isVisible());
-  QCOMPARE(QApplication::focusWidget(), bench.before);
+  PaletteFixture fixture;
+  QSignalSpy undone(fixture.action("undo"), &QAction::triggered);
+  QSignalSpy redone(fixture.action("redo"), &QAction::triggered);
+  QTest::keyClick(fixture.before, Qt::Key_K, Qt::ControlModifier);
+  QVERIFY(fixture.palette.isVisible());
+  QVERIFY(fixture.query->hasFocus());
+  QTest::keyClicks(fixture.query, "do");
+  QVERIFY(fixture.titles().contains("Undo") && fixture.titles().contains("Redo"));
+  const QString first = fixture.current();
+  QTest::keyClick(fixture.query, Qt::Key_Down);
+  QVERIFY(fixture.current() != first);
+  QTest::keyClick(fixture.query, Qt::Key_Up);
+  QCOMPARE(fixture.current(), first);
+  QTest::keyClick(fixture.query, Qt::Key_Return);
+  QVERIFY(!fixture.palette.isVisible());
+  QCOMPARE(QApplication::focusWidget(), fixture.before);
   QTest::qWait(1);
   QCOMPARE(undone.size() + redone.size(), 1);
 }
 
 void CommandPaletteTest::mouse() {
-  PaletteBench bench;
-  QSignalSpy triggered(bench.action("saveAs"), &QAction::triggered);
-  bench.palette.popUp();
-  const QModelIndex row = bench.list->model()->index(2, 0);
-  QTest::mouseClick(bench.list->viewport(), Qt::LeftButton, {}, bench.list->visualRect(row).center());
+  PaletteFixture fixture;
+  QSignalSpy triggered(fixture.action("saveAs"), &QAction::triggered);
+  fixture.palette.popUp();
+  const QModelIndex row = fixture.list->model()->index(2, 0);
+  QTest::mouseClick(fixture.list->viewport(), Qt::LeftButton, {}, fixture.list->visualRect(row).center());
   QTest::qWait(1);
   QCOMPARE(triggered.size(), 1);
-  QVERIFY(!bench.palette.isVisible());
+  QVERIFY(!fixture.palette.isVisible());
 }
 
 void CommandPaletteTest::disabledActionsSayWhy() {
-  PaletteBench bench;
-  QSignalSpy triggered(bench.action("save"), &QAction::triggered);
-  bench.palette.popUp();
-  QTest::keyClicks(bench.query, "save");
-  QCOMPARE(bench.current(), QString("Save"));
-  QCOMPARE(bench.list->currentIndex().data(CommandModel::ReasonRole).toString(), QString("There is nothing to save"));
-  QTest::keyClick(bench.query, Qt::Key_Return);
+  PaletteFixture fixture;
+  QSignalSpy triggered(fixture.action("save"), &QAction::triggered);
+  fixture.palette.popUp();
+  QTest::keyClicks(fixture.query, "save");
+  QCOMPARE(fixture.current(), QString("Save"));
+  QCOMPARE(fixture.list->currentIndex().data(CommandModel::ReasonRole).toString(), QString("There is nothing to save"));
+  QTest::keyClick(fixture.query, Qt::Key_Return);
   QTest::qWait(1);
   QCOMPARE(triggered.size(), 0);
-  QVERIFY(bench.palette.isVisible());
+  QVERIFY(fixture.palette.isVisible());
 }
 
 void CommandPaletteTest::goesAway() {
-  PaletteBench bench;
-  QAction esc("Esc", bench.window.get());
+  PaletteFixture fixture;
+  QAction esc("Esc", fixture.window.get());
   esc.setShortcut(Qt::Key_Escape);
-  bench.window->addAction(&esc);
+  fixture.window->addAction(&esc);
   QSignalSpy escaped(&esc, &QAction::triggered);
-  bench.palette.popUp();
-  QTest::keyClick(bench.query, Qt::Key_Escape);
-  QVERIFY(!bench.palette.isVisible());
+  fixture.palette.popUp();
+  QTest::keyClick(fixture.query, Qt::Key_Escape);
+  QVERIFY(!fixture.palette.isVisible());
   QCOMPARE(escaped.size(), 0);
-  QCOMPARE(QApplication::focusWidget(), bench.before);
+  QCOMPARE(QApplication::focusWidget(), fixture.before);
   // The same of its other keys: in the window Return fills the hole that is selected.
   for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Up, Qt::Key_PageDown, Qt::Key_Tab}) {
-    QAction command("Fill", bench.window.get());
+    QAction command("Fill", fixture.window.get());
     command.setShortcut(key);
-    bench.window->addAction(&command);
+    fixture.window->addAction(&command);
     QSignalSpy triggered(&command, &QAction::triggered);
-    bench.palette.popUp();
-    QTest::keyClicks(bench.query, "no command has this name");
-    QTest::keyClick(bench.query, key);
+    fixture.palette.popUp();
+    QTest::keyClicks(fixture.query, "no command has this name");
+    QTest::keyClick(fixture.query, key);
     QVERIFY2(triggered.empty(), qPrintable(QKeySequence(key).toString()));
-    bench.palette.hide();
-    QTest::keyClick(bench.before, key);
+    fixture.palette.hide();
+    QTest::keyClick(fixture.before, key);
     QCOMPARE(triggered.size(), 1);
   }
-  bench.palette.popUp();
-  QTest::mouseClick(bench.before, Qt::LeftButton);
-  bench.before->setFocus(Qt::MouseFocusReason);
-  QVERIFY(!bench.palette.isVisible());
+  fixture.palette.popUp();
+  QTest::mouseClick(fixture.before, Qt::LeftButton);
+  fixture.before->setFocus(Qt::MouseFocusReason);
+  QVERIFY(!fixture.palette.isVisible());
 }
 
 void CommandPaletteTest::remembers() {
-  PaletteBench bench;
+  PaletteFixture fixture;
   for (const char* name : {"redo", "shaded"}) {
-    bench.palette.popUp();
-    QTest::keyClicks(bench.query, name);
-    QTest::keyClick(bench.query, Qt::Key_Return);
+    fixture.palette.popUp();
+    QTest::keyClicks(fixture.query, name);
+    QTest::keyClick(fixture.query, Qt::Key_Return);
     QTest::qWait(1);
   }
-  bench.palette.popUp();
-  QCOMPARE(bench.titles().mid(0, 3), QStringList({"Shaded", "Redo", "Open…"}));
+  fixture.palette.popUp();
+  QCOMPARE(fixture.titles().mid(0, 3), QStringList({"Shaded", "Redo", "Open…"}));
 }
 
 void CommandPaletteTest::actionMayCloseTheWindow() {
@@ -272,16 +272,16 @@ void CommandPaletteTest::actionMayCloseTheWindow() {
 }
 
 void CommandPaletteTest::staysWithinTheWindow() {
-  PaletteBench bench;
+  PaletteFixture fixture;
   for (int i = 0; i < 40; ++i) {
-    auto* action = new QAction(QString("Extra %1").arg(i), bench.window.get());
+    auto* action = new QAction(QString("Extra %1").arg(i), fixture.window.get());
     action->setObjectName(QString("extra%1").arg(i));
   }
-  bench.palette.popUp();
+  fixture.palette.popUp();
   for (const QSize& size : {QSize(700, 500), QSize(300, 200), QSize(1600, 900)}) {
-    bench.window->resize(size);
+    fixture.window->resize(size);
     QTest::qWait(1);
-    QVERIFY(bench.window->rect().contains(bench.palette.geometry()));
+    QVERIFY(fixture.window->rect().contains(fixture.palette.geometry()));
   }
 }
 

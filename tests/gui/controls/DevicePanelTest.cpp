@@ -40,15 +40,15 @@ class DevicePanelTest : public QObject {
 };
 
 void DevicePanelTest::choosing() {
-  DevicePanelFixture bench;
-  QSignalSpy chosen(&bench.panel, &DevicePanel::deviceChosen), left(&bench.panel, &DevicePanel::deviceLeft);
-  QSignalSpy rescan(&bench.panel, &DevicePanel::rescanRequested);
-  auto* list = bench.part<QComboBox>("deviceChoice");
+  DevicePanelFixture fixture;
+  QSignalSpy chosen(&fixture.panel, &DevicePanel::deviceChosen), left(&fixture.panel, &DevicePanel::deviceLeft);
+  QSignalSpy rescan(&fixture.panel, &DevicePanel::rescanRequested);
+  auto* list = fixture.part<QComboBox>("deviceChoice");
   QCOMPARE(list->count(), 1);
-  QCOMPARE(bench.text("deviceHeadline"), QString("No device in use"));
+  QCOMPARE(fixture.text("deviceHeadline"), QString("No device in use"));
   DeviceInUse view;
   view.found = {falcon(), spaceMouse()};
-  bench.panel.showDevice(view);
+  fixture.panel.showDevice(view);
   QCOMPARE(list->count(), 3);
   QCOMPARE(chosen.size(), 0);  // showing is not choosing
   list->setFocus();
@@ -60,23 +60,23 @@ void DevicePanelTest::choosing() {
   QCOMPARE(chosen.size(), 3);
   QCOMPARE(chosen[1][0].value<std::string>(), std::string("spacemouse"));
   QCOMPARE(chosen[1][1].value<std::string>(), std::string("/dev/hidraw3"));
-  bench.part<QToolButton>("rescanDevices")->click();
+  fixture.part<QToolButton>("rescanDevices")->click();
   QCOMPARE(rescan.size(), 1);
-  bench.panel.showDevice(falconView());
+  fixture.panel.showDevice(falconView());
   QCOMPARE(list->currentText(), QString("Novint Falcon"));
-  QCOMPARE(bench.text("deviceHeadline"), QString("Ready"));
+  QCOMPARE(fixture.text("deviceHeadline"), QString("Ready"));
 }
 
 void DevicePanelTest::unpluggedDeviceStaysInTheList() {
-  DevicePanelFixture bench;
+  DevicePanelFixture fixture;
   DeviceInUse view = falconView();
   view.found = {spaceMouse()};
   view.status = DeviceStatus::Absent;
-  bench.panel.showDevice(view);
-  auto* list = bench.part<QComboBox>("deviceChoice");
+  fixture.panel.showDevice(view);
+  auto* list = fixture.part<QComboBox>("deviceChoice");
   QCOMPARE(list->currentText(), QString("Novint Falcon (unplugged)"));
   QCOMPARE(list->count(), 3);
-  bench.panel.showDevice(falconView());  // back again
+  fixture.panel.showDevice(falconView());  // back again
   QCOMPARE(list->currentText(), QString("Novint Falcon"));
   QCOMPARE(list->count(), 3);
 }
@@ -99,58 +99,58 @@ void DevicePanelTest::whatToDo() {
   QFETCH(QString, driver);
   QFETCH(int, status);
   QFETCH(QString, words);
-  DevicePanelFixture bench;
+  DevicePanelFixture fixture;
   DeviceInUse view = falconView();
   view.chosen->driver = driver.toStdString();
   view.found = {*view.chosen};
-  bench.panel.showDevice(view);
-  QVERIFY(!bench.part<QLabel>("deviceDetail")->isVisible());
+  fixture.panel.showDevice(view);
+  QVERIFY(!fixture.part<QLabel>("deviceDetail")->isVisible());
   ServoSample sample;
   sample.device.status = static_cast<DeviceStatus>(status);
-  bench.panel.showSample(sample);
-  QVERIFY(bench.part<QLabel>("deviceDetail")->isVisible());
-  QVERIFY2(bench.text("deviceDetail").contains(words), qPrintable(bench.text("deviceDetail")));
-  QVERIFY(bench.part<QWidget>("deviceState")->accessibleName().contains(bench.text("deviceHeadline")));
-  QVERIFY(!bench.part<QPushButton>("forceTest")->isEnabled());
+  fixture.panel.showSample(sample);
+  QVERIFY(fixture.part<QLabel>("deviceDetail")->isVisible());
+  QVERIFY2(fixture.text("deviceDetail").contains(words), qPrintable(fixture.text("deviceDetail")));
+  QVERIFY(fixture.part<QWidget>("deviceState")->accessibleName().contains(fixture.text("deviceHeadline")));
+  QVERIFY(!fixture.part<QPushButton>("forceTest")->isEnabled());
 }
 
 void DevicePanelTest::mouseInThePlaceOfADevice() {
-  DevicePanelFixture bench;
+  DevicePanelFixture fixture;
   DeviceInUse view = spaceMouseView();
   view.isPointer = true;
   view.status = DeviceStatus::Absent;
-  bench.panel.showDevice(view);
-  QCOMPARE(bench.text("deviceHeadline"), QString("The pointer is outside the view"));
-  QCOMPARE(bench.part<QComboBox>("deviceChoice")->currentText(), QString("SpaceMouse Compact"));
+  fixture.panel.showDevice(view);
+  QCOMPARE(fixture.text("deviceHeadline"), QString("The pointer is outside the view"));
+  QCOMPARE(fixture.part<QComboBox>("deviceChoice")->currentText(), QString("SpaceMouse Compact"));
 }
 
 void DevicePanelTest::notRealTime() {
-  DevicePanelFixture bench;
-  bench.panel.showDevice(falconView());
-  bench.panel.showLoop({998.4, 7, RealTimeState::RealTime});
-  auto* warning = bench.part<QToolButton>("notRealTime");
+  DevicePanelFixture fixture;
+  fixture.panel.showDevice(falconView());
+  fixture.panel.showLoop({998.4, 7, RealTimeState::RealTime});
+  auto* warning = fixture.part<QToolButton>("notRealTime");
   QVERIFY(!warning->isVisible());
-  QCOMPARE(bench.text("servoRate"), QString("998 ticks a second, 7 missed so far"));
-  bench.panel.showLoop({998.4, 7, RealTimeState::NotPermitted});
+  QCOMPARE(fixture.text("servoRate"), QString("998 ticks a second, 7 missed so far"));
+  fixture.panel.showLoop({998.4, 7, RealTimeState::NotPermitted});
   QVERIFY(warning->isVisible());
   warning->click();
-  QVERIFY(bench.part<QLabel>("realTimeAdvice")->isVisible());
-  bench.part<QPushButton>("copyCommand")->click();
+  QVERIFY(fixture.part<QLabel>("realTimeAdvice")->isVisible());
+  fixture.part<QPushButton>("copyCommand")->click();
   QVERIFY(QGuiApplication::clipboard()->text().contains(" - rtprio "));
 }
 
 void DevicePanelTest::mappingIsEdited() {
-  DevicePanelFixture bench;
-  bench.panel.showDevice(falconView());
+  DevicePanelFixture fixture;
+  fixture.panel.showDevice(falconView());
   WorkspaceMapping mapping;
   mapping.scale = 3.0;
   mapping.sceneFromView.translation() = Vec3(1, 2, 3);
-  bench.panel.setMapping(mapping);
-  bench.turnTo(1);
-  QVERIFY(bench.part<QWidget>("property/up")->isEnabled());
+  fixture.panel.setMapping(mapping);
+  fixture.turnTo(1);
+  QVERIFY(fixture.part<QWidget>("property/up")->isEnabled());
   std::vector<WorkspaceMapping> changed;
-  connect(&bench.panel, &DevicePanel::mappingChanged, this, [&](const WorkspaceMapping& m) { changed.push_back(m); });
-  auto* up = bench.part<QWidget>("property/up")->findChild<QComboBox*>("propertyChoice");
+  connect(&fixture.panel, &DevicePanel::mappingChanged, this, [&](const WorkspaceMapping& m) { changed.push_back(m); });
+  auto* up = fixture.part<QWidget>("property/up")->findChild<QComboBox*>("propertyChoice");
   up->setFocus();
   QTest::keyClick(up, Qt::Key_Down);
   QCOMPARE(changed.size(), std::size_t(1));
@@ -158,25 +158,25 @@ void DevicePanelTest::mappingIsEdited() {
   QCOMPARE(changed[0].axes[1].axis, 1);
   QCOMPARE(changed[0].scale, 3.0);
   QCOMPARE(Vec3(changed[0].sceneFromView.translation()), Vec3(1, 2, 3));
-  bench.panel.showDevice({});
-  QVERIFY(!bench.part<QWidget>("property/up")->isEnabled());
+  fixture.panel.showDevice({});
+  QVERIFY(!fixture.part<QWidget>("property/up")->isEnabled());
 }
 
 void DevicePanelTest::timings() {
-  DevicePanelFixture bench;
+  DevicePanelFixture fixture;
   const DeviceInUse view = falconView();
-  bench.panel.showDevice(view);
+  fixture.panel.showDevice(view);
   ServoStatistics measure(view.capabilities, 0.002, 1e-3);
   fill(measure);
-  auto* plot = bench.part<PlotWidget>("timingPlot");
-  bench.panel.showTiming(measure);  // nobody sees it
+  auto* plot = fixture.part<PlotWidget>("timingPlot");
+  fixture.panel.showTiming(measure);  // nobody sees it
   QVERIFY(plot->plot().series[0].points.empty());
-  bench.turnTo(2);
-  bench.panel.showTiming(measure);
+  fixture.turnTo(2);
+  fixture.panel.showTiming(measure);
   QVERIFY(!plot->plot().series[0].points.empty());
-  bench.part<QComboBox>("timingKind")->setCurrentIndex(2);
+  fixture.part<QComboBox>("timingKind")->setCurrentIndex(2);
   // Of 8 to 16 us in bins of 5, each upper end: half are not above 12, all below 17.
-  QCOMPARE(bench.text("timingSummary"), QString("Half within 15 µs, 99 % within 20 µs, all within 20 µs"));
+  QCOMPARE(fixture.text("timingSummary"), QString("Half within 15 µs, 99 % within 20 µs, all within 20 µs"));
 }
 
 void DevicePanelTest::pictures_data() {
@@ -188,35 +188,35 @@ void DevicePanelTest::pictures_data() {
 }
 
 void DevicePanelTest::picturesOfTrouble() {
-  DevicePanelFixture bench;
-  bench.panel.showDevice(falconView());
-  bench.panel.showLoop({998.4, 7, RealTimeState::NotPermitted});
-  playTouches(bench.panel);
+  DevicePanelFixture fixture;
+  fixture.panel.showDevice(falconView());
+  fixture.panel.showLoop({998.4, 7, RealTimeState::NotPermitted});
+  playTouches(fixture.panel);
   ServoSample sample = sampleAt(10.0, Vec3::Zero(), Vec3::Zero());
   sample.device.status = DeviceStatus::NeedsHoming;
   for (const SafetyAction action : {SafetyAction::DeviceFault, SafetyAction::NotFinite, SafetyAction::Ramp}) {
     sample.actions.add(action);
   }
-  bench.panel.showSample(sample);
-  look(bench.panel, "falcon-homing");
-  bench.panel.showDevice({});
-  look(bench.panel, "none");
+  fixture.panel.showSample(sample);
+  look(fixture.panel, "falcon-homing");
+  fixture.panel.showDevice({});
+  look(fixture.panel, "none");
 }
 
 void DevicePanelTest::pictures() {
   QFETCH(int, page);
   QFETCH(QSize, size);
   for (const DeviceInUse& view : {falconView(), spaceMouseView()}) {
-    DevicePanelFixture bench;
-    bench.panel.resize(size);
-    bench.turnTo(page);
-    bench.panel.showDevice(view);
-    bench.panel.showLoop({998.4, 7, page == 1 ? RealTimeState::RealTime : RealTimeState::NotPermitted});
-    playTouches(bench.panel);
+    DevicePanelFixture fixture;
+    fixture.panel.resize(size);
+    fixture.turnTo(page);
+    fixture.panel.showDevice(view);
+    fixture.panel.showLoop({998.4, 7, page == 1 ? RealTimeState::RealTime : RealTimeState::NotPermitted});
+    playTouches(fixture.panel);
     ServoStatistics measure(view.capabilities, 0.002, 1e-3);
     fill(measure);
-    bench.panel.showTiming(measure);
-    look(bench.panel,
+    fixture.panel.showTiming(measure);
+    look(fixture.panel,
          QStringLiteral("%1-%2").arg(QString::fromStdString(view.chosen->driver), QTest::currentDataTag()));
   }
 }

@@ -96,8 +96,8 @@ class MessageBarTest : public QObject {
     QWidget window;
     MessageBar bar(&window);
     window.show();
-    const char bench[] = "ab";
-    const auto* a = reinterpret_cast<const Document*>(bench);
+    const char fixture[] = "ab";
+    const auto* a = reinterpret_cast<const Document*>(fixture);
     bar.setDocument(a);
     const auto show = [&bar](const char* detail, const Document* about) {
       bar.showMessage({Message::Weight::Warning, "path.src was written", detail, {}, {}, {}, {}, {}, about});
@@ -121,15 +121,15 @@ class MessageBarTest : public QObject {
       return Message{
           Message::Weight::Error, title, {}, {}, {}, {}, {}, {}, reinterpret_cast<const Document*>(document)};
     };
-    const char bench[] = "ab";
-    const auto* a = reinterpret_cast<const Document*>(bench);
-    const auto* b = reinterpret_cast<const Document*>(bench + 1);
+    const char fixture[] = "ab";
+    const auto* a = reinterpret_cast<const Document*>(fixture);
+    const auto* b = reinterpret_cast<const Document*>(fixture + 1);
     bar.setDocument(a);
-    bar.showMessage(about("of a", bench));
+    bar.showMessage(about("of a", fixture));
     QVERIFY(bar.isVisible());
     bar.setDocument(b);
     QVERIFY(bar.isHidden());
-    bar.showMessage(about("of a, later", bench));  // noticed, although another is in view
+    bar.showMessage(about("of a, later", fixture));  // noticed, although another is in view
     QVERIFY(text().contains("of a, later"));
     QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
     bar.showMessage({Message::Weight::Info, "of the program", {}, {}, {}, {}});
@@ -149,7 +149,7 @@ class MessageBarTest : public QObject {
     // What there was time to read does not stand over other documents.
     bar.setReadingTime(0);
     bar.showMessage({Message::Weight::Error, "of a file that is not open", {}, {}, {}, {}});
-    bar.showMessage(about("of a", bench));
+    bar.showMessage(about("of a", fixture));
     bar.setDocument(a);
     QCOMPARE(bar.findChild<QPushButton*>("messageMore")->text(), QString("1 more"));
     QTest::qWait(5);
@@ -172,8 +172,8 @@ class MessageBarTest : public QObject {
     QVERIFY(text().contains("recover"));
     bar.setReadingTime(0);
     QTest::qWait(5);
-    const char bench[] = "a";
-    bar.setDocument(reinterpret_cast<const Document*>(bench));
+    const char fixture[] = "a";
+    bar.setDocument(reinterpret_cast<const Document*>(fixture));
     QVERIFY(text().contains("recover"));  // while others about no document have gone
     QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
   }
@@ -212,9 +212,9 @@ class MessageBarTest : public QObject {
     QWidget window;
     MessageBar bar(&window);
     window.show();
-    const char bench[] = "ab";
-    const auto* a = reinterpret_cast<const Document*>(bench);
-    const auto* b = reinterpret_cast<const Document*>(bench + 1);
+    const char fixture[] = "ab";
+    const auto* a = reinterpret_cast<const Document*>(fixture);
+    const auto* b = reinterpret_cast<const Document*>(fixture + 1);
     for (const Document* about : {a, b}) {
       for (const char* topic : {"saving", "links"})
         bar.showMessage({Message::Weight::Error, topic, {}, {}, {}, {}, {}, {}, about, topic});

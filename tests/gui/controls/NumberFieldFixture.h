@@ -16,9 +16,9 @@
 namespace handwheel::test {
 
 // A field in a window, with what it says.
-struct Bench {
-  explicit Bench(Quantity quantity = Quantity::Length, LengthUnit unit = LengthUnit::Millimetre,
-                 const QLocale& locale = QLocale::c()) {
+struct Fixture {
+  explicit Fixture(Quantity quantity = Quantity::Length, LengthUnit unit = LengthUnit::Millimetre,
+                   const QLocale& locale = QLocale::c()) {
     window.setLocale(locale);
     field = new NumberField(&window);
     other = new QLineEdit(&window);

@@ -102,8 +102,8 @@ void PanelsTest::recentFiles() {
 
 namespace {
 
-struct DockBench {
-  DockBench() : dock("Properties", &window) {
+struct DockFixture {
+  DockFixture() : dock("Properties", &window) {
     dock.setObjectName("propertiesDock");
     dock.setWidget(new QLineEdit(&dock));
     title = new DockTitle(&dock);
@@ -124,35 +124,35 @@ struct DockBench {
 }  // namespace
 
 void PanelsTest::docksFloatAndReturn() {
-  DockBench bench;
-  QCOMPARE(notReachedByTab(bench.window), QStringList());
-  auto* button = bench.button("propertiesDockFloatButton");
+  DockFixture fixture;
+  QCOMPARE(notReachedByTab(fixture.window), QStringList());
+  auto* button = fixture.button("propertiesDockFloatButton");
   button->setFocus();
   QTest::keyClick(button, Qt::Key_Space);
-  QVERIFY(bench.dock.isFloating());
-  QVERIFY(bench.title->isVisible());
-  QVERIFY(bench.title->height() > 0);
-  QCOMPARE(bench.dock.windowTitle(), QString("Properties"));
+  QVERIFY(fixture.dock.isFloating());
+  QVERIFY(fixture.title->isVisible());
+  QVERIFY(fixture.title->height() > 0);
+  QCOMPARE(fixture.dock.windowTitle(), QString("Properties"));
   QVERIFY(button->accessibleName().startsWith("Dock"));
-  QTest::mouseDClick(bench.title, Qt::LeftButton, {}, QPoint(20, 8));
-  QVERIFY(!bench.dock.isFloating());
+  QTest::mouseDClick(fixture.title, Qt::LeftButton, {}, QPoint(20, 8));
+  QVERIFY(!fixture.dock.isFloating());
   QVERIFY(button->accessibleName().startsWith("Undock"));
-  QTest::mouseDClick(bench.title, Qt::LeftButton, {}, QPoint(20, 8));
-  QVERIFY(bench.dock.isFloating());
-  QTest::mouseClick(bench.button("propertiesDockFoldButton"), Qt::LeftButton);
-  QVERIFY(!bench.dock.isVisible());
-  bench.dock.toggleViewAction()->trigger();
-  QVERIFY(bench.dock.isVisible());
+  QTest::mouseDClick(fixture.title, Qt::LeftButton, {}, QPoint(20, 8));
+  QVERIFY(fixture.dock.isFloating());
+  QTest::mouseClick(fixture.button("propertiesDockFoldButton"), Qt::LeftButton);
+  QVERIFY(!fixture.dock.isVisible());
+  fixture.dock.toggleViewAction()->trigger();
+  QVERIFY(fixture.dock.isVisible());
 }
 
 void PanelsTest::docksFollowTheirTitle() {
-  DockBench bench;
-  bench.dock.setWindowTitle("Tool settings");
-  QCOMPARE(bench.title->findChild<QLabel*>("dockTitleText")->text(), QString("Tool settings"));
-  QVERIFY(bench.button("propertiesDockFoldButton")->accessibleName().contains("Tool settings"));
-  bench.dock.setFeatures(QDockWidget::DockWidgetClosable);
-  QVERIFY(!bench.button("propertiesDockFloatButton")->isVisible());
-  QVERIFY(bench.button("propertiesDockFoldButton")->isVisible());
+  DockFixture fixture;
+  fixture.dock.setWindowTitle("Tool settings");
+  QCOMPARE(fixture.title->findChild<QLabel*>("dockTitleText")->text(), QString("Tool settings"));
+  QVERIFY(fixture.button("propertiesDockFoldButton")->accessibleName().contains("Tool settings"));
+  fixture.dock.setFeatures(QDockWidget::DockWidgetClosable);
+  QVERIFY(!fixture.button("propertiesDockFloatButton")->isVisible());
+  QVERIFY(fixture.button("propertiesDockFoldButton")->isVisible());
 }
 
 void PanelsTest::hintsThatFit() {

@@ -35,8 +35,8 @@ struct Edit {
 };
 
 // A list in a window that writes down what it receives.
-struct PropertyListBench {
-  PropertyListBench() {
+struct PropertyListFixture {
+  PropertyListFixture() {
     list.setProperties(sampleProperties());
     QObject::connect(&list, &PropertyList::edited, &list,
                      [this](const std::string& id, const PropertyValue& value, bool stillDragging) {
@@ -74,19 +74,19 @@ class PropertyListTest : public QObject {
   // A group is folded away below its heading, by the mouse or a key; it stays as it was left until it is to be
   // otherwise at first.
   void groupsFold() {
-    PropertyListBench bench;
+    PropertyListFixture fixture;
     std::vector<Property> properties = sampleProperties();
     const std::string group = properties.front().group, id = properties.front().id;
-    const auto row = [&] { return bench.list.findChild<QWidget*>("property/" + QString::fromStdString(id)); };
+    const auto row = [&] { return fixture.list.findChild<QWidget*>("property/" + QString::fromStdString(id)); };
     const auto heading = [&] {
       QToolButton* found = nullptr;
-      for (auto* each : bench.list.findChildren<QToolButton*>("propertyGroup/" + QString::fromStdString(group)))
+      for (auto* each : fixture.list.findChildren<QToolButton*>("propertyGroup/" + QString::fromStdString(group)))
         if (!each->isHidden()) found = each;
       return found;
     };
     const auto show = [&](bool isOpen) {
-      bench.list.setFolding({{group, isOpen}});
-      bench.list.setProperties(properties);
+      fixture.list.setFolding({{group, isOpen}});
+      fixture.list.setProperties(properties);
       QTest::qWait(1);
     };
     show(false);
@@ -100,8 +100,8 @@ class PropertyListTest : public QObject {
     QVERIFY(!row()->isVisible());
     show(true);
     QVERIFY(row()->isVisible());
-    bench.list.setFolding({});
-    bench.list.setProperties(properties);
+    fixture.list.setFolding({});
+    fixture.list.setProperties(properties);
     QVERIFY(row()->isVisible() && !heading());
   }
 
@@ -122,18 +122,18 @@ class PropertyListTest : public QObject {
 
   // A long choice has the width of its label, too, and its list is as wide as its names.
   void longChoicesHaveRoom() {
-    PropertyListBench bench;
+    PropertyListFixture fixture;
     const std::string steel = "Unalloyed steel from 0.25 % C, annealed";
     Property material{.id = "m", .group = "Stock", .label = "Material", .value = 0.0, .choices = {"Brass", "Wood"}};
-    bench.list.setProperties({material});
-    auto* box = bench.find<QComboBox>("m", "propertyChoice");
+    fixture.list.setProperties({material});
+    auto* box = fixture.find<QComboBox>("m", "propertyChoice");
     QTRY_VERIFY(box->isVisible() && box->width() < box->parentWidget()->width());
     material.choices = {steel, "Brass"};
-    bench.list.setProperties({material});
+    fixture.list.setProperties({material});
     QTRY_COMPARE(box->width(), box->parentWidget()->width());
     QVERIFY(box->view()->minimumWidth() >= box->fontMetrics().horizontalAdvance(QString::fromStdString(steel)));
     material.choices = {"Brass", "Wood"};
-    bench.list.setProperties({material});
+    fixture.list.setProperties({material});
     QTRY_VERIFY(box->width() < box->parentWidget()->width());
   }
   void aLimitThatIsNear();
@@ -141,123 +141,123 @@ class PropertyListTest : public QObject {
 
   // Who compares one field of several things need not look for it anew.
   void otherPropertiesStayScrolled() {
-    PropertyListBench bench;
+    PropertyListFixture fixture;
     const auto form = [](const std::string& of) {
       std::vector<Property> all;
       for (int i = 0; i < 40; ++i)
         all.push_back({.id = of + std::to_string(i), .group = "Mark", .label = "Limit", .value = 1.0});
       return all;
     };
-    bench.list.resize(280, 300);
-    bench.list.setProperties(form("a"));
-    QScrollBar* const bar = bench.list.verticalScrollBar();
+    fixture.list.resize(280, 300);
+    fixture.list.setProperties(form("a"));
+    QScrollBar* const bar = fixture.list.verticalScrollBar();
     QTRY_VERIFY(bar->maximum() > 500);
     bar->setValue(400);
-    bench.list.setProperties(form("b"));
+    fixture.list.setProperties(form("b"));
     QTest::qWait(50);
-    QVERIFY(bench.list.findChild<QWidget*>("property/b0") && !bench.list.findChild<QWidget*>("property/a0"));
+    QVERIFY(fixture.list.findChild<QWidget*>("property/b0") && !fixture.list.findChild<QWidget*>("property/a0"));
     QCOMPARE(bar->value(), 400);
   }
 };
 
 void PropertyListTest::editsOfEachKind() {
-  PropertyListBench bench;
-  auto* diameter = bench.find<QLineEdit>("diameter", "numberLine");
+  PropertyListFixture fixture;
+  auto* diameter = fixture.find<QLineEdit>("diameter", "numberLine");
   diameter->setFocus();
   diameter->selectAll();
   QTest::keyClicks(diameter, "2 in\r");
-  QTest::mouseClick(bench.find<QCheckBox>("coolant", "propertySwitch"), Qt::LeftButton, {}, QPoint(8, 10));
-  auto* note = bench.find<QLineEdit>("note", "propertyText");
+  QTest::mouseClick(fixture.find<QCheckBox>("coolant", "propertySwitch"), Qt::LeftButton, {}, QPoint(8, 10));
+  auto* note = fixture.find<QLineEdit>("note", "propertyText");
   note->setFocus();
   QTest::keyClicks(note, "!\r");
-  auto* material = bench.find<QComboBox>("material", "propertyChoice");
+  auto* material = fixture.find<QComboBox>("material", "propertyChoice");
   material->setFocus();
   QTest::keyClick(material, Qt::Key_Down);
-  QVERIFY(bench.edits == std::vector<Edit>({{"diameter", 50.8, false},
-                                            {"coolant", false, false},
-                                            {"note", std::string("first try!"), false},
-                                            {"material", 2.0, false}}));
+  QVERIFY(fixture.edits == std::vector<Edit>({{"diameter", 50.8, false},
+                                              {"coolant", false, false},
+                                              {"note", std::string("first try!"), false},
+                                              {"material", 2.0, false}}));
 }
 
 // A text of numbers is shown and typed with the decimal separator of the user, and told with points.
 void PropertyListTest::numbersInTexts() {
-  PropertyListBench bench;
-  bench.list.setLocale(QLocale(QLocale::German));
+  PropertyListFixture fixture;
+  fixture.list.setLocale(QLocale(QLocale::German));
   std::vector<Property> properties = sampleProperties();
   named(properties, "note").value = std::string("±0.05");
   named(properties, "note").isNumbers = true;
-  bench.list.setProperties(properties);
-  auto* note = bench.find<QLineEdit>("note", "propertyText");
+  fixture.list.setProperties(properties);
+  auto* note = fixture.find<QLineEdit>("note", "propertyText");
   QCOMPARE(note->text(), QString("±0,05"));
   note->setFocus();
   for (const char* typed : {"0,25", "0.25"}) {
     note->selectAll();
     QTest::keyClicks(note, QLatin1String(typed) + "\r");
-    QVERIFY(!bench.edits.empty() && bench.edits.back() == (Edit{"note", std::string("0.25"), false}));
+    QVERIFY(!fixture.edits.empty() && fixture.edits.back() == (Edit{"note", std::string("0.25"), false}));
   }
 }
 
 // A text of several lines is typed with its lines, taken by Ctrl+Return or when the field is left, and given back by
 // Esc.
 void PropertyListTest::longTexts() {
-  PropertyListBench bench;
+  PropertyListFixture fixture;
   std::vector<Property> properties = sampleProperties();
   named(properties, "note").value = std::string("Turn the\nshaft.");
   named(properties, "note").id = "step.1.text";
-  bench.list.setProperties(properties);
-  auto* field = bench.find<QPlainTextEdit>("step.1.text", "propertyLongText");
+  fixture.list.setProperties(properties);
+  auto* field = fixture.find<QPlainTextEdit>("step.1.text", "propertyLongText");
   QCOMPARE(field->toPlainText(), QString("Turn the\nshaft."));
   QVERIFY(!field->accessibleName().isEmpty());
   field->setFocus();
   field->moveCursor(QTextCursor::End);
   QTest::keyClick(field, Qt::Key_Return);
   QTest::keyClicks(field, "Then part it off.");
-  QVERIFY(bench.edits.empty());
+  QVERIFY(fixture.edits.empty());
   QTest::keyClick(field, Qt::Key_Return, Qt::ControlModifier);
   const std::string whole = "Turn the\nshaft.\nThen part it off.";
-  QVERIFY(bench.edits == std::vector<Edit>({{"step.1.text", whole, false}}));
+  QVERIFY(fixture.edits == std::vector<Edit>({{"step.1.text", whole, false}}));
   named(properties, "step.1.text").value = whole;
-  bench.list.setProperties(properties);
+  fixture.list.setProperties(properties);
   QTest::keyClicks(field, "!");
   QTest::keyClick(field, Qt::Key_Escape);
   QCOMPARE(field->toPlainText(), QString::fromStdString(whole));
   QTest::keyClicks(field, "?");
-  bench.find<QLineEdit>("diameter", "numberLine")->setFocus();
-  QCOMPARE(bench.edits.size(), std::size_t{2});
-  QCOMPARE(std::get<std::string>(bench.edits.back().value).size(), whole.size() + 1);
+  fixture.find<QLineEdit>("diameter", "numberLine")->setFocus();
+  QCOMPARE(fixture.edits.size(), std::size_t{2});
+  QCOMPARE(std::get<std::string>(fixture.edits.back().value).size(), whole.size() + 1);
   // What was refused stays, until the value is another one.
-  bench.list.refuse("step.1.text", std::string("refused"), "No.");
-  bench.list.setProperties(properties);
+  fixture.list.refuse("step.1.text", std::string("refused"), "No.");
+  fixture.list.setProperties(properties);
   QCOMPARE(field->toPlainText(), QString("refused"));
   named(properties, "step.1.text").value = std::string("another");
-  bench.list.setProperties(properties);
+  fixture.list.setProperties(properties);
   QCOMPARE(field->toPlainText(), QString("another"));
 }
 
 // What is typed is told before it is saved or hidden, and typing goes on.
 void PropertyListTest::typedTextIsTold() {
-  PropertyListBench bench;
-  auto* note = bench.find<QLineEdit>("note", "propertyText");
+  PropertyListFixture fixture;
+  auto* note = fixture.find<QLineEdit>("note", "propertyText");
   note->setFocus();
   commitFocusedField();
-  QVERIFY(bench.edits.empty());
+  QVERIFY(fixture.edits.empty());
   QTest::keyClicks(note, "!");
-  QVERIFY(bench.edits.empty());
+  QVERIFY(fixture.edits.empty());
   commitFocusedField();
-  QVERIFY(bench.edits == std::vector<Edit>({{"note", std::string("first try!"), false}}));
+  QVERIFY(fixture.edits == std::vector<Edit>({{"note", std::string("first try!"), false}}));
   QVERIFY(note->hasFocus());
 }
 
 void PropertyListTest::sliderDrags() {
-  PropertyListBench bench;
-  auto* slider = bench.find<QSlider>("joint1", "propertySlider");
-  auto* line = bench.find<QLineEdit>("joint1", "numberLine");
+  PropertyListFixture fixture;
+  auto* slider = fixture.find<QSlider>("joint1", "propertySlider");
+  auto* line = fixture.find<QLineEdit>("joint1", "numberLine");
   QVERIFY(slider->isVisible());
-  QVERIFY(!bench.find<QSlider>("diameter", "propertySlider")->isVisible());
-  QVERIFY(bench.find<QLabel>("joint1", "propertyLower")->isVisible());
-  QCOMPARE(bench.find<QLabel>("joint1", "propertyLower")->text(), QString("-180°"));
-  QCOMPARE(bench.find<QLabel>("joint1", "propertyUpper")->text(), QString("180°"));
-  QVERIFY(!bench.find<QLabel>("diameter", "propertyUpper")->isVisible());
+  QVERIFY(!fixture.find<QSlider>("diameter", "propertySlider")->isVisible());
+  QVERIFY(fixture.find<QLabel>("joint1", "propertyLower")->isVisible());
+  QCOMPARE(fixture.find<QLabel>("joint1", "propertyLower")->text(), QString("-180°"));
+  QCOMPARE(fixture.find<QLabel>("joint1", "propertyUpper")->text(), QString("180°"));
+  QVERIFY(!fixture.find<QLabel>("diameter", "propertyUpper")->isVisible());
   QCOMPARE(slider->value(), 583);  // (30 + 180) / 360 of 1000
   slider->setSliderDown(true);
   slider->setSliderPosition(1000);
@@ -265,28 +265,28 @@ void PropertyListTest::sliderDrags() {
   // The document answers with its own value while the slider is held: the handle stays under the hand.
   auto properties = sampleProperties();
   named(properties, "joint1").value = 0.1;
-  bench.list.setProperties(properties);
+  fixture.list.setProperties(properties);
   QCOMPARE(slider->value(), 500);
   QCOMPARE(line->text(), QString("5.72958"));  // 0.1 rad = 5.7295779…°
   slider->setSliderPosition(0);
   slider->setSliderDown(false);
   const double pi = std::numbers::pi;
   QVERIFY(
-      bench.edits ==
+      fixture.edits ==
       std::vector<Edit>({{"joint1", pi, true}, {"joint1", 0.0, true}, {"joint1", -pi, true}, {"joint1", -pi, false}}));
-  bench.edits.clear();
+  fixture.edits.clear();
   slider->setSliderDown(true);  // pressed and let go
   slider->setSliderDown(false);
-  QVERIFY(bench.edits.empty());
+  QVERIFY(fixture.edits.empty());
   slider->setFocus();
   QTest::keyClick(slider, Qt::Key_End);
-  QVERIFY(bench.edits == std::vector<Edit>({{"joint1", pi, false}}));
+  QVERIFY(fixture.edits == std::vector<Edit>({{"joint1", pi, false}}));
 }
 
 void PropertyListTest::valuesChangeInPlace() {
-  PropertyListBench bench;
-  auto* diameter = bench.find<QLineEdit>("diameter", "numberLine");
-  auto* length = bench.find<QLineEdit>("length", "numberLine");
+  PropertyListFixture fixture;
+  auto* diameter = fixture.find<QLineEdit>("diameter", "numberLine");
+  auto* length = fixture.find<QLineEdit>("length", "numberLine");
   diameter->setFocus();
   diameter->selectAll();
   QTest::keyClicks(diameter, "7");
@@ -296,82 +296,82 @@ void PropertyListTest::valuesChangeInPlace() {
   named(properties, "coolant").value = false;
   named(properties, "material").choices = {"Aluminium 6082", "Steel C45", "Brass", "Wood"};
   named(properties, "joint2").problem.clear();
-  bench.list.setProperties(properties);
-  QCOMPARE(diameter, bench.find<QLineEdit>("diameter", "numberLine"));
+  fixture.list.setProperties(properties);
+  QCOMPARE(diameter, fixture.find<QLineEdit>("diameter", "numberLine"));
   QCOMPARE(QApplication::focusWidget(), diameter);
   QCOMPARE(diameter->text(), QString("7"));
   QCOMPARE(length->text(), QString("99"));
-  QVERIFY(!bench.find<QCheckBox>("coolant", "propertySwitch")->isChecked());
-  QCOMPARE(bench.find<QComboBox>("material", "propertyChoice")->count(), 4);
-  QCOMPARE(bench.find<QComboBox>("material", "propertyChoice")->currentText(), QString("Steel C45"));
-  QVERIFY(!bench.find<QLabel>("joint2", "propertyProblem")->isVisible());
-  QVERIFY(bench.edits.empty());
+  QVERIFY(!fixture.find<QCheckBox>("coolant", "propertySwitch")->isChecked());
+  QCOMPARE(fixture.find<QComboBox>("material", "propertyChoice")->count(), 4);
+  QCOMPARE(fixture.find<QComboBox>("material", "propertyChoice")->currentText(), QString("Steel C45"));
+  QVERIFY(!fixture.find<QLabel>("joint2", "propertyProblem")->isVisible());
+  QVERIFY(fixture.edits.empty());
 }
 
 void PropertyListTest::rowsSurviveAChangeOfTheSet() {
-  PropertyListBench bench;
-  auto* slider = bench.find<QSlider>("joint2", "propertySlider");
+  PropertyListFixture fixture;
+  auto* slider = fixture.find<QSlider>("joint2", "propertySlider");
   slider->setFocus();
   slider->setSliderDown(true);
   auto properties = sampleProperties();
   std::reverse(properties.begin(), properties.end());
   properties.push_back({.id = "speed", .group = "", .label = "Speed", .value = 3.0});
   properties.erase(properties.begin());
-  bench.list.setProperties(properties);
-  QCOMPARE(bench.find<QSlider>("joint2", "propertySlider"), slider);
+  fixture.list.setProperties(properties);
+  QCOMPARE(fixture.find<QSlider>("joint2", "propertySlider"), slider);
   QCOMPARE(QApplication::focusWidget(), slider);
   QVERIFY(slider->isSliderDown());
   slider->setSliderDown(false);
   QTest::qWait(1);  // what goes is deleted later
-  QCOMPARE(bench.list.findChildren<PropertyRow*>().size(), qsizetype(properties.size()));
+  QCOMPARE(fixture.list.findChildren<PropertyRow*>().size(), qsizetype(properties.size()));
   // Down the page as in the list.
   int bottom = 0;
   for (const Property& p : properties) {
-    const auto* row = bench.list.findChild<QWidget*>("property/" + QString::fromStdString(p.id));
+    const auto* row = fixture.list.findChild<QWidget*>("property/" + QString::fromStdString(p.id));
     QVERIFY(row->y() >= bottom);
     bottom = row->geometry().bottom();
   }
 }
 
 void PropertyListTest::aRowMayGoWhileItSpeaks() {
-  PropertyListBench bench;
-  bench.onEdit = [&] { bench.list.setProperties({}); };
-  QTest::mouseClick(bench.find<QCheckBox>("coolant", "propertySwitch"), Qt::LeftButton, {}, QPoint(8, 10));
+  PropertyListFixture fixture;
+  fixture.onEdit = [&] { fixture.list.setProperties({}); };
+  QTest::mouseClick(fixture.find<QCheckBox>("coolant", "propertySwitch"), Qt::LeftButton, {}, QPoint(8, 10));
   QTest::qWait(1);
-  QCOMPARE(bench.edits.size(), std::size_t(1));
-  QVERIFY(bench.list.findChildren<PropertyRow*>().isEmpty());
+  QCOMPARE(fixture.edits.size(), std::size_t(1));
+  QVERIFY(fixture.list.findChildren<PropertyRow*>().isEmpty());
 }
 
 void PropertyListTest::followsTheLengthUnit() {
-  PropertyListBench bench;
-  bench.list.setLengthUnit(LengthUnit::Inch);
-  QCOMPARE(bench.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.968504"));  // 50 / 25.4
-  QCOMPARE(bench.find<QLineEdit>("joint1", "numberLine")->text(), QString("30"));
-  QCOMPARE(bench.find<QLabel>("size", "propertyValue")->text(), QString("48.605\u00a0in"));  // 1234.5678 / 25.4
-  bench.list.setProperties(sampleProperties());
-  QCOMPARE(bench.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.968504"));
+  PropertyListFixture fixture;
+  fixture.list.setLengthUnit(LengthUnit::Inch);
+  QCOMPARE(fixture.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.968504"));  // 50 / 25.4
+  QCOMPARE(fixture.find<QLineEdit>("joint1", "numberLine")->text(), QString("30"));
+  QCOMPARE(fixture.find<QLabel>("size", "propertyValue")->text(), QString("48.605\u00a0in"));  // 1234.5678 / 25.4
+  fixture.list.setProperties(sampleProperties());
+  QCOMPARE(fixture.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.968504"));
 }
 
 void PropertyListTest::readOnlyValuesAndProblems() {
-  PropertyListBench bench;
-  QCOMPARE(bench.find<QLabel>("volume", "propertyValue")->text(), QString("1170000"));
-  QCOMPARE(bench.find<QLabel>("closed", "propertyValue")->text(), QString("no"));
-  auto* problem = bench.find<QLabel>("joint2", "propertyProblem");
+  PropertyListFixture fixture;
+  QCOMPARE(fixture.find<QLabel>("volume", "propertyValue")->text(), QString("1170000"));
+  QCOMPARE(fixture.find<QLabel>("closed", "propertyValue")->text(), QString("no"));
+  auto* problem = fixture.find<QLabel>("joint2", "propertyProblem");
   QVERIFY(problem->isVisible());
   QCOMPARE(problem->text(), QString("The effort of this joint is not known."));
-  bench.list.setProperties(
+  fixture.list.setProperties(
       {{.id = "m", .group = "", .label = "M", .value = 1.0, .choices = {"a", "b"}, .editable = false}});
-  QCOMPARE(bench.find<QLabel>("m", "propertyValue")->text(), QString("b"));
+  QCOMPARE(fixture.find<QLabel>("m", "propertyValue")->text(), QString("b"));
 }
 
 void PropertyListTest::tabFollowsTheOrder() {
-  PropertyListBench bench;
+  PropertyListFixture fixture;
   auto properties = sampleProperties();
   std::swap(properties[0], properties[5]);  // the note comes first
   properties.insert(properties.begin() + 6, {.id = "new", .group = "Joints", .label = "New", .value = 1.0});
-  bench.list.setProperties(properties);
+  fixture.list.setProperties(properties);
   QTest::qWait(1);  // until the new row is shown
-  bench.find<QLineEdit>("note", "propertyText")->setFocus();
+  fixture.find<QLineEdit>("note", "propertyText")->setFocus();
   QStringList order;
   for (int i = 0; i < 10; ++i) {
     const QWidget* at = QApplication::focusWidget();
@@ -381,20 +381,20 @@ void PropertyListTest::tabFollowsTheOrder() {
   }
   QCOMPARE(order, QStringList({"note", "length", "chord", "material", "coolant", "diameter", "new", "joint1", "joint1",
                                "joint2"}));
-  QCOMPARE(notReachedByTab(bench.list).join("\n"), QString());
+  QCOMPARE(notReachedByTab(fixture.list).join("\n"), QString());
 }
 
 // A document with a bug, or limits from a strange file, must not harm the window.
 void PropertyListTest::aRefusedTextStaysWithTheReason() {
   const Property name{.id = "name", .group = {}, .label = "Name", .value = "table"};
-  PropertyListBench bench;
-  bench.list.setProperties({name});
-  auto* line = bench.find<QLineEdit>("name", "propertyText");
-  auto* problem = bench.find<QLabel>("name", "propertyProblem");
+  PropertyListFixture fixture;
+  fixture.list.setProperties({name});
+  auto* line = fixture.find<QLineEdit>("name", "propertyText");
+  auto* problem = fixture.find<QLabel>("name", "propertyProblem");
   QTRY_VERIFY(line->isVisible());
-  bench.onEdit = [&] {
-    bench.list.setProperties({name});  // the document has not taken it
-    bench.list.refuse("name", bench.edits.back().value, "It is taken.");
+  fixture.onEdit = [&] {
+    fixture.list.setProperties({name});  // the document has not taken it
+    fixture.list.refuse("name", fixture.edits.back().value, "It is taken.");
   };
   line->setFocus();
   line->selectAll();
@@ -403,7 +403,7 @@ void PropertyListTest::aRefusedTextStaysWithTheReason() {
   QCOMPARE(line->text(), QString("vice"));
   QVERIFY(problem->isVisible());
   QCOMPARE(problem->text(), QString("It is taken."));
-  bench.list.setProperties({name});  // something else changed
+  fixture.list.setProperties({name});  // something else changed
   QCOMPARE(line->text(), QString("vice"));
   QVERIFY(problem->isVisible());
   QTest::keyClick(line, Qt::Key_Backspace);  // it is being corrected
@@ -413,52 +413,54 @@ void PropertyListTest::aRefusedTextStaysWithTheReason() {
   QTest::keyClick(line, Qt::Key_Escape);
   QCOMPARE(line->text(), QString("table"));
   QVERIFY(!problem->isVisible());
-  QCOMPARE(bench.edits.size(), std::size_t{2});
+  QCOMPARE(fixture.edits.size(), std::size_t{2});
 }
 
 void PropertyListTest::coloursHaveAButton() {
-  PropertyListBench bench;
-  bench.list.setProperties({{.id = "part.colour", .group = {}, .label = "Colour", .value = "#ff0000"}});
-  auto* button = bench.find<QToolButton>("part.colour", "propertyColour");
+  PropertyListFixture fixture;
+  fixture.list.setProperties({{.id = "part.colour", .group = {}, .label = "Colour", .value = "#ff0000"}});
+  auto* button = fixture.find<QToolButton>("part.colour", "propertyColour");
   QTRY_VERIFY(button->isVisible());
   QTest::mouseClick(button, Qt::LeftButton);
-  auto* dialog = bench.list.findChild<QColorDialog*>("colourDialog");
+  auto* dialog = fixture.list.findChild<QColorDialog*>("colourDialog");
   QVERIFY(dialog);
   QCOMPARE(dialog->currentColor(), QColor(255, 0, 0));
   dialog->setCurrentColor(QColor(0, 128, 255));
   dialog->accept();
-  QCOMPARE(bench.edits, (std::vector<Edit>{{"part.colour", std::string("#0080ff"), false}}));
+  QCOMPARE(fixture.edits, (std::vector<Edit>{{"part.colour", std::string("#0080ff"), false}}));
 }
 
 // All of them are seen; a click chooses, and the keys stay where they were.
 void PropertyListTest::choicesInAList() {
-  PropertyListBench bench;
+  PropertyListFixture fixture;
   Property ways{.id = "way", .group = "Ways", .label = "Ways", .value = 0.0, .choices = {"a", "b", "c"}};
   ways.continuous = true;
-  bench.list.setProperties({ways});
-  auto* rows = bench.find<QListWidget>("way", "propertyList/choices");
+  fixture.list.setProperties({ways});
+  auto* rows = fixture.find<QListWidget>("way", "propertyList/choices");
   QCOMPARE(rows->count(), 3);
   QCOMPARE(rows->currentRow(), 0);
   QCOMPARE(rows->accessibleName(), "Ways");
   QTest::mouseClick(rows->viewport(), Qt::LeftButton, {}, rows->visualItemRect(rows->item(2)).center());
-  QCOMPARE(bench.edits, (std::vector<Edit>{{"way", 2.0, false}}));
+  QCOMPARE(fixture.edits, (std::vector<Edit>{{"way", 2.0, false}}));
   QVERIFY(!rows->hasFocus());
   ways.choices = {"a", "d"};
   ways.value = 1.0;
-  bench.list.setProperties({ways});  // is no edit
+  fixture.list.setProperties({ways});  // is no edit
   QCOMPARE(rows->count(), 2);
   QCOMPARE(rows->currentItem()->text(), "d");
-  QCOMPARE(bench.edits.size(), std::size_t{1});
+  QCOMPARE(fixture.edits.size(), std::size_t{1});
 }
 
 void PropertyListTest::aLimitThatIsNear() {
-  PropertyListBench bench;
+  PropertyListFixture fixture;
   Property joint{.id = "joint", .group = "", .label = "J", .value = 0.0, .least = -1.0, .largest = 1.0};
   joint.continuous = true;
-  const auto isMarked = [&](const char* limit) { return bench.find<QLabel>("joint", limit)->property("bad").toBool(); };
+  const auto isMarked = [&](const char* limit) {
+    return fixture.find<QLabel>("joint", limit)->property("bad").toBool();
+  };
   for (const double value : {0.0, 0.97, 0.2, -1.0, -0.5}) {
     joint.value = value;
-    bench.list.setProperties({joint});
+    fixture.list.setProperties({joint});
     QCOMPARE(isMarked("propertyUpper"), value > 0.95);
     QCOMPARE(isMarked("propertyLower"), value < -0.95);
   }

@@ -33,8 +33,8 @@ std::vector<ResultModel::Row> someClass() {
           {{"Dora"}}};
 }
 
-struct ResultBench {
-  ResultBench() {
+struct ResultFixture {
+  ResultFixture() {
     table.setTable({"Student", "Points", "File"}, someClass());
     window.resize(420, 240);
     (new QVBoxLayout(&window))->addWidget(&table);
@@ -74,7 +74,7 @@ class ResultTableTest : public QObject {
 
 // However far the marks are scrolled, whose they are is seen beside them, in the same rows, and can be chosen there.
 void ResultTableTest::firstColumnStays() {
-  ResultBench bench;
+  ResultFixture fixture;
   QStringList headings{"Student"};
   std::vector<ResultModel::Row> rows;
   for (int i = 0; i < 30; ++i) headings << QString("Criterion %1").arg(i);
@@ -82,46 +82,47 @@ void ResultTableTest::firstColumnStays() {
     rows.push_back({{QString("Student %1").arg(row)}});
     for (int i = 0; i < 30; ++i) rows.back().push_back({QString::number(i), double(i)});
   }
-  bench.table.setTable(headings, rows);
-  auto* first = bench.table.findChild<QTreeView*>("firstColumn");
+  fixture.table.setTable(headings, rows);
+  auto* first = fixture.table.findChild<QTreeView*>("firstColumn");
   QVERIFY(first);
-  bench.table.horizontalScrollBar()->setValue(bench.table.horizontalScrollBar()->maximum());
-  bench.table.verticalScrollBar()->setValue(bench.table.verticalScrollBar()->maximum() / 2);
-  QVERIFY(bench.table.horizontalScrollBar()->value() > 0 && bench.table.verticalScrollBar()->value() > 0);
-  const QPoint place(5, bench.table.viewport()->height() / 2);
-  const QPoint within = first->viewport()->mapFrom(&bench.table, bench.table.viewport()->mapTo(&bench.table, place));
-  const QModelIndex name = first->indexAt(within), beside = bench.table.indexAt(place);
+  fixture.table.horizontalScrollBar()->setValue(fixture.table.horizontalScrollBar()->maximum());
+  fixture.table.verticalScrollBar()->setValue(fixture.table.verticalScrollBar()->maximum() / 2);
+  QVERIFY(fixture.table.horizontalScrollBar()->value() > 0 && fixture.table.verticalScrollBar()->value() > 0);
+  const QPoint place(5, fixture.table.viewport()->height() / 2);
+  const QPoint within =
+      first->viewport()->mapFrom(&fixture.table, fixture.table.viewport()->mapTo(&fixture.table, place));
+  const QModelIndex name = first->indexAt(within), beside = fixture.table.indexAt(place);
   QCOMPARE(name.column(), 0);
   QVERIFY(name.row() > 0);
   QCOMPARE(name.row(), beside.row());
-  QVERIFY(bench.table.childAt(bench.table.viewport()->mapTo(&bench.table, place)) == first->viewport());
+  QVERIFY(fixture.table.childAt(fixture.table.viewport()->mapTo(&fixture.table, place)) == first->viewport());
   QTest::mouseClick(first->viewport(), Qt::LeftButton, {}, within);
-  QVERIFY(bench.table.selectionModel()->isRowSelected(name.row(), {}));
+  QVERIFY(fixture.table.selectionModel()->isRowSelected(name.row(), {}));
   // By its heading, too, the rows of both are sorted.
   QTest::mouseClick(first->header()->viewport(), Qt::LeftButton, {}, QPoint(10, 5));
-  QCOMPARE(bench.table.header()->sortIndicatorSection(), 0);
-  QCOMPARE(bench.table.model()->index(1, 0).data().toString(), QString("Student 1"));
+  QCOMPARE(fixture.table.header()->sortIndicatorSection(), 0);
+  QCOMPARE(fixture.table.model()->index(1, 0).data().toString(), QString("Student 1"));
   QTest::mouseClick(first->header()->viewport(), Qt::LeftButton, {}, QPoint(10, 5));
-  QCOMPARE(bench.table.model()->index(0, 0).data().toString(), QString("Student 59"));
+  QCOMPARE(fixture.table.model()->index(0, 0).data().toString(), QString("Student 59"));
 }
 
 // Numbers by value, "2" before "10" in texts, what is empty last.
 void ResultTableTest::sorts() {
-  ResultBench bench;
-  QCOMPARE(bench.column(0), QString("Cem Anna Zoë Ben Dora"));
-  bench.table.sortByColumn(1, Qt::AscendingOrder);
-  QCOMPARE(bench.column(0), QString("Cem Ben Anna Zoë Dora"));
-  bench.table.sortByColumn(1, Qt::DescendingOrder);
-  QCOMPARE(bench.column(0), QString("Anna Ben Cem Zoë Dora"));
-  bench.table.sortByColumn(2, Qt::AscendingOrder);
-  QVERIFY(bench.column(0).indexOf("Zoë") < bench.column(0).indexOf("Anna"));
-  QVERIFY(bench.column(0).indexOf("Anna") < bench.column(0).indexOf("Cem"));
-  QVERIFY(bench.column(0).endsWith("Dora"));
-  const QHeaderView* header = bench.table.header();
+  ResultFixture fixture;
+  QCOMPARE(fixture.column(0), QString("Cem Anna Zoë Ben Dora"));
+  fixture.table.sortByColumn(1, Qt::AscendingOrder);
+  QCOMPARE(fixture.column(0), QString("Cem Ben Anna Zoë Dora"));
+  fixture.table.sortByColumn(1, Qt::DescendingOrder);
+  QCOMPARE(fixture.column(0), QString("Anna Ben Cem Zoë Dora"));
+  fixture.table.sortByColumn(2, Qt::AscendingOrder);
+  QVERIFY(fixture.column(0).indexOf("Zoë") < fixture.column(0).indexOf("Anna"));
+  QVERIFY(fixture.column(0).indexOf("Anna") < fixture.column(0).indexOf("Cem"));
+  QVERIFY(fixture.column(0).endsWith("Dora"));
+  const QHeaderView* header = fixture.table.header();
   QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, {header->sectionViewportPosition(0) + 10, 8});
-  QCOMPARE(bench.column(0), QString("Anna Ben Cem Dora Zoë"));
-  bench.table.setTable({"Student", "Points", "File"}, {{{"b"}}, {{"a"}}});
-  QCOMPARE(bench.column(0), QString("a b"));  // the order stays
+  QCOMPARE(fixture.column(0), QString("Anna Ben Cem Dora Zoë"));
+  fixture.table.setTable({"Student", "Points", "File"}, {{{"b"}}, {{"a"}}});
+  QCOMPARE(fixture.column(0), QString("a b"));  // the order stays
 }
 
 void ResultTableTest::equalRowsStay() {
@@ -139,46 +140,46 @@ void ResultTableTest::equalRowsStay() {
 }
 
 void ResultTableTest::selectionFollowsItsRow() {
-  ResultBench bench;
-  bench.table.setCurrentIndex(bench.table.model()->index(1, 0));
-  bench.table.sortByColumn(0, Qt::DescendingOrder);
-  QCOMPARE(bench.table.currentIndex().data().toString(), QString("Anna"));
+  ResultFixture fixture;
+  fixture.table.setCurrentIndex(fixture.table.model()->index(1, 0));
+  fixture.table.sortByColumn(0, Qt::DescendingOrder);
+  QCOMPARE(fixture.table.currentIndex().data().toString(), QString("Anna"));
 }
 
 void ResultTableTest::menuSorts() {
-  ResultBench bench;
+  ResultFixture fixture;
   for (const char* wanted : {"Cem Ben Anna Zoë Dora", "Anna Ben Cem Zoë Dora"}) {
-    QContextMenuEvent event(QContextMenuEvent::Keyboard, {10, 10}, bench.table.mapToGlobal(QPoint(10, 10)));
-    QApplication::sendEvent(bench.table.viewport(), &event);
-    auto* menu = bench.table.findChild<QMenu*>("resultMenu");
+    QContextMenuEvent event(QContextMenuEvent::Keyboard, {10, 10}, fixture.table.mapToGlobal(QPoint(10, 10)));
+    QApplication::sendEvent(fixture.table.viewport(), &event);
+    auto* menu = fixture.table.findChild<QMenu*>("resultMenu");
     QVERIFY(menu);
     QCOMPARE(menu->actions().size(), 5);  // copy, a line, three columns
     menu->actions().at(3)->trigger();
     menu->close();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    QCOMPARE(bench.column(0), QString::fromUtf8(wanted));
+    QCOMPARE(fixture.column(0), QString::fromUtf8(wanted));
   }
 }
 
 void ResultTableTest::copies() {
-  ResultBench bench;
-  bench.table.sortByColumn(0, Qt::AscendingOrder);
-  bench.table.selectionModel()->select(bench.table.model()->index(1, 0),
-                                       QItemSelectionModel::Select | QItemSelectionModel::Rows);
-  QTest::keyClick(&bench.table, Qt::Key_C, Qt::ControlModifier);
+  ResultFixture fixture;
+  fixture.table.sortByColumn(0, Qt::AscendingOrder);
+  fixture.table.selectionModel()->select(fixture.table.model()->index(1, 0),
+                                         QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  QTest::keyClick(&fixture.table, Qt::Key_C, Qt::ControlModifier);
   QCOMPARE(QGuiApplication::clipboard()->text(), QString("Student\tPoints\tFile\nBen\t71.5\t'=cmd|' /C calc'!A1"));
-  bench.table.clearSelection();
-  QCOMPARE(bench.table.copyText().count('\n'), 5);
-  bench.table.setTable({"a\tb"}, {{{"one\ttwo\nthree"}}, {{"-5", -5.0}}});
-  QCOMPARE(bench.table.copyText(), QString("a b\n-5\none two three"));
+  fixture.table.clearSelection();
+  QCOMPARE(fixture.table.copyText().count('\n'), 5);
+  fixture.table.setTable({"a\tb"}, {{{"one\ttwo\nthree"}}, {{"-5", -5.0}}});
+  QCOMPARE(fixture.table.copyText(), QString("a b\n-5\none two three"));
 }
 
 void ResultTableTest::activates() {
-  ResultBench bench;
-  QSignalSpy rows(&bench.table, &ResultTable::rowActivated);
-  bench.table.sortByColumn(0, Qt::AscendingOrder);
-  bench.table.setCurrentIndex(bench.table.model()->index(0, 0));
-  QTest::keyClick(&bench.table, Qt::Key_Return);
+  ResultFixture fixture;
+  QSignalSpy rows(&fixture.table, &ResultTable::rowActivated);
+  fixture.table.sortByColumn(0, Qt::AscendingOrder);
+  fixture.table.setCurrentIndex(fixture.table.model()->index(0, 0));
+  QTest::keyClick(&fixture.table, Qt::Key_Return);
   QCOMPARE(rows.size(), 1);
   QCOMPARE(rows[0][0].value<std::size_t>(), std::size_t(1));  // Anna
 }
@@ -194,8 +195,8 @@ void ResultTableTest::empty() {
 }
 
 void ResultTableTest::pictures() {
-  ResultBench bench;
-  lookAt(bench.window, "results");
+  ResultFixture fixture;
+  lookAt(fixture.window, "results");
 }
 
 HANDWHEEL_CONTROLS_TEST(ResultTableTest)

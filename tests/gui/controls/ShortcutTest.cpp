@@ -26,8 +26,8 @@ namespace {
 using Keys = QList<QKeySequence>;
 
 // A window's actions and their keys.
-struct ShortcutBench {
-  ShortcutBench() : window(sampleWindow()) { model.setActions(window->findChildren<QAction*>(), window->menuBar()); }
+struct ShortcutFixture {
+  ShortcutFixture() : window(sampleWindow()) { model.setActions(window->findChildren<QAction*>(), window->menuBar()); }
 
   QAction* action(const char* name) const { return window->findChild<QAction*>(name); }
   int row(const char* name) const {
@@ -76,25 +76,25 @@ class ShortcutTest : public QObject {
 };
 
 void ShortcutTest::isASoundModel() {
-  ShortcutBench bench;
-  const QAbstractItemModelTester tester(&bench.model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-  QCOMPARE(bench.model.rowCount(), 8);
-  const QModelIndex redo = bench.model.index(bench.row("redo"), ShortcutModel::Command);
+  ShortcutFixture fixture;
+  const QAbstractItemModelTester tester(&fixture.model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+  QCOMPARE(fixture.model.rowCount(), 8);
+  const QModelIndex redo = fixture.model.index(fixture.row("redo"), ShortcutModel::Command);
   QCOMPARE(redo.data().toString(), QString("Edit › Redo"));
   QCOMPARE(redo.siblingAtColumn(ShortcutModel::Keys).data().toString(), QString("Ctrl+Shift+Z; Ctrl+Y"));
-  bench.model.setKeys(redo.row(), {});
-  delete bench.action("undo");  // actions may go
-  QVERIFY(bench.model.keys(bench.row("undo")).isEmpty());
+  fixture.model.setKeys(redo.row(), {});
+  delete fixture.action("undo");  // actions may go
+  QVERIFY(fixture.model.keys(fixture.row("undo")).isEmpty());
 }
 
 void ShortcutTest::changesHoldAtOnceAndLater() {
   {
-    ShortcutBench bench;
-    bench.model.setKeys(bench.row("undo"), {QKeySequence("F5")});
-    bench.model.setKeys(bench.row("openFile"), {});
-    QCOMPARE(bench.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
+    ShortcutFixture fixture;
+    fixture.model.setKeys(fixture.row("undo"), {QKeySequence("F5")});
+    fixture.model.setKeys(fixture.row("openFile"), {});
+    QCOMPARE(fixture.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
   }
-  ShortcutBench next;  // the program starts again
+  ShortcutFixture next;  // the program starts again
   QCOMPARE(next.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
   QVERIFY(next.action("openFile")->shortcuts().isEmpty());
   QVERIFY(next.model.index(next.row("undo"), 0).data(ShortcutModel::ChangedRole).toBool());
@@ -107,48 +107,48 @@ void ShortcutTest::changesHoldAtOnceAndLater() {
 
 void ShortcutTest::actionsMayComeLater() {
   QSettings().setValue("shortcuts/late", QStringList({"F7"}));
-  ShortcutBench bench;
-  bench.model.setKeys(bench.row("undo"), {QKeySequence("F5")});
-  QAction* late = addAction(bench.window->menuBar()->addMenu("&Tool"), "late", "&Late", QKeySequence("L"));
+  ShortcutFixture fixture;
+  fixture.model.setKeys(fixture.row("undo"), {QKeySequence("F5")});
+  QAction* late = addAction(fixture.window->menuBar()->addMenu("&Tool"), "late", "&Late", QKeySequence("L"));
   for (int i = 0; i < 2; ++i) {  // once more does no harm
-    bench.model.setActions(bench.window->findChildren<QAction*>(), bench.window->menuBar());
-    QCOMPARE(bench.model.rowCount(), 9);
+    fixture.model.setActions(fixture.window->findChildren<QAction*>(), fixture.window->menuBar());
+    QCOMPARE(fixture.model.rowCount(), 9);
     QCOMPARE(late->shortcuts(), Keys({QKeySequence("F7")}));
-    QCOMPARE(bench.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
+    QCOMPARE(fixture.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
   }
-  bench.model.resetAll();
+  fixture.model.resetAll();
   QCOMPARE(late->shortcuts(), Keys({QKeySequence("L")}));
-  QCOMPARE(bench.action("undo")->shortcuts(), Keys({QKeySequence("Ctrl+Z")}));
+  QCOMPARE(fixture.action("undo")->shortcuts(), Keys({QKeySequence("Ctrl+Z")}));
 }
 
 void ShortcutTest::onlyDifferencesAreKept() {
-  ShortcutBench bench;
+  ShortcutFixture fixture;
   QVERIFY(QSettings().allKeys().isEmpty());
-  bench.model.setKeys(bench.row("redo"), {QKeySequence("Ctrl+Y")});
+  fixture.model.setKeys(fixture.row("redo"), {QKeySequence("Ctrl+Y")});
   QCOMPARE(QSettings().allKeys(), QStringList({"shortcuts/redo"}));
-  bench.model.setKeys(bench.row("redo"), {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  fixture.model.setKeys(fixture.row("redo"), {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   QVERIFY(QSettings().allKeys().isEmpty());
-  QVERIFY(bench.model.changes().isEmpty());
+  QVERIFY(fixture.model.changes().isEmpty());
 }
 
 void ShortcutTest::conflicts() {
-  ShortcutBench bench;
-  QCOMPARE(bench.conflicts("save"), QStringList());
-  bench.model.setKeys(bench.row("wireframe"), {QKeySequence("F9"), QKeySequence("Ctrl+Y")});
-  QCOMPARE(bench.conflicts("wireframe"), QStringList({"Redo"}));
-  QCOMPARE(bench.conflicts("redo"), QStringList({"Wireframe"}));
+  ShortcutFixture fixture;
+  QCOMPARE(fixture.conflicts("save"), QStringList());
+  fixture.model.setKeys(fixture.row("wireframe"), {QKeySequence("F9"), QKeySequence("Ctrl+Y")});
+  QCOMPARE(fixture.conflicts("wireframe"), QStringList({"Redo"}));
+  QCOMPARE(fixture.conflicts("redo"), QStringList({"Wireframe"}));
   // "S, 1" can never be typed where S alone does something.
-  bench.model.setKeys(bench.row("wireframe"), {QKeySequence("S, 1")});
-  QCOMPARE(bench.conflicts("shaded"), QStringList({"Wireframe"}));
-  bench.model.setKeys(bench.row("wireframe"), {});
-  QCOMPARE(bench.conflicts("wireframe"), QStringList());  // those without a key do not collide
+  fixture.model.setKeys(fixture.row("wireframe"), {QKeySequence("S, 1")});
+  QCOMPARE(fixture.conflicts("shaded"), QStringList({"Wireframe"}));
+  fixture.model.setKeys(fixture.row("wireframe"), {});
+  QCOMPARE(fixture.conflicts("wireframe"), QStringList());  // those without a key do not collide
 }
 
 // What is there in one tool only can have a key that something else has in another.
 void ShortcutTest::scopes() {
-  ShortcutBench bench;
+  ShortcutFixture fixture;
   const auto add = [&](const QString& scope, const char* name, const char* key) {
-    auto* action = new ContextAction(name, scope, "Tools › " + scope, bench.window.get());
+    auto* action = new ContextAction(name, scope, "Tools › " + scope, fixture.window.get());
     action->setObjectName(scope + "/" + name);
     action->setShortcut(QKeySequence(key));
   };
@@ -157,52 +157,52 @@ void ShortcutTest::scopes() {
   add("Cut", "done", "Return");
   add("Glue", "small", "[");
   add("Glue", "done", "Return");
-  bench.model.setActions(bench.window->findChildren<QAction*>(), bench.window->menuBar());
+  fixture.model.setActions(fixture.window->findChildren<QAction*>(), fixture.window->menuBar());
   const auto isAmbiguous = [&](const char* name) {
-    return bench.model.index(bench.row(name), 0).data(ShortcutModel::AmbiguousRole).toBool();
+    return fixture.model.index(fixture.row(name), 0).data(ShortcutModel::AmbiguousRole).toBool();
   };
   for (const char* name : {"Cut/small", "Cut/done", "Glue/small", "Glue/done"})
-    QVERIFY(bench.conflicts(name).isEmpty());
-  bench.model.setKeys(bench.row("undo"), {QKeySequence("[")});
-  const QStringList both = bench.conflicts("undo");
+    QVERIFY(fixture.conflicts(name).isEmpty());
+  fixture.model.setKeys(fixture.row("undo"), {QKeySequence("[")});
+  const QStringList both = fixture.conflicts("undo");
   QVERIFY(both.size() == 2 && both.contains("Cut › small") && both.contains("Glue › small"));
-  QCOMPARE(bench.conflicts("Cut/small"), QStringList({"Undo"}));
+  QCOMPARE(fixture.conflicts("Cut/small"), QStringList({"Undo"}));
   QVERIFY(!isAmbiguous("undo") && !isAmbiguous("Cut/small"));
-  bench.model.setKeys(bench.row("Cut/large"), {QKeySequence("[")});
+  fixture.model.setKeys(fixture.row("Cut/large"), {QKeySequence("[")});
   QVERIFY(!isAmbiguous("undo") && isAmbiguous("Cut/small") && isAmbiguous("Cut/large") && !isAmbiguous("Glue/small"));
   // The ends of a tool are fixed, whatever asks.
-  bench.model.setKeys(bench.row("Cut/done"), {});
-  bench.model.setKeys(bench.row("undo"), {QKeySequence("Return"), QKeySequence("F5, Esc"), QKeySequence("F6")});
-  bench.model.setKeys(bench.row("Cut/small"), {QKeySequence("F7, F8"), QKeySequence("Shift+Return")});
-  QCOMPARE(bench.model.keys(bench.row("Cut/done")), Keys({QKeySequence("Return")}));
-  QCOMPARE(bench.model.keys(bench.row("undo")), Keys({QKeySequence("F6")}));
-  QCOMPARE(bench.model.keys(bench.row("Cut/small")), Keys({QKeySequence("Shift+Return")}));
-  QVERIFY(bench.model.index(bench.row("Cut/done"), 0).data(ShortcutModel::FixedRole).toBool());
-  QVERIFY(!bench.model.index(bench.row("undo"), 0).data(ShortcutModel::FixedRole).toBool());
+  fixture.model.setKeys(fixture.row("Cut/done"), {});
+  fixture.model.setKeys(fixture.row("undo"), {QKeySequence("Return"), QKeySequence("F5, Esc"), QKeySequence("F6")});
+  fixture.model.setKeys(fixture.row("Cut/small"), {QKeySequence("F7, F8"), QKeySequence("Shift+Return")});
+  QCOMPARE(fixture.model.keys(fixture.row("Cut/done")), Keys({QKeySequence("Return")}));
+  QCOMPARE(fixture.model.keys(fixture.row("undo")), Keys({QKeySequence("F6")}));
+  QCOMPARE(fixture.model.keys(fixture.row("Cut/small")), Keys({QKeySequence("Shift+Return")}));
+  QVERIFY(fixture.model.index(fixture.row("Cut/done"), 0).data(ShortcutModel::FixedRole).toBool());
+  QVERIFY(!fixture.model.index(fixture.row("undo"), 0).data(ShortcutModel::FixedRole).toBool());
 }
 
 void ShortcutTest::taking() {
-  ShortcutBench bench;
-  bench.model.setKeys(bench.row("wireframe"), {QKeySequence("Ctrl+Y")});
-  bench.model.resolveInFavourOf(bench.row("wireframe"));
-  QCOMPARE(bench.action("redo")->shortcuts(), Keys({QKeySequence("Ctrl+Shift+Z")}));
-  QCOMPARE(bench.action("wireframe")->shortcuts(), Keys({QKeySequence("Ctrl+Y")}));
-  QCOMPARE(bench.conflicts("wireframe"), QStringList());
+  ShortcutFixture fixture;
+  fixture.model.setKeys(fixture.row("wireframe"), {QKeySequence("Ctrl+Y")});
+  fixture.model.resolveInFavourOf(fixture.row("wireframe"));
+  QCOMPARE(fixture.action("redo")->shortcuts(), Keys({QKeySequence("Ctrl+Shift+Z")}));
+  QCOMPARE(fixture.action("wireframe")->shortcuts(), Keys({QKeySequence("Ctrl+Y")}));
+  QCOMPARE(fixture.conflicts("wireframe"), QStringList());
 }
 
 void ShortcutTest::fileAndBack() {
-  ShortcutBench bench;
-  bench.model.setKeys(bench.row("undo"), {QKeySequence("Ctrl+Shift+U"), QKeySequence("Ctrl+X, Ctrl+U")});
-  bench.model.setKeys(bench.row("save"), {});
-  const QByteArray json = toJson(bench.model.changes());
-  bench.model.resetAll();
-  bench.model.setKeys(bench.row("shaded"), {QKeySequence("F3")});
+  ShortcutFixture fixture;
+  fixture.model.setKeys(fixture.row("undo"), {QKeySequence("Ctrl+Shift+U"), QKeySequence("Ctrl+X, Ctrl+U")});
+  fixture.model.setKeys(fixture.row("save"), {});
+  const QByteArray json = toJson(fixture.model.changes());
+  fixture.model.resetAll();
+  fixture.model.setKeys(fixture.row("shaded"), {QKeySequence("F3")});
   const Result<ShortcutChanges> read = shortcutsFromJson(json);
   QVERIFY(read.hasValue());
-  bench.model.setChanges(*read);
-  QCOMPARE(bench.action("undo")->shortcuts(), Keys({QKeySequence("Ctrl+Shift+U"), QKeySequence("Ctrl+X, Ctrl+U")}));
-  QVERIFY(bench.action("save")->shortcuts().isEmpty());
-  QCOMPARE(bench.action("shaded")->shortcuts(), Keys({QKeySequence("S")}));  // not in the file: as the program has it
+  fixture.model.setChanges(*read);
+  QCOMPARE(fixture.action("undo")->shortcuts(), Keys({QKeySequence("Ctrl+Shift+U"), QKeySequence("Ctrl+X, Ctrl+U")}));
+  QVERIFY(fixture.action("save")->shortcuts().isEmpty());
+  QCOMPARE(fixture.action("shaded")->shortcuts(), Keys({QKeySequence("S")}));  // not in the file: as the program has it
 }
 
 void ShortcutTest::randomChangesSurviveTheFile() {
@@ -243,8 +243,8 @@ void ShortcutTest::hostileFiles() {
 }
 
 void ShortcutTest::editor() {
-  ShortcutBench bench;
-  ShortcutEditor editor(&bench.model);
+  ShortcutFixture fixture;
+  ShortcutEditor editor(&fixture.model);
   editor.show();
   auto* list = editor.findChild<QTreeView*>("shortcutList");
   auto* keys = editor.findChild<QKeySequenceEdit*>("shortcutKeys");
@@ -258,24 +258,24 @@ void ShortcutTest::editor() {
   QVERIFY(keys->isEnabled());
   keys->setFocus();
   QTest::keyClick(keys, Qt::Key_Y, Qt::ControlModifier);
-  QTRY_COMPARE(bench.action("wireframe")->shortcuts(), Keys({QKeySequence("Ctrl+Y")}));  // after the pause
+  QTRY_COMPARE(fixture.action("wireframe")->shortcuts(), Keys({QKeySequence("Ctrl+Y")}));  // after the pause
   QVERIFY(status->text().contains("Redo"));
   QVERIFY(take->isVisible());
   click("shortcutTake");
-  QCOMPARE(bench.action("redo")->shortcuts(), Keys({QKeySequence("Ctrl+Shift+Z")}));
+  QCOMPARE(fixture.action("redo")->shortcuts(), Keys({QKeySequence("Ctrl+Shift+Z")}));
   QVERIFY(!take->isVisible());
   click("shortcutNone");
-  QVERIFY(bench.action("wireframe")->shortcuts().isEmpty());
+  QVERIFY(fixture.action("wireframe")->shortcuts().isEmpty());
   click("shortcutResetAll");
-  QVERIFY(bench.model.changes().isEmpty());
+  QVERIFY(fixture.model.changes().isEmpty());
   list->setCurrentIndex({});
   QVERIFY(!keys->isEnabled());
 }
 
 void ShortcutTest::importAndExport() {
   const QTemporaryDir folder;
-  ShortcutBench bench;
-  ShortcutEditor editor(&bench.model);
+  ShortcutFixture fixture;
+  ShortcutEditor editor(&fixture.model);
   editor.show();
   const auto choose = [&](const char* button, const char* dialogName, const QString& path) {
     QTest::mouseClick(editor.findChild<QPushButton*>(button), Qt::LeftButton);
@@ -286,15 +286,15 @@ void ShortcutTest::importAndExport() {
   };
   const QString path = folder.filePath("keys.json");
   auto* status = editor.findChild<QLabel*>("shortcutStatus");
-  bench.model.setKeys(bench.row("undo"), {QKeySequence("F5")});
+  fixture.model.setKeys(fixture.row("undo"), {QKeySequence("F5")});
   choose("shortcutExport", "shortcutExportDialog", path);
-  bench.model.resetAll();
+  fixture.model.resetAll();
   choose("shortcutImport", "shortcutImportDialog", path);
-  QCOMPARE(bench.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
+  QCOMPARE(fixture.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
   choose("shortcutImport", "shortcutImportDialog", folder.filePath("missing.json"));
   QVERIFY(!status->text().isEmpty());
   QVERIFY(status->property("bad").toBool());
-  QCOMPARE(bench.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
+  QCOMPARE(fixture.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
   choose("shortcutExport", "shortcutExportDialog", folder.filePath("no/such/folder/keys.json"));
   QVERIFY(status->property("bad").toBool());
 }

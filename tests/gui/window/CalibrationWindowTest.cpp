@@ -31,13 +31,13 @@ Calibration slowMachine() {
 }
 
 // What the calibrator works with, without a window.
-struct Bench {
+struct Fixture {
   QThreadPool pool;
   FidelityChoice choice;
   BenchmarkRunner calibrator;
 
-  Bench() : calibrator(choice, pool, defaultCalibrationFile()) {}
-  ~Bench() {
+  Fixture() : calibrator(choice, pool, defaultCalibrationFile()) {}
+  ~Fixture() {
     calibrator.cancel();
     pool.waitForDone();
   }
@@ -87,7 +87,7 @@ class CalibrationWindowTest : public QObject {
       QCOMPARE(driver.find<QPushButton>("calibrateButton")->text(), QString("Measure this machine"));
       QVERIFY(driver.text("calibrationText").contains("measured on this machine"));
     }
-    Bench b;
+    Fixture b;
     QVERIFY(b.choice.calibration().curves.contains("servo.rate"));
     QVERIFY(!b.choice.calibration().curves.contains("mesh.piece_edges"));
   }
@@ -104,7 +104,7 @@ class CalibrationWindowTest : public QObject {
   void whatWasKeptHolds() {
     keep(jsonOf(FidelityChoice().registry(), slowMachine()));
     const FidelityChoice shipped;
-    Bench b;
+    Fixture b;
     QVERIFY(b.calibrator.problem().isEmpty());
     for (const auto* entry : machineDependent(shipped.registry())) {
       const double value = entry->setting.standard;
@@ -118,7 +118,7 @@ class CalibrationWindowTest : public QObject {
 
   // Between two rates on the line through both, where the scales are logarithmic; beyond, as at the end.
   void aTickInUse() {
-    Bench b;
+    Fixture b;
     Calibration calibration = slowMachine();
     calibration.ticksInUse = {{1000.0, 8.0}, {4000.0, 2.0}};
     b.choice.setCalibration(calibration);
@@ -137,7 +137,7 @@ class CalibrationWindowTest : public QObject {
           std::pair(std::string("{\"version\": 7}"), "version 7"),
           std::pair(jsonOf(FidelityChoice().registry(), other), "another machine (Abacus, 1 cores)")}) {
       keep(bytes);
-      Bench b;
+      Fixture b;
       QVERIFY2(b.calibrator.problem().contains(QLatin1String(words)), qPrintable(b.calibrator.problem()));
       QVERIFY(b.choice.calibration().curves.empty());
     }
@@ -147,7 +147,7 @@ class CalibrationWindowTest : public QObject {
 
   // What begins by itself stops when the user does something, and waits anew; it does not begin where all is known.
   void itBeginsByItselfAndStops() {
-    Bench b;
+    Fixture b;
     bool isBusy = true;
     b.calibrator.beginWhenIdle([&] { return isBusy; }, 20);
     QTest::qWait(100);
@@ -168,7 +168,7 @@ class CalibrationWindowTest : public QObject {
 
   void itDoesNotBeginWhereAllIsKnown() {
     keep(jsonOf(FidelityChoice().registry(), slowMachine()));
-    Bench b;
+    Fixture b;
     b.calibrator.beginWhenIdle([] { return false; }, 1);
     QVERIFY(!b.calibrator.isWaiting());
     QTest::qWait(50);

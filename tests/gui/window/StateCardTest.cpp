@@ -5,7 +5,7 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "WindowTestMain.h"
-#include "panels/defects/Inspection.h"
+#include "panels/defects/DefectList.h"
 
 #include <QLabel>
 #include <QtTest>
@@ -19,20 +19,20 @@ class StateCardTest : public QObject {
   // Nothing is called watertight before its self-intersections were looked for.
   void isSoundOnceAllIsKnown() {
     const auto document = test::meshDocument(test::cube());
-    Inspection inspection(*document);
+    DefectList defectList(*document);
     StateCard card;
     const auto text = [&](const char* label) { return card.findChild<QLabel*>(label)->text(); };
-    card.showState(inspection);
+    card.showState(defectList);
     QCOMPARE(text("stateHeadline"), QString("Closed"));
     QVERIFY(!card.findChild<QLabel*>("stateHeadline")->property("good").toBool());
     const QString details = text("stateDetails").replace(QChar::Nbsp, ' ').replace(QChar(0x2011), '-');
     QVERIFY2(details.contains("self-intersections not known yet"), qPrintable(details));
-    inspection.setSelfIntersections(document->revision(), {});
-    card.showState(inspection);
+    defectList.setSelfIntersections(document->revision(), {});
+    card.showState(defectList);
     QCOMPARE(text("stateHeadline"), QString("Watertight"));
     QVERIFY(card.findChild<QLabel*>("stateHeadline")->property("good").toBool());
-    inspection.setSelfIntersections(document->revision(), {{0, 6}});
-    card.showState(inspection);
+    defectList.setSelfIntersections(document->revision(), {{0, 6}});
+    card.showState(defectList);
     QCOMPARE(text("stateHeadline"), QString("Self-intersecting"));
   }
 };

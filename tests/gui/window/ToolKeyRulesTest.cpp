@@ -30,8 +30,8 @@ void ToolKeyRulesTest::nothingCollidesFromTheBeginning() {
 }
 
 void ToolKeyRulesTest::conflictsBothWays() {
-  BrushFixture bench;
-  WindowDriver& driver = bench.driver;
+  BrushFixture fixture;
+  WindowDriver& driver = fixture.driver;
   auto* view = driver.find<Viewport>("viewport");
   {
     KeyPage page(driver);
@@ -44,11 +44,11 @@ void ToolKeyRulesTest::conflictsBothWays() {
   view->setStandardView(StandardView::Front);
   QTRY_VERIFY(driver.window().isSettled());
   const Vec3 front = view->camera().towardsViewer();
-  const double before = bench.radius();
-  bench.press(Qt::Key_7);
-  QVERIFY(bench.radius() < before);
+  const double before = fixture.radius();
+  fixture.press(Qt::Key_7);
+  QVERIFY(fixture.radius() < before);
   driver.find<QAction>("measureTool")->trigger();  // which leaves the key to the window
-  bench.press(Qt::Key_7);
+  fixture.press(Qt::Key_7);
   QTRY_VERIFY((view->camera().towardsViewer() - front).norm() > 0.1);
   KeyPage page(driver);
   page.press("fitView", Qt::Key_BracketRight);    // the other way round
@@ -65,22 +65,22 @@ void ToolKeyRulesTest::conflictsBothWays() {
 }
 
 void ToolKeyRulesTest::twoOfOneTool() {
-  BrushFixture bench;
-  WindowDriver& driver = bench.driver;
+  BrushFixture fixture;
+  WindowDriver& driver = fixture.driver;
   {
     KeyPage page(driver);
     page.press(kSmaller, Qt::Key_BracketRight);
     QCOMPARE(page.conflicts(kSmaller), QStringList{"Select faces › Larger brush"});
     QVERIFY2(page.status().contains("neither works"), qPrintable(page.status()));
   }
-  const double before = bench.radius();
-  bench.press(Qt::Key_BracketRight);
-  QCOMPARE(bench.radius(), before);
+  const double before = fixture.radius();
+  fixture.press(Qt::Key_BracketRight);
+  QCOMPARE(fixture.radius(), before);
 }
 
 void ToolKeyRulesTest::whatEndsStays() {
-  BrushFixture bench;
-  WindowDriver& driver = bench.driver;
+  BrushFixture fixture;
+  WindowDriver& driver = fixture.driver;
   {
     KeyPage page(driver);
     page.choose("tool/select/commit");
@@ -103,18 +103,18 @@ void ToolKeyRulesTest::whatEndsStays() {
     page.press(kSmaller, Qt::Key_Return, Qt::ControlModifier);
     QCOMPARE(page.shownKeys(kSmaller), QStringLiteral("Ctrl+Return"));
   }
-  const double before = bench.radius();
-  bench.press(Qt::Key_Return, Qt::ControlModifier);
-  QVERIFY(bench.radius() < before);
-  bench.press(Qt::Key_Enter, Qt::KeypadModifier);
+  const double before = fixture.radius();
+  fixture.press(Qt::Key_Return, Qt::ControlModifier);
+  QVERIFY(fixture.radius() < before);
+  fixture.press(Qt::Key_Enter, Qt::KeypadModifier);
   QTRY_VERIFY(driver.find<QAction>("fillTool")->isChecked());
 }
 
 void ToolKeyRulesTest::toFileAndBack() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("keys.json"));
-  BrushFixture bench;
-  WindowDriver& driver = bench.driver;
+  BrushFixture fixture;
+  WindowDriver& driver = fixture.driver;
   {
     KeyPage page(driver);
     page.press(kSmaller, Qt::Key_X);
@@ -124,9 +124,9 @@ void ToolKeyRulesTest::toFileAndBack() {
     page.useFile("shortcutImport", "shortcutImportDialog", path);
     QCOMPARE(page.shownKeys(kSmaller), QStringLiteral("X"));
   }
-  const double before = bench.radius();
-  bench.press(Qt::Key_X);
-  QVERIFY(bench.radius() < before);
+  const double before = fixture.radius();
+  fixture.press(Qt::Key_X);
+  QVERIFY(fixture.radius() < before);
   // A file of another's making cannot give away what ends.
   QFile file(path);
   QVERIFY(file.open(QIODevice::WriteOnly));
@@ -151,8 +151,8 @@ void ToolKeyRulesTest::hostileSettings() {
   settings.setValue("shortcuts/tool/select/all", 7);
   settings.setValue("shortcuts/tool/unknown/all", QStringList{"Q"});
   settings.setValue("shortcuts/fitView", QStringList{"Return"});
-  BrushFixture bench;
-  WindowDriver& driver = bench.driver;
+  BrushFixture fixture;
+  WindowDriver& driver = fixture.driver;
   const KeyPage page(driver);
   QCOMPARE(page.shownKeys(kSmaller), QStringLiteral("["));
   QCOMPARE(page.shownKeys("tool/select/larger"), QStringLiteral("Q"));

@@ -75,11 +75,11 @@ void ToolKeysTest::everyKeyOfEveryToolHasARow() {
 }
 
 void ToolKeysTest::aNewKeyActsAndIsTold() {
-  BrushFixture bench;
-  WindowDriver& driver = bench.driver;
-  const double before = bench.radius();
-  bench.press(Qt::Key_BracketLeft);
-  const double once = bench.radius();
+  BrushFixture fixture;
+  WindowDriver& driver = fixture.driver;
+  const double before = fixture.radius();
+  fixture.press(Qt::Key_BracketLeft);
+  const double once = fixture.radius();
   QVERIFY(once < before);
   {
     KeyPage page(driver);
@@ -87,22 +87,22 @@ void ToolKeysTest::aNewKeyActsAndIsTold() {
     QCOMPARE(page.shownKeys(kSmaller), QStringLiteral("Q"));
     QCOMPARE(page.status(), QString());
   }
-  QVERIFY(bench.hints("Q: smaller brush"));
-  QVERIFY(!bench.hints("[: smaller brush"));
+  QVERIFY(fixture.hints("Q: smaller brush"));
+  QVERIFY(!fixture.hints("[: smaller brush"));
   QCOMPARE(driver.find<QWidget>("toolAction/smaller")->toolTip(), QStringLiteral("Smaller brush (Q)"));
-  bench.press(Qt::Key_BracketLeft);
-  QCOMPARE(bench.radius(), once);
-  bench.press(Qt::Key_Q);
-  QVERIFY(bench.radius() < once);
+  fixture.press(Qt::Key_BracketLeft);
+  QCOMPARE(fixture.radius(), once);
+  fixture.press(Qt::Key_Q);
+  QVERIFY(fixture.radius() < once);
   // In the palette, too, from which it can be run.
-  const double twice = bench.radius();
+  const double twice = fixture.radius();
   driver.choose("searchCommands");
   QTest::keyClicks(driver.find<QLineEdit>("commandQuery"), "smaller brush");
   auto* found = driver.find<QListView>("commandList");
   QCOMPARE(found->model()->rowCount(), 1);
   QCOMPARE(found->currentIndex().data(CommandModel::ShortcutRole).toString(), QStringLiteral("Q"));
   QTest::keyClick(driver.find<QLineEdit>("commandQuery"), Qt::Key_Return);
-  QTRY_VERIFY(bench.radius() < twice);
+  QTRY_VERIFY(fixture.radius() < twice);
   // The next window knows it.
   WindowDriver second;
   QCOMPARE(KeyPage(second).shownKeys(kSmaller), QStringLiteral("Q"));
@@ -110,8 +110,8 @@ void ToolKeysTest::aNewKeyActsAndIsTold() {
 }
 
 void ToolKeysTest::anActionWithoutAKeyGetsOne() {
-  BrushFixture bench;
-  WindowDriver& driver = bench.driver;
+  BrushFixture fixture;
+  WindowDriver& driver = fixture.driver;
   {
     KeyPage page(driver);
     page.choose(kSmaller);
@@ -120,26 +120,26 @@ void ToolKeysTest::anActionWithoutAKeyGetsOne() {
     page.press("tool/transform/corner", Qt::Key_I);  // no conflict: there is one tool at a time
     QCOMPARE(page.status(), QString());
   }
-  QVERIFY(!bench.hints("smaller brush"));
+  QVERIFY(!fixture.hints("smaller brush"));
   QCOMPARE(driver.find<QWidget>("toolAction/smaller")->toolTip(), QStringLiteral("Smaller brush"));
-  const double before = bench.radius();
-  bench.press(Qt::Key_BracketLeft);
-  QCOMPARE(bench.radius(), before);
-  bench.press(Qt::Key_I);
+  const double before = fixture.radius();
+  fixture.press(Qt::Key_BracketLeft);
+  QCOMPARE(fixture.radius(), before);
+  fixture.press(Qt::Key_I);
   QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/delete")->isEnabled());  // all are selected
   driver.find<QAction>("transformTool")->trigger();
-  QVERIFY(bench.hints("I: move the minimum corner to the origin"));
+  QVERIFY(fixture.hints("I: move the minimum corner to the origin"));
   auto* undo = driver.find<QAction>("undo");
   QVERIFY(!undo->isEnabled());
-  bench.press(Qt::Key_I);
+  fixture.press(Qt::Key_I);
   QVERIFY(driver.settle());
   QTRY_VERIFY2(undo->text().contains("Move the minimum corner to the origin"), qPrintable(undo->text()));
 }
 
 // Space goes to the next hole, Ctrl+Z takes back: unless one wants them otherwise.
 void ToolKeysTest::keysThatQtWouldTake() {
-  BrushFixture bench;
-  WindowDriver& driver = bench.driver;
+  BrushFixture fixture;
+  WindowDriver& driver = fixture.driver;
   for (const auto& [key, modifiers] :
        std::initializer_list<std::pair<Qt::Key, Qt::KeyboardModifier>>{{Qt::Key_Space, Qt::NoModifier},
                                                                        {Qt::Key_Z, Qt::ControlModifier},
@@ -147,45 +147,45 @@ void ToolKeysTest::keysThatQtWouldTake() {
                                                                        {Qt::Key_F10, Qt::NoModifier},
                                                                        {Qt::Key_F, Qt::AltModifier}}) {
     KeyPage(driver).press(kSmaller, key, modifiers);
-    const double before = bench.radius();
-    bench.press(key, modifiers);
-    QVERIFY2(bench.radius() < before, qPrintable(QKeySequence(modifiers | key).toString()));
+    const double before = fixture.radius();
+    fixture.press(key, modifiers);
+    QVERIFY2(fixture.radius() < before, qPrintable(QKeySequence(modifiers | key).toString()));
     QVERIFY(driver.find<Viewport>("viewport")->hasFocus());
-    bench.press(Qt::Key_BracketRight);
+    fixture.press(Qt::Key_BracketRight);
   }
 }
 
 // "Ctrl++" is pressed with Shift on one keyboard, without on another, and on the block of digits.
 void ToolKeysTest::signsNeedShiftOrNot() {
-  BrushFixture bench;
-  WindowDriver& driver = bench.driver;
+  BrushFixture fixture;
+  WindowDriver& driver = fixture.driver;
   KeyPage(driver).press(kSmaller, Qt::Key_Plus, Qt::ControlModifier);
-  QVERIFY(bench.hints("Ctrl++: smaller brush"));
+  QVERIFY(fixture.hints("Ctrl++: smaller brush"));
   KeyPage(driver).press("tool/select/grow", Qt::Key_G);
   for (const Qt::KeyboardModifiers also :
        {Qt::KeyboardModifiers(Qt::ShiftModifier), Qt::KeyboardModifiers(), Qt::KeyboardModifiers(Qt::KeypadModifier)}) {
-    const double before = bench.radius();
-    bench.press(Qt::Key_Plus, Qt::ControlModifier | also);
-    QVERIFY(bench.radius() < before);
+    const double before = fixture.radius();
+    fixture.press(Qt::Key_Plus, Qt::ControlModifier | also);
+    QVERIFY(fixture.radius() < before);
   }
-  const double before = bench.radius();
+  const double before = fixture.radius();
   KeyPage(driver).press(kSmaller, Qt::Key_X);
-  bench.press(Qt::Key_X, Qt::ShiftModifier);  // of a letter it is another key
-  QCOMPARE(bench.radius(), before);
+  fixture.press(Qt::Key_X, Qt::ShiftModifier);  // of a letter it is another key
+  QCOMPARE(fixture.radius(), before);
 }
 
 // "Next hole" is a command of the window; the tools tell its key, and have none of their own.
 void ToolKeysTest::theCommandThatDoesTheSame() {
-  BrushFixture bench;
-  WindowDriver& driver = bench.driver;
+  BrushFixture fixture;
+  WindowDriver& driver = fixture.driver;
   KeyPage(driver).press("nextHole", Qt::Key_Y);
   for (const char* tool : {"fillTool", "boundaryTool"}) {
     if (!driver.find<QAction>(tool)->isChecked()) driver.find<QAction>(tool)->trigger();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the buttons of the tool before
-    QVERIFY(bench.hints("Y: next hole"));
+    QVERIFY(fixture.hints("Y: next hole"));
     QCOMPARE(driver.find<QWidget>("toolAction/next")->toolTip(), QStringLiteral("Next hole (Y)"));
   }
-  bench.press(Qt::Key_Y);
+  fixture.press(Qt::Key_Y);
   QTRY_VERIFY(driver.find<QWidget>("holeSettings")->isVisible());
   QVERIFY(driver.settle());
 }

@@ -14,8 +14,8 @@ class ToolPanelTest : public QObject {
   Q_OBJECT
 
  private:
-  struct Bench {
-    Bench() {
+  struct Fixture {
+    Fixture() {
       panel.resize(300, 600);
       panel.show();
       if (!QTest::qWaitForWindowExposed(&panel)) qFatal("the panel does not appear");
@@ -48,63 +48,63 @@ class ToolPanelTest : public QObject {
  private slots:
   // Return and Esc come to mean the same: the second button keeps its place and its title, and cannot be pressed.
   void anEffectThatTwoHave() {
-    Bench bench;
-    bench.show(actions("apply the placement", "leave it unchanged"));
-    const auto before = bench.places();
+    Fixture fixture;
+    fixture.show(actions("apply the placement", "leave it unchanged"));
+    const auto before = fixture.places();
     QCOMPARE(before.size(), std::size_t(3));
-    const QPushButton* smooth = bench.button("smooth");
-    bench.show(actions("done", "done"));
-    QVERIFY(bench.places() == before);
-    QCOMPARE(bench.button("smooth"), smooth);  // a press that has begun on it ends on it
-    QCOMPARE(bench.button("commit")->text(), QString("Done"));
-    QCOMPARE(bench.button("revert")->text(), QString("Leave it unchanged"));
-    QVERIFY(bench.button("commit")->isEnabled() && !bench.button("revert")->isEnabled());
-    bench.show(actions("apply the placement", "leave it unchanged"));
-    QVERIFY(bench.places() == before);
-    QVERIFY(bench.button("revert")->isEnabled());
-    QTest::mouseClick(bench.button("revert"), Qt::LeftButton);
-    QCOMPARE(bench.pressed, QList<std::string>{"revert"});
+    const QPushButton* smooth = fixture.button("smooth");
+    fixture.show(actions("done", "done"));
+    QVERIFY(fixture.places() == before);
+    QCOMPARE(fixture.button("smooth"), smooth);  // a press that has begun on it ends on it
+    QCOMPARE(fixture.button("commit")->text(), QString("Done"));
+    QCOMPARE(fixture.button("revert")->text(), QString("Leave it unchanged"));
+    QVERIFY(fixture.button("commit")->isEnabled() && !fixture.button("revert")->isEnabled());
+    fixture.show(actions("apply the placement", "leave it unchanged"));
+    QVERIFY(fixture.places() == before);
+    QVERIFY(fixture.button("revert")->isEnabled());
+    QTest::mouseClick(fixture.button("revert"), Qt::LeftButton);
+    QCOMPARE(fixture.pressed, QList<std::string>{"revert"});
   }
 
   // What is not possible now says why, in the same place.
   void whatIsNotPossible() {
-    Bench bench;
+    Fixture fixture;
     std::vector<ToolAction> all = actions("apply the placement", "leave it unchanged");
-    bench.show(all);
-    const auto before = bench.places();
+    fixture.show(all);
+    const auto before = fixture.places();
     all[2].enabled = false;
     all[2].reason = "choose a boundary";
-    bench.show(all);
-    QVERIFY(bench.places() == before);
-    QVERIFY(!bench.button("smooth")->isEnabled());
-    QCOMPARE(bench.button("smooth")->toolTip(), QString("Not now: choose a boundary."));
+    fixture.show(all);
+    QVERIFY(fixture.places() == before);
+    QVERIFY(!fixture.button("smooth")->isEnabled());
+    QCOMPARE(fixture.button("smooth")->toolTip(), QString("Not now: choose a boundary."));
   }
 
   // Settings come and go above the buttons.
   void settingsThatAppear() {
-    Bench bench;
-    bench.show(actions("apply the placement", "leave it unchanged"));
-    const auto before = bench.places();
+    Fixture fixture;
+    fixture.show(actions("apply the placement", "leave it unchanged"));
+    const auto before = fixture.places();
     std::vector<Property> many;
     for (const char* id : {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m",
                            "n", "o", "p", "q", "r", "s", "t", "u", "v", "w", "x", "y", "z"})
       many.push_back({.id = id, .group = {}, .label = id, .value = 1.0});
     for (const std::size_t count : {std::size_t(1), std::size_t(3), many.size(), std::size_t(0)}) {
-      bench.panel.settings().setProperties({many.begin(), many.begin() + static_cast<std::ptrdiff_t>(count)});
+      fixture.panel.settings().setProperties({many.begin(), many.begin() + static_cast<std::ptrdiff_t>(count)});
       QTest::qWait(20);
-      QVERIFY(bench.places() == before);
+      QVERIFY(fixture.places() == before);
     }
   }
 
   // An effect that another action has from the start gets no button; nor what has keys only.
   void eachEffectOnce() {
-    Bench bench;
+    Fixture fixture;
     std::vector<ToolAction> all = actions("done", "done");
     all.push_back({"next", "N", "next hole"});
     all.back().isKeyOnly = true;
-    bench.show(all);
-    QVERIFY(bench.button("commit") && bench.button("smooth"));
-    QVERIFY(!bench.button("revert") && !bench.button("next"));
+    fixture.show(all);
+    QVERIFY(fixture.button("commit") && fixture.button("smooth"));
+    QVERIFY(!fixture.button("revert") && !fixture.button("next"));
   }
 };
 

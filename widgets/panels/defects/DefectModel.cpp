@@ -26,17 +26,17 @@ Vec3 normalOf(const HalfEdgeMesh& mesh, Face f) {
 
 }  // namespace
 
-void DefectModel::setInspection(const Inspection* inspection) {
-  if (m_inspection) m_inspection->disconnect(this);
+void DefectModel::setDefectList(const DefectList* defectList) {
+  if (m_defectList) m_defectList->disconnect(this);
   beginResetModel();
-  m_inspection = inspection;
+  m_defectList = defectList;
   endResetModel();
-  if (!m_inspection) return;
-  connect(m_inspection, &Inspection::changed, this, [this] {
+  if (!m_defectList) return;
+  connect(m_defectList, &DefectList::changed, this, [this] {
     beginResetModel();
     endResetModel();
   });
-  connect(m_inspection, &Inspection::reasonsChanged, this, [this](DefectKind kind) {
+  connect(m_defectList, &DefectList::reasonsChanged, this, [this](DefectKind kind) {
     const QModelIndex group = groupIndex(kind);
     if (const int rows = rowCount(group); rows > 0)
       emit dataChanged(index(0, 0, group), index(rows - 1, 0, group), {NoteRole, Qt::ToolTipRole});
@@ -48,9 +48,9 @@ QModelIndex DefectModel::groupIndex(DefectKind kind) const {
 }
 
 QModelIndex DefectModel::loopIndex(int loop) const {
-  if (!m_inspection || loop < 0) return {};
+  if (!m_defectList || loop < 0) return {};
   for (DefectKind kind : {DefectKind::Hole, DefectKind::KeptOpen}) {
-    const auto& ids = kind == DefectKind::Hole ? m_inspection->holes() : m_inspection->keptOpen();
+    const auto& ids = kind == DefectKind::Hole ? m_defectList->holes() : m_defectList->keptOpen();
     const auto found = std::lower_bound(ids.begin(), ids.end(), loop);  // ids ascend
     if (found != ids.end() && *found == loop) return index(static_cast<int>(found - ids.begin()), 0, groupIndex(kind));
   }
@@ -80,10 +80,10 @@ QModelIndex DefectModel::parent(const QModelIndex& child) const {
 }
 
 int DefectModel::rowCount(const QModelIndex& parent) const {
-  if (!m_inspection) return 0;
+  if (!m_defectList) return 0;
   if (!parent.isValid()) return kDefectKinds;
   if (parent.internalId() != 0) return 0;
-  return static_cast<int>(m_inspection->count(static_cast<DefectKind>(parent.row())));
+  return static_cast<int>(m_defectList->count(static_cast<DefectKind>(parent.row())));
 }
 
 int DefectModel::columnCount(const QModelIndex&) const {
@@ -91,45 +91,45 @@ int DefectModel::columnCount(const QModelIndex&) const {
 }
 
 QVariant DefectModel::data(const QModelIndex& index, int role) const {
-  if (!m_inspection || !index.isValid()) return {};
+  if (!m_defectList || !index.isValid()) return {};
   if (index.internalId() == 0) return groupData(static_cast<DefectKind>(index.row()), role);
   return rowData(kindOfRow(index), index.row(), role);
 }
 
 QString DefectModel::hint(DefectKind kind) const {
   const QString hint = defectKindHint(kind);
-  if (kind != DefectKind::Debris || m_inspection->debris().empty()) return hint;
+  if (kind != DefectKind::Debris || m_defectList->debris().empty()) return hint;
   std::size_t faces = 0;
-  for (const std::size_t i : m_inspection->debris())
-    faces += m_inspection->document().defects().components[i].faceCount;
+  for (const std::size_t i : m_defectList->debris())
+    faces += m_defectList->document().defects().components[i].faceCount;
   const double share =
-      static_cast<double>(faces) / static_cast<double>(m_inspection->document().mesh().liveFaceCount());
+      static_cast<double>(faces) / static_cast<double>(m_defectList->document().mesh().liveFaceCount());
   return hint + QLatin1Char(' ') +
          tr("Here that is %Ln triangle(s), %1 % of all.", nullptr, static_cast<int>(faces))
              .arg(QLocale().toString(100.0 * share, 'g', 2));
 }
 
 QVariant DefectModel::groupData(DefectKind kind, int role) const {
-  const bool searching = kind == DefectKind::SelfIntersection && !m_inspection->selfIntersections();
-  const int count = searching ? -1 : static_cast<int>(m_inspection->count(kind));
+  const bool searching = kind == DefectKind::SelfIntersection && !m_defectList->selfIntersections();
+  const int count = searching ? -1 : static_cast<int>(m_defectList->count(kind));
   switch (role) {
     case Qt::DisplayRole:
       return defectKindName(kind);
     case Qt::ToolTipRole: {
-      const QStringList outcomes = isLoopKind(kind) ? outcomeTexts(m_inspection->loopOutcomes()) : QStringList();
+      const QStringList outcomes = isLoopKind(kind) ? outcomeTexts(m_defectList->loopOutcomes()) : QStringList();
       QStringList lines{hint(kind)};
       if (!outcomes.isEmpty()) lines << tr("Last repair: %1.").arg(outcomes.join(QStringLiteral(", ")));
-      if (kind == DefectKind::Hole) lines << m_inspection->patchWarnings();
+      if (kind == DefectKind::Hole) lines << m_defectList->patchWarnings();
       return lines.join(QLatin1Char('\n'));
     }
     case Qt::AccessibleTextRole: {
       if (searching) return tr("%1: searching").arg(defectKindName(kind));
-      const auto before = m_inspection->countBefore(kind);
+      const auto before = m_defectList->countBefore(kind);
       return before ? tr("%1: %2, before the repair %3").arg(defectKindName(kind)).arg(count).arg(*before)
                     : tr("%1: %2").arg(defectKindName(kind)).arg(count);
     }
     case Qt::DecorationRole:
-      if (kind == DefectKind::Hole && !m_inspection->patchWarnings().isEmpty())
+      if (kind == DefectKind::Hole && !m_defectList->patchWarnings().isEmpty())
         return icon(QStringLiteral("warning"), themeColours(currentTheme()).warning);
       return icon(defectIconName(kind), defectColour(kind));
     case KindRole:
@@ -139,7 +139,7 @@ QVariant DefectModel::groupData(DefectKind kind, int role) const {
     case CountRole:
       return count;
     case BeforeRole: {
-      const auto before = m_inspection->countBefore(kind);
+      const auto before = m_defectList->countBefore(kind);
       return before ? static_cast<int>(*before) : -1;
     }
     case ShownRole:
@@ -157,9 +157,9 @@ QVariant DefectModel::rowData(DefectKind kind, int row, int role) const {
     case DetailRole:
       return rowDetail(kind, row);
     case BriefRole:
-      return loop >= 0 ? m_inspection->loopLength(loop) : rowDetail(kind, row);
+      return loop >= 0 ? m_defectList->loopLength(loop) : rowDetail(kind, row);
     case Qt::AccessibleTextRole: {
-      const QString name = loop >= 0 ? m_inspection->loopTitle(loop) : rowName(kind, row);
+      const QString name = loop >= 0 ? m_defectList->loopTitle(loop) : rowName(kind, row);
       const QString reason = noteOf(kind, row);
       return reason.isEmpty() ? name : tr("%1; remains: %2").arg(name, reason);
     }
@@ -172,7 +172,7 @@ QVariant DefectModel::rowData(DefectKind kind, int row, int role) const {
     case Qt::ToolTipRole: {
       const QString reason = noteOf(kind, row);
       if (loop < 0) return reason.isEmpty() ? QVariant() : tr("Remains: %1.").arg(reason);
-      const QString measures = m_inspection->loopMeasures(loop);
+      const QString measures = m_defectList->loopMeasures(loop);
       return reason.isEmpty() ? measures : tr("Stayed open: %1.").arg(reason) + QLatin1Char('\n') + measures;
     }
     default:
@@ -182,12 +182,12 @@ QVariant DefectModel::rowData(DefectKind kind, int row, int role) const {
 
 QString DefectModel::noteOf(DefectKind kind, int row) const {
   const int loop = loopOf(kind, row);
-  return loop >= 0 ? fillFailureReason(m_inspection->failure(loop)) : m_inspection->reason(kind, row);
+  return loop >= 0 ? fillFailureReason(m_defectList->failure(loop)) : m_defectList->reason(kind, row);
 }
 
 int DefectModel::loopOf(DefectKind kind, int row) const {
-  if (kind == DefectKind::Hole) return m_inspection->holes()[static_cast<std::size_t>(row)];
-  if (kind == DefectKind::KeptOpen) return m_inspection->keptOpen()[static_cast<std::size_t>(row)];
+  if (kind == DefectKind::Hole) return m_defectList->holes()[static_cast<std::size_t>(row)];
+  if (kind == DefectKind::KeptOpen) return m_defectList->keptOpen()[static_cast<std::size_t>(row)];
   return -1;
 }
 
@@ -195,7 +195,7 @@ QString DefectModel::rowName(DefectKind kind, int row) const {
   switch (kind) {
     case DefectKind::Hole:
     case DefectKind::KeptOpen:
-      return m_inspection->loopName(loopOf(kind, row));
+      return m_defectList->loopName(loopOf(kind, row));
     case DefectKind::NonManifoldEdge:
     case DefectKind::OneSided:
       return tr("Edge %1").arg(row + 1);
@@ -218,11 +218,11 @@ QString DefectModel::rowName(DefectKind kind, int row) const {
 }
 
 QString DefectModel::rowDetail(DefectKind kind, int row) const {
-  if (const int loop = loopOf(kind, row); loop >= 0) return m_inspection->loopDetail(loop);
-  const HalfEdgeMesh& mesh = m_inspection->document().mesh();
+  if (const int loop = loopOf(kind, row); loop >= 0) return m_defectList->loopDetail(loop);
+  const HalfEdgeMesh& mesh = m_defectList->document().mesh();
   if (kind == DefectKind::NonManifoldEdge || kind == DefectKind::OneSided) {
     const std::vector<Vertex> ends = verticesOf(kind, row);
-    return lengthText((mesh.position(ends[0]) - mesh.position(ends[1])).norm(), m_inspection->document().displayUnit());
+    return lengthText((mesh.position(ends[0]) - mesh.position(ends[1])).norm(), m_defectList->document().displayUnit());
   }
   if (kind == DefectKind::Debris || kind == DefectKind::InsideOut)
     return tr("%Ln triangle(s)", nullptr, static_cast<int>(facesOf(kind, row).size()));
@@ -231,10 +231,10 @@ QString DefectModel::rowDetail(DefectKind kind, int row) const {
 
 std::vector<Face> DefectModel::facesOf(DefectKind kind, int row) const {
   const auto i = static_cast<std::size_t>(row);
-  const Defects& defects = m_inspection->document().defects();
+  const Defects& defects = m_defectList->document().defects();
   switch (kind) {
     case DefectKind::Flipped:
-      return {m_inspection->document().reversedFaces()[i]};
+      return {m_defectList->document().reversedFaces()[i]};
     case DefectKind::InsideOut:
       return defects.insideOut[i];
     case DefectKind::Inconsistent:
@@ -244,24 +244,24 @@ std::vector<Face> DefectModel::facesOf(DefectKind kind, int row) const {
     case DefectKind::Duplicate:
       return {defects.duplicateFaces[i]};
     case DefectKind::SelfIntersection: {
-      const auto& pair = (*m_inspection->selfIntersections())[i];
+      const auto& pair = (*m_defectList->selfIntersections())[i];
       return {pair.first, pair.second};
     }
     case DefectKind::Debris:
-      return defects.components[m_inspection->debris()[i]].faces;
+      return defects.components[m_defectList->debris()[i]].faces;
     default:
       return {};
   }
 }
 
 std::vector<Face> DefectModel::facesOf(const QModelIndex& index) const {
-  if (!m_inspection || !index.isValid() || index.internalId() == 0) return {};
+  if (!m_defectList || !index.isValid() || index.internalId() == 0) return {};
   return facesOf(kindOfRow(index), index.row());
 }
 
 std::vector<Vertex> DefectModel::verticesOf(DefectKind kind, int row) const {
   const auto i = static_cast<std::size_t>(row);
-  const Defects& defects = m_inspection->document().defects();
+  const Defects& defects = m_defectList->document().defects();
   if (kind == DefectKind::NonManifoldVertex) return {defects.nonManifoldVertices[i]};
   const auto ends = [](const auto& pair) { return std::vector<Vertex>{pair.first, pair.second}; };
   if (kind == DefectKind::NearVertex) return ends(defects.nearVertices[i]);
@@ -273,12 +273,12 @@ std::vector<Vertex> DefectModel::verticesOf(DefectKind kind, int row) const {
 std::pair<Box, Vec3> DefectModel::placeOf(const QModelIndex& index) const {
   Box box;
   Vec3 outward = Vec3::Zero();
-  if (!m_inspection || !index.isValid() || index.internalId() == 0) return {box, outward};
-  const HalfEdgeMesh& mesh = m_inspection->document().mesh();
+  if (!m_defectList || !index.isValid() || index.internalId() == 0) return {box, outward};
+  const HalfEdgeMesh& mesh = m_defectList->document().mesh();
   const DefectKind kind = kindOfRow(index);
   if (const int loop = loopOf(kind, index.row()); loop >= 0) {
-    for (HalfEdge h : m_inspection->loop(loop).halfEdges) outward += normalOf(mesh, HalfEdgeMesh::face(h));
-    return {m_inspection->loop(loop).box, outward};
+    for (HalfEdge h : m_defectList->loop(loop).halfEdges) outward += normalOf(mesh, HalfEdgeMesh::face(h));
+    return {m_defectList->loop(loop).box, outward};
   }
   for (Face f : facesOf(kind, index.row())) {
     for (Vertex v : mesh.triangle(f)) box.extend(mesh.position(v));

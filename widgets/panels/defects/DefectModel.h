@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "panels/defects/Inspection.h"
+#include "panels/defects/DefectList.h"
 
 #include <QAbstractItemModel>
 #include <QPointer>
@@ -29,8 +29,8 @@ class DefectModel : public QAbstractItemModel {
 
   using QAbstractItemModel::QAbstractItemModel;
 
-  void setInspection(const Inspection* inspection);
-  const Inspection* inspection() const { return m_inspection; }
+  void setDefectList(const DefectList* defectList);
+  const DefectList* defectList() const { return m_defectList; }
 
   QModelIndex groupIndex(DefectKind kind) const;
   QModelIndex loopIndex(int loop) const;  // invalid when there is none
@@ -63,7 +63,7 @@ class DefectModel : public QAbstractItemModel {
   std::vector<Face> facesOf(DefectKind kind, int row) const;
   std::vector<Vertex> verticesOf(DefectKind kind, int row) const;
 
-  QPointer<const Inspection> m_inspection;
+  QPointer<const DefectList> m_defectList;
   std::set<DefectKind> m_hidden = {DefectKind::Flipped};  // that is no defect any more
 };
 

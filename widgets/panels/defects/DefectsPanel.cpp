@@ -111,30 +111,30 @@ DefectsPanel::DefectsPanel(const DefectsPanelActions& actions, QWidget* parent)
     m_delegate->turnSpinner();
     m_list->update(m_model->groupIndex(DefectKind::SelfIntersection));
   });
-  setInspection(nullptr);
+  setDefectList(nullptr);
 }
 
-void DefectsPanel::setInspection(Inspection* inspection) {
-  if (m_inspection) m_inspection->disconnect(this);
-  m_inspection = inspection;
+void DefectsPanel::setDefectList(DefectList* defectList) {
+  if (m_defectList) m_defectList->disconnect(this);
+  m_defectList = defectList;
   m_selectedLoop = -1;
-  m_model->setInspection(inspection);
-  m_content->setVisible(inspection != nullptr);
-  m_empty->setVisible(inspection == nullptr);
-  if (inspection) {
+  m_model->setDefectList(defectList);
+  m_content->setVisible(defectList != nullptr);
+  m_empty->setVisible(defectList == nullptr);
+  if (defectList) {
     // After the model's own connection: then the list already holds the new rows.
-    connect(inspection, &Inspection::changed, this, &DefectsPanel::inspectionChanged);
-    connect(inspection, &Inspection::reasonsChanged, this, &DefectsPanel::showDefect);
+    connect(defectList, &DefectList::changed, this, &DefectsPanel::defectListChanged);
+    connect(defectList, &DefectList::reasonsChanged, this, &DefectsPanel::showDefect);
   }
-  inspectionChanged();
+  defectListChanged();
 }
 
-void DefectsPanel::inspectionChanged() {
+void DefectsPanel::defectListChanged() {
   const std::set<int> expanded = m_expanded;
   for (int kind : expanded) m_list->expand(m_model->groupIndex(static_cast<DefectKind>(kind)));
-  if (m_inspection) m_state->showState(*m_inspection);
-  m_inspection && !m_inspection->selfIntersections() ? m_spinner.start() : m_spinner.stop();
-  if (m_inspection && m_selectedLoop >= m_inspection->loopCount()) m_selectedLoop = -1;
+  if (m_defectList) m_state->showState(*m_defectList);
+  m_defectList && !m_defectList->selfIntersections() ? m_spinner.start() : m_spinner.stop();
+  if (m_defectList && m_selectedLoop >= m_defectList->loopCount()) m_selectedLoop = -1;
   setSelectedLoop(m_selectedLoop);
 }
 
@@ -163,11 +163,11 @@ void DefectsPanel::setHighlightedLoop(int loop) {
 }
 
 void DefectsPanel::updateSettings() {
-  const bool hole = m_inspection && m_selectedLoop >= 0 && m_selectedLoop < m_inspection->loopCount();
+  const bool hole = m_defectList && m_selectedLoop >= 0 && m_selectedLoop < m_defectList->loopCount();
   m_settings->setVisible(hole);
   if (hole)
-    m_settings->showLoop(m_inspection->loopName(m_selectedLoop), m_inspection->loopDetail(m_selectedLoop),
-                         m_inspection->loopMeasures(m_selectedLoop));
+    m_settings->showLoop(m_defectList->loopName(m_selectedLoop), m_defectList->loopDetail(m_selectedLoop),
+                         m_defectList->loopMeasures(m_selectedLoop));
   const QModelIndex defect = m_list->currentIndex();
   m_card->setVisible(!hole && defect.isValid());
   showDefect();

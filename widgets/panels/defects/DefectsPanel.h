@@ -15,7 +15,7 @@ namespace handwheel {
 class DefectCard;
 class DefectDelegate;
 class DefectModel;
-class Inspection;
+class DefectList;
 class StateCard;
 
 // The actions that the panel shows as buttons.
@@ -39,7 +39,7 @@ class DefectsPanel : public QWidget {
  public:
   explicit DefectsPanel(const DefectsPanelActions& actions, QWidget* parent = nullptr);
 
-  void setInspection(Inspection* inspection);  // null when no document is open
+  void setDefectList(DefectList* defectList);  // null when no document is open
   DefectModel* model() const { return m_model; }
   HoleSettings* settings() const { return m_settings; }
 
@@ -58,7 +58,7 @@ class DefectsPanel : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void inspectionChanged();
+  void defectListChanged();
   void clicked(const QModelIndex& index);
   void currentChanged(const QModelIndex& index);
   void updateSettings();
@@ -72,7 +72,7 @@ class DefectsPanel : public QWidget {
   DefectCard* m_card;
   QWidget* m_content;
   QWidget* m_empty;
-  Inspection* m_inspection = nullptr;
+  DefectList* m_defectList = nullptr;
   int m_selectedLoop = -1;
   bool m_following = false;  // the selection is being set from outside
   std::set<int> m_expanded;  // expanded kinds; lost at each model reset

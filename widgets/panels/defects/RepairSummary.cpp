@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/defects/RepairSummary.h"
 
-#include "panels/defects/Inspection.h"
+#include "panels/defects/DefectList.h"
 #include "text/RepairText.h"
 
 #include <QCoreApplication>
@@ -51,13 +51,13 @@ QString defectPhrase(DefectKind kind, std::size_t count) {
   return {};
 }
 
-QStringList defectSummary(const Inspection& inspection) {
-  QStringList parts = outcomeTexts(inspection.loopOutcomes()), fresh;
+QStringList defectSummary(const DefectList& defectList) {
+  QStringList parts = outcomeTexts(defectList.loopOutcomes()), fresh;
   for (int i = 0; i < kDefectKinds; ++i) {
     const auto kind = static_cast<DefectKind>(i);
-    const std::optional<std::size_t> before = inspection.countBefore(kind);
+    const std::optional<std::size_t> before = defectList.countBefore(kind);
     if (!before || isLoopKind(kind) || kind == DefectKind::Flipped) continue;
-    const std::size_t was = *before, is = inspection.count(kind);
+    const std::size_t was = *before, is = defectList.count(kind);
     if (is > was) {
       fresh << defectPhrase(kind, is - was);
       continue;
@@ -68,7 +68,7 @@ QStringList defectSummary(const Inspection& inspection) {
                        : RepairSummaryWords::tr("%1 of %2 removed").arg(done, all));
   }
   if (!fresh.isEmpty()) parts << RepairSummaryWords::tr("new: %1").arg(fresh.join(QStringLiteral(", ")));
-  return parts + inspection.doneBesides();
+  return parts + defectList.doneBesides();
 }
 
 }  // namespace handwheel

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/defects/StateCard.h"
 
+#include "panels/defects/DefectList.h"
 #include "panels/defects/DefectModel.h"
-#include "panels/defects/Inspection.h"
 #include "text/RepairText.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
@@ -22,10 +22,10 @@ struct Verdict {
   QString headline;
 };
 
-Verdict verdictOn(const Inspection& inspection) {
+Verdict verdictOn(const DefectList& defectList) {
   const ThemeColours& colours = themeColours(currentTheme());
-  const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
-  const MeshState state = inspection.state();
+  const auto holes = static_cast<int>(defectList.count(DefectKind::Hole));
+  const MeshState state = defectList.state();
   if (holes > 0) {
     return {defectIconName(DefectKind::Hole), defectColour(DefectKind::Hole),
             StateCard::tr("%Ln hole(s)", nullptr, holes)};
@@ -34,8 +34,8 @@ Verdict verdictOn(const Inspection& inspection) {
     return Verdict{QStringLiteral("warning"), colours.warning, headline};
   };
   if (!state.manifold) return warning(StateCard::tr("Not manifold"));
-  if (inspection.count(DefectKind::InsideOut) > 0) return warning(StateCard::tr("Inside out"));
-  if (inspection.count(DefectKind::Inconsistent) > 0) return warning(StateCard::tr("Inconsistently oriented"));
+  if (defectList.count(DefectKind::InsideOut) > 0) return warning(StateCard::tr("Inside out"));
+  if (defectList.count(DefectKind::Inconsistent) > 0) return warning(StateCard::tr("Inconsistently oriented"));
   if (!state.oriented) return warning(StateCard::tr("Not oriented"));
   if (state.selfIntersectingPairs.value_or(0) > 0) return warning(StateCard::tr("Self-intersecting"));
   if (state.isKnownSound()) return {QStringLiteral("watertight"), colours.success, StateCard::tr("Watertight")};
@@ -44,17 +44,17 @@ Verdict verdictOn(const Inspection& inspection) {
 }
 
 // The state, and what was done that is no part of it.
-QString detailsOf(const Inspection& inspection) {
-  QStringList parts{stateText(inspection.state())};
+QString detailsOf(const DefectList& defectList) {
+  QStringList parts{stateText(defectList.state())};
   const auto add = [&](std::size_t count, const auto& phrase) {
     if (const auto n = static_cast<int>(count); n > 0) parts << phrase(n);
   };
-  if (!inspection.state().selfIntersectingPairs) parts << StateCard::tr("self-intersections not known yet");
-  const std::size_t sheets = inspection.sheetCount();
+  if (!defectList.state().selfIntersectingPairs) parts << StateCard::tr("self-intersections not known yet");
+  const std::size_t sheets = defectList.sheetCount();
   add(sheets, [](int n) { return StateCard::tr("%Ln open sheet(s)", nullptr, n); });
-  add(inspection.count(DefectKind::KeptOpen) - sheets,
+  add(defectList.count(DefectKind::KeptOpen) - sheets,
       [](int n) { return StateCard::tr("%Ln hole(s) kept open", nullptr, n); });
-  add(inspection.count(DefectKind::Flipped),
+  add(defectList.count(DefectKind::Flipped),
       [](int n) { return StateCard::tr("%Ln reversed on opening", nullptr, n); });
   // Lines break between the findings, not within one.
   QString text = parts.join(QStringLiteral(", ")).replace(QLatin1Char(' '), QChar::Nbsp);
@@ -64,8 +64,8 @@ QString detailsOf(const Inspection& inspection) {
 
 }  // namespace
 
-QString stateHeadline(const Inspection& inspection) {
-  return verdictOn(inspection).headline;
+QString stateHeadline(const DefectList& defectList) {
+  return verdictOn(defectList).headline;
 }
 
 StateCard::StateCard(QWidget* parent)
@@ -92,13 +92,13 @@ StateCard::StateCard(QWidget* parent)
   row->addLayout(text, 1);
 }
 
-void StateCard::showState(const Inspection& inspection) {
-  const Verdict verdict = verdictOn(inspection);
+void StateCard::showState(const DefectList& defectList) {
+  const Verdict verdict = verdictOn(defectList);
   m_icon->setPixmap(icon(verdict.icon, verdict.colour).pixmap(QSize(28, 28), devicePixelRatioF()));
   m_headline->setText(verdict.headline);
-  m_headline->setProperty("good", inspection.state().isKnownSound());
+  m_headline->setProperty("good", defectList.state().isKnownSound());
   m_headline->style()->polish(m_headline);  // the style sheet colours what is good
-  m_details->setText(detailsOf(inspection));
+  m_details->setText(detailsOf(defectList));
   setAccessibleName(verdict.headline + QStringLiteral(", ") + m_details->text());
 }
 

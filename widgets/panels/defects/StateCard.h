@@ -8,11 +8,11 @@ class QLabel;
 
 namespace handwheel {
 
-class Inspection;
+class DefectList;
 
 // The state of a mesh in a word or two: "3 holes", "Watertight". The most important defect comes first; panel, card and
 // status bar say the same.
-QString stateHeadline(const Inspection& inspection);
+QString stateHeadline(const DefectList& defectList);
 
 // Shows the overall state of a document. "Watertight" in green, or its defects, most important first.
 class StateCard : public QFrame {
@@ -21,7 +21,7 @@ class StateCard : public QFrame {
  public:
   explicit StateCard(QWidget* parent = nullptr);
 
-  void showState(const Inspection& inspection);
+  void showState(const DefectList& defectList);
 
  private:
   QLabel* m_icon;

@@ -3,7 +3,7 @@
 #include "window/mesh/demo/DemoHole.h"
 
 #include "mesh/search/FaceLocator.h"
-#include "panels/defects/Inspection.h"
+#include "panels/defects/DefectList.h"
 #include "window/mesh/UnobstructedView.h"
 
 #include <algorithm>
@@ -18,10 +18,10 @@ constexpr std::size_t kMostTried = 30;  // waists
 
 }  // namespace
 
-bool DemoHole::take(const HalfEdgeMesh& mesh, const Inspection& inspection) {
+bool DemoHole::take(const HalfEdgeMesh& mesh, const DefectList& defectList) {
   const BoundaryLoop* longest = nullptr;
-  for (const int id : inspection.holes()) {
-    if (!longest || inspection.loop(id).length > longest->length) longest = &inspection.loop(id);
+  for (const int id : defectList.holes()) {
+    if (!longest || defectList.loop(id).length > longest->length) longest = &defectList.loop(id);
   }
   if (!longest) return false;
   m_place = longest->box;
@@ -40,10 +40,10 @@ bool DemoHole::holds(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) const {
                      [&](HalfEdge h) { return m_rim.count(mesh.from(h)) != 0; });
 }
 
-const BoundaryLoop* DemoHole::nextPart(const HalfEdgeMesh& mesh, const Inspection& inspection) const {
+const BoundaryLoop* DemoHole::nextPart(const HalfEdgeMesh& mesh, const DefectList& defectList) const {
   const BoundaryLoop* shortest = nullptr;
-  for (const int id : inspection.holes()) {
-    const BoundaryLoop& loop = inspection.loop(id);
+  for (const int id : defectList.holes()) {
+    const BoundaryLoop& loop = defectList.loop(id);
     if (holds(mesh, loop) && (!shortest || loop.length < shortest->length)) shortest = &loop;
   }
   return shortest;

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-class Inspection;
+class DefectList;
 struct BoundaryLoop;
 
 // The hole that RepairDemo repairs, with the loops that remain of it. They are recognised by the vertices of its
@@ -19,7 +19,7 @@ struct BoundaryLoop;
 class DemoHole {
  public:
   // Chooses the hole with the longest boundary; false when there is none.
-  bool take(const HalfEdgeMesh& mesh, const Inspection& inspection);
+  bool take(const HalfEdgeMesh& mesh, const DefectList& defectList);
   void forget() { m_rim.clear(); }
   bool isTaken() const { return !m_rim.empty(); }
 
@@ -29,7 +29,7 @@ class DemoHole {
 
   bool holds(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) const;
   // The shortest loop that remains of it; null when it is closed.
-  const BoundaryLoop* nextPart(const HalfEdgeMesh& mesh, const Inspection& inspection) const;
+  const BoundaryLoop* nextPart(const HalfEdgeMesh& mesh, const DefectList& defectList) const;
   // The nearest two points of a loop that divide it into similar parts and can be bridged.
   static std::optional<BoundaryPair> waist(const HalfEdgeMesh& mesh, const BoundaryLoop& part);
 

@@ -258,11 +258,11 @@ bool RepairDemo::isSettled() const {
 
 bool RepairDemo::takeHole() {
   m_document->cardDismissed = false;
-  return m_hole.take(m_document->document.mesh(), m_document->inspection);
+  return m_hole.take(m_document->document.mesh(), m_document->defectList);
 }
 
 const BoundaryLoop* RepairDemo::nextPart() const {
-  return m_hole.nextPart(m_document->document.mesh(), m_document->inspection);
+  return m_hole.nextPart(m_document->document.mesh(), m_document->defectList);
 }
 
 std::optional<Vec3> RepairDemo::firstPoint(const BoundaryLoop* loop) const {

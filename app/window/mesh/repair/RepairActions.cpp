@@ -98,9 +98,9 @@ void RepairActions::connectActions() {
   connect(&m_preview, &HolePreview::changed, this, &RepairActions::followPreview);
   connect(&m_selection, &LoopSelection::changed, this, &RepairActions::follow);
   connect(&m_jobs, &RepairJobs::filled, this,
-          [this](MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench) {
+          [this](MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& cache) {
             if (document != m_document) return;
-            m_preview.returnCache(document, bench);
+            m_preview.returnCache(document, cache);
             goOnAfter(document, key);
           });
   connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);
@@ -121,15 +121,15 @@ void RepairActions::setDocument(MeshTab* document) {
 void RepairActions::follow() {
   MeshTab* document = m_document;
   const int loop = document ? m_selection.loop() : -1;
-  const bool kept = loop >= 0 && document->document.isKeptOpen(document->inspection.loop(loop));
-  const bool holes = document && !document->inspection.holes().empty();
+  const bool kept = loop >= 0 && document->document.isKeptOpen(document->defectList.loop(loop));
+  const bool holes = document && !document->defectList.holes().empty();
   const bool isTriedInVain = document && isTried(*document);
-  offerJob(m_repairAll, document && !document->inspection.isClean() && !isTriedInVain,
+  offerJob(m_repairAll, document && !document->defectList.isClean() && !isTriedInVain,
            isTriedInVain ? tr("The last repair has tried it; the list says why defects remain.")
-           : document && !document->inspection.selfIntersections()
+           : document && !document->defectList.selfIntersections()
                ? tr("Self-intersections are still being searched for.")
                : tr("There is nothing that it would repair."));
-  offerJob(m_removeDebris, document && !document->inspection.debris().empty(), tr("There is no debris."));
+  offerJob(m_removeDebris, document && !document->defectList.debris().empty(), tr("There is no debris."));
   for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) offer(*action, holes, tr("There are no holes."));
   offer(m_keepOpen, loop >= 0, tr("Select a hole first."));
   m_keepOpen.setChecked(kept);
@@ -148,9 +148,9 @@ void RepairActions::offerJob(QAction& action, bool isThere, const QString& reaso
 bool RepairActions::isTried(const MeshTab& document) const {
   if (document.repairedRevision != document.document.revision() || document.repairedWith != m_fidelity.values())
     return false;
-  const auto& holes = document.inspection.holes();
+  const auto& holes = document.defectList.holes();
   return std::none_of(holes.begin(), holes.end(), [&](int id) {
-    const FillFailure failure = document.inspection.failure(id);
+    const FillFailure failure = document.defectList.failure(id);
     return failure == FillFailure::WasSheetBoundary || failure == FillFailure::TooMuchEffort;
   });
 }
@@ -163,7 +163,7 @@ void RepairActions::followUndo() {
 void RepairActions::followPreview() {
   const int loop = m_selection.loop();
   const MeshTab* document = m_document;
-  const bool kept = loop >= 0 && document && document->document.isKeptOpen(document->inspection.loop(loop));
+  const bool kept = loop >= 0 && document && document->document.isKeptOpen(document->defectList.loop(loop));
   const bool hopeless = m_preview.state().kind == PreviewState::Kind::Failed;
   offerJob(m_fill, loop >= 0 && !kept && !hopeless,
            loop < 0 ? tr("Select a hole first.")
@@ -174,19 +174,19 @@ void RepairActions::followPreview() {
 void RepairActions::fillSelected() {
   MeshTab* document = m_document;
   const int loop = m_selection.loop();
-  m_jobs.fill(document, loop, m_preview.take(document->inspection.keyOf(loop)));
+  m_jobs.fill(document, loop, m_preview.take(document->defectList.keyOf(loop)));
 }
 
 void RepairActions::toggleKeepOpen() {
   MeshTab* document = m_document;
-  const BoundaryLoop loop = document->inspection.loop(m_selection.loop());
+  const BoundaryLoop loop = document->defectList.loop(m_selection.loop());
   document->document.setKeptOpen(loop, !document->document.isKeptOpen(loop));
   follow();
 }
 
 // Goes round among the holes, in the order of the list.
 void RepairActions::step(int direction) {
-  const std::vector<int>& holes = m_document->inspection.holes();
+  const std::vector<int>& holes = m_document->defectList.holes();
   if (holes.empty()) return;
   const int count = static_cast<int>(holes.size());
   const auto at = std::lower_bound(holes.begin(), holes.end(), m_selection.loop());
@@ -202,15 +202,15 @@ void RepairActions::step(int direction) {
 // Goes on to the hole after the one just filled, unless the user has chosen another meanwhile. The tool may have gone
 // there already; the camera follows a moment later.
 void RepairActions::goOnAfter(MeshTab* document, Vertex key) {
-  const Inspection& inspection = document->inspection;
-  const std::vector<int>& holes = inspection.holes();
+  const DefectList& defectList = document->defectList;
+  const std::vector<int>& holes = defectList.holes();
   if (holes.empty()) return;
   // Loops are numbered in the order of their keys.
-  const auto after = std::find_if(holes.begin(), holes.end(), [&](int id) { return inspection.keyOf(id) > key; });
+  const auto after = std::find_if(holes.begin(), holes.end(), [&](int id) { return defectList.keyOf(id) > key; });
   const int nextLoop = after != holes.end() ? *after : holes.front();
   if (m_selection.loop() < 0) m_selection.select(nextLoop);
   if (m_selection.loop() != nextLoop) return;
-  QTimer::singleShot(kLookMs, this, [this, document, next = inspection.keyOf(nextLoop)] {
+  QTimer::singleShot(kLookMs, this, [this, document, next = defectList.keyOf(nextLoop)] {
     if (m_document != document || document->selected != next || m_selection.loop() < 0) return;
     emit showLoopRequested(m_selection.loop());
   });

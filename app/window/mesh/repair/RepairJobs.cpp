@@ -53,30 +53,30 @@ QString RepairJobs::obstacle(const MeshTab* document) const {
 }
 
 void RepairJobs::fill(MeshTab* document, int loop, PreparedFill prepared) {
-  startFill(document, document->inspection.keyOf(loop), std::move(prepared), Round::First);
+  startFill(document, document->defectList.keyOf(loop), std::move(prepared), Round::First);
 }
 
 void RepairJobs::startFill(MeshTab* document, Vertex key, PreparedFill prepared, Round round) {
-  const int loopId = document->inspection.loopWithKey(key);
+  const int loopId = document->defectList.loopWithKey(key);
   if (loopId < 0) return;  // an undo or another fill was faster
   const std::uint64_t revision = document->document.revision();
   FillOptions options = prepared.options.value_or(FillOptions());
   if (!prepared.options) apply(m_fidelity.values(), options);
   options.numbers = document->document.fileNumbers();
-  if (!prepared.bench) prepared.bench = std::make_shared<HoleFillerCache>(document->document.mesh());
+  if (!prepared.cache) prepared.cache = std::make_shared<HoleFillerCache>(document->document.mesh());
   Job job;
-  job.name = tr("Filling hole %1").arg(document->inspection.loopNumber(loopId));
+  job.name = tr("Filling hole %1").arg(document->defectList.loopNumber(loopId));
   job.work = [this, document, key, revision, round, options, nearWeld = nearWeld(), prepared = std::move(prepared),
-              loop = document->inspection.loop(loopId)](Progress progress) -> Job::Finish {
-    HoleFiller* filler = prepared.bench->filler(progress.part(0.0, 0.3));
+              loop = document->defectList.loop(loopId)](Progress progress) -> Job::Finish {
+    HoleFiller* filler = prepared.cache->filler(progress.part(0.0, 0.3));
     if (!filler) return {};
     const FillFailure failure = fillHole(*filler, loop, options, prepared.attempt, progress.part(0.3, 0.6));
     InspectedMesh after;
     if (failure == FillFailure::None) after = inspected(filler->mesh(), nearWeld, progress.part(0.6, 1.0));
-    return [this, document, key, revision, round, options, bench = prepared.bench, failure, after] {
+    return [this, document, key, revision, round, options, cache = prepared.cache, failure, after] {
       if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision))
-        return filledOne(document, key, bench, {failure, fillStep(key, options)}, after);
+        return filledOne(document, key, cache, {failure, fillStep(key, options)}, after);
       reportStale(*document, round);
       if (round == Round::First) startFill(document, key, {nullptr, std::nullopt, options}, Round::Second);
     };
@@ -84,12 +84,12 @@ void RepairJobs::startFill(MeshTab* document, Vertex key, PreparedFill prepared,
   start(document, std::move(job));
 }
 
-void RepairJobs::filledOne(MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench,
+void RepairJobs::filledOne(MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& cache,
                            const Filled& done, const InspectedMesh& after) {
-  const int loop = document->inspection.loopWithKey(key);
-  const QString name = document->inspection.loopName(loop);
-  const int number = document->inspection.loopNumber(loop);
-  document->inspection.setFailure(loop, done.failure);
+  const int loop = document->defectList.loopWithKey(key);
+  const QString name = document->defectList.loopName(loop);
+  const int number = document->defectList.loopNumber(loop);
+  document->defectList.setFailure(loop, done.failure);
   if (done.failure != FillFailure::None) {
     m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(done.failure)), {}, LogEntry::Weight::Warning);
     return;
@@ -97,11 +97,11 @@ void RepairJobs::filledOne(MeshTab* document, Vertex key, const std::shared_ptr<
   const QString command = stepCommand(*document, done.step);
   document->document.commit(tr("Fill hole %1").arg(number), after, done.step);
   m_log.add(tr("Filled %1 of %2").arg(name, document->document.name()), command);
-  emit filled(document, key, bench);
+  emit filled(document, key, cache);
 }
 
 void RepairJobs::removeDebris(MeshTab* document) {
-  const std::vector<std::size_t>& debris = document->inspection.debris();
+  const std::vector<std::size_t>& debris = document->defectList.debris();
   const std::vector<Component>& components = document->document.defects().components;
   const auto all = std::count_if(components.begin(), components.end(), [](const Component& c) { return c.debris; });
   if (debris.size() == static_cast<std::size_t>(all)) return change(document, allDebrisFix());
@@ -136,7 +136,7 @@ void RepairJobs::startChange(Request request, Round round) {
   const QString text = QCoreApplication::translate("Tool", request.wanted.text);
   Job job;
   job.name = text;
-  const bool isSearched = document->inspection.selfIntersections().has_value();
+  const bool isSearched = document->defectList.selfIntersections().has_value();
   FaceSelection oldDebris;
   for (const Component& piece : document->document.defects().components)
     for (const Face f : piece.faces) oldDebris.add(f);
@@ -169,22 +169,22 @@ void RepairJobs::changed(const Request& request, const QString& text, const Insp
   MeshTab* const document = request.document;
   const MeshChange& wanted = request.wanted;
   const auto& crossings = effects.crossings;
-  Inspection& inspection = document->inspection;
+  DefectList& defectList = document->defectList;
   // Those of a mesh that its file rounds are searched again as a whole.
   const auto known = isExactIn(document->document.mesh(), document->document.fileNumbers())
-                         ? inspection.selfIntersections()
+                         ? defectList.selfIntersections()
                          : std::nullopt;
-  const auto before = inspection.counts();
+  const auto before = defectList.counts();
   const QString command = stepCommand(*document, wanted.step);
-  inspection.keepPieces(effects.cutOff);
+  defectList.keepPieces(effects.cutOff);
   if (document->document.commit(text, after, wanted.step)) {
     if (crossings && known && known->size() < kMaxTrianglePairs)
-      inspection.setSelfIntersections(document->document.revision(), intersectionsAfter(*crossings, *known));
+      defectList.setSelfIntersections(document->document.revision(), intersectionsAfter(*crossings, *known));
     if (wanted.isFix) {
       document->fixedAt = presentPoint(document->document);
-      inspection.setBefore(before, effects.loops);
+      defectList.setBefore(before, effects.loops);
     }
-    noteReasons(inspection, wanted, request.of, document->document.revision() == request.revision);
+    noteReasons(defectList, wanted, request.of, document->document.revision() == request.revision);
     const auto undo = [this, document] {
       if (m_tabs.contains(document)) document->document.history()->undo();
     };
@@ -203,8 +203,8 @@ void RepairJobs::changed(const Request& request, const QString& text, const Insp
     const Error& error = *wanted.volume->error;
     emit changedNothing(document, text, errorSentence(error) + QLatin1Char(' ') + errorAdvice(error));
   } else if (const char* reason = reasonOf(wanted)) {
-    noteReasons(inspection, wanted, request.of, document->document.revision() == request.revision);
-    if (request.of && request.of->row < 0) inspection.setHopeless(request.of->kind);
+    noteReasons(defectList, wanted, request.of, document->document.revision() == request.revision);
+    if (request.of && request.of->row < 0) defectList.setHopeless(request.of->kind);
     emit changedNothing(document, text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", reason)));
   }
 }
@@ -243,7 +243,7 @@ void RepairJobs::startRepair(MeshTab* document, Round round) {
   options.keepOpen = keptLoops(document->document);
   Job job;
   job.name = tr("Repairing %1").arg(document->document.name());
-  const bool isSearched = document->inspection.selfIntersections().has_value();
+  const bool isSearched = document->defectList.selfIntersections().has_value();
   job.work = [this, document, revision, round, options, settings, isSearched,
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
@@ -269,31 +269,31 @@ void RepairJobs::startRepair(MeshTab* document, Round round) {
 }
 
 void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done) {
-  Inspection& inspection = document->inspection;
-  const auto before = inspection.counts();
+  DefectList& defectList = document->defectList;
+  const auto before = defectList.counts();
   const QString command = document->isAsInFile() ? repairCommand(document->document.path(), done.options)
                                                  : stepCommand(*document, done.step);
   std::map<int, QString> names;
   for (const LoopResult& loop : done.report.loops)
-    if (loop.id >= 0) names[loop.id] = inspection.loopName(loop.id);
+    if (loop.id >= 0) names[loop.id] = defectList.loopName(loop.id);
   const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
-  if (isChanged && done.pairs) inspection.setSelfIntersections(document->document.revision(), *done.pairs);
+  if (isChanged && done.pairs) defectList.setSelfIntersections(document->document.revision(), *done.pairs);
   document->repairedRevision = document->document.revision();
   document->repairedWith = done.settings;
   if (isChanged) document->fixedAt = presentPoint(document->document);
-  inspection.setFailures(failuresOf(done.report));
+  defectList.setFailures(failuresOf(done.report));
   // A repair that changes nothing has no summary: what is known from before is of another change.
   if (isChanged)
-    inspection.setBefore(before, countOutcomes(done.report),
-                         doneBesides(done.report, before, inspection.counts(), document->document.displayUnit()));
+    defectList.setBefore(before, countOutcomes(done.report),
+                         doneBesides(done.report, before, defectList.counts(), document->document.displayUnit()));
   else
-    inspection.setBefore({});
-  inspection.setReasons(reasonsOf(done.left, done.report, done.options));
-  if (!done.report.isIntersectionRemovalIncomplete) inspection.setHopeless(DefectKind::SelfIntersection);
+    defectList.setBefore({});
+  defectList.setReasons(reasonsOf(done.left, done.report, done.options));
+  if (!done.report.isIntersectionRemovalIncomplete) defectList.setHopeless(DefectKind::SelfIntersection);
   logRepair(m_log, *document, done.report, names, command);
-  if (isChanged) inspection.setPatchWarnings(patchWarningsOf(done.report, names));
+  if (isChanged) defectList.setPatchWarnings(patchWarningsOf(done.report, names));
   if (isChanged && done.report.removed)
-    inspection.setRemovalWarning(removalWarning(*done.report.removed, document->document.displayUnit()));
+    defectList.setRemovalWarning(removalWarning(*done.report.removed, document->document.displayUnit()));
   if (!isChanged)
     emit changedNothing(document, tr("Repair all"),
                         tr("Nothing more could be repaired without damage. The list of defects gives the reasons that "

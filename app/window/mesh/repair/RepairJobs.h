@@ -4,7 +4,7 @@
 
 #include "mesh/defects/Defects.h"
 #include "mesh/repair/Repair.h"
-#include "panels/defects/Inspection.h"
+#include "panels/defects/DefectList.h"
 #include "tools/mesh/repair/ChangeEffects.h"
 #include "tools/mesh/repair/RemainingDefects.h"
 #include "window/mesh/HoleFillerCache.h"
@@ -47,8 +47,8 @@ class RepairJobs : public QObject {
   QString obstacle(const MeshTab* document) const;
 
  signals:
-  // key: of the loop that was filled. bench: the filler cache, valid for the present document.
-  void filled(handwheel::MeshTab* document, handwheel::Vertex key, std::shared_ptr<handwheel::HoleFillerCache> bench);
+  // key: of the loop that was filled. cache: the filler cache, valid for the present document.
+  void filled(handwheel::MeshTab* document, handwheel::Vertex key, std::shared_ptr<handwheel::HoleFillerCache> cache);
   void workingChanged();
   // A change had no effect. why: a sentence.
   void changedNothing(const handwheel::MeshTab* document, const QString& what, const QString& why);
@@ -78,7 +78,7 @@ class RepairJobs : public QObject {
     FillFailure failure;
     std::string step;
   };
-  void filledOne(MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench, const Filled& done,
+  void filledOne(MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& cache, const Filled& done,
                  const InspectedMesh& after);
   struct Repaired {
     RepairReport report;

@@ -15,7 +15,7 @@ ChangeSummary changeSummaryOf(const MeshTab& document, const MeshChange& done, c
   const LengthUnit unit = document.document.displayUnit();
   const QString separator = QStringLiteral(", ");
   const bool isMeasured = done.distance && *done.distance;
-  const QStringList defects = done.isFix ? defectSummary(document.inspection) : QStringList();
+  const QStringList defects = done.isFix ? defectSummary(document.defectList) : QStringList();
   ChangeSummary summary;
   summary.isPartly = done.sheets && done.sheets->leftCount() > 0;
   const bool isThickened = !summary.isPartly && done.sheets && done.sheets->thickened > 0;
@@ -63,7 +63,7 @@ QStringList doneBesides(RepairReport report, const std::map<DefectKind, std::siz
 
 void logRepair(LogModel& log, const MeshTab& document, const RepairReport& report, const std::map<int, QString>& names,
                const QString& command) {
-  const QStringList summary = defectSummary(document.inspection);
+  const QStringList summary = defectSummary(document.defectList);
   const QString part = document.document.name();
   log.add(summary.isEmpty() ? RepairJobs::tr("Repaired %1: nothing was changed").arg(part)
                             : RepairJobs::tr("Repaired %1: %2").arg(part, summary.join(QStringLiteral(", "))),

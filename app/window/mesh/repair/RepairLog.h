@@ -4,7 +4,7 @@
 
 #include "base/Units.h"
 #include "mesh/repair/Repair.h"
-#include "panels/defects/Inspection.h"
+#include "panels/defects/DefectList.h"
 
 #include <QString>
 #include <map>

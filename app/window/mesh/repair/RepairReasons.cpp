@@ -41,11 +41,11 @@ DefectReasons reasonsOf(const RemainingDefects& left, const RepairReport& report
   return reasons;
 }
 
-void noteReasons(Inspection& inspection, const MeshChange& change, std::optional<DefectRow> of, bool isSame) {
-  if (change.sheets) inspection.setFailures(change.sheets->leftLoops);
+void noteReasons(DefectList& defectList, const MeshChange& change, std::optional<DefectRow> of, bool isSame) {
+  if (change.sheets) defectList.setFailures(change.sheets->leftLoops);
   const char* const reason = reasonOf(change);
   if (reason && of && (isSame || of->row < 0))
-    inspection.setReason(of->kind, of->row, QCoreApplication::translate("Tool", reason));
+    defectList.setReason(of->kind, of->row, QCoreApplication::translate("Tool", reason));
 }
 
 }  // namespace handwheel

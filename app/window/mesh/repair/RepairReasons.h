@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "panels/defects/Inspection.h"
+#include "panels/defects/DefectList.h"
 #include "tools/mesh/MeshServices.h"
 #include "tools/mesh/repair/RemainingDefects.h"
 
@@ -16,6 +16,6 @@ DefectReasons reasonsOf(const RemainingDefects& left, const RepairReport& report
 
 // Notes why a change left some of what it was to repair: the rows of the list keep it. of: what that was. isSame: the
 // change had no effect, so that its row is still the same.
-void noteReasons(Inspection& inspection, const MeshChange& change, std::optional<DefectRow> of, bool isSame);
+void noteReasons(DefectList& defectList, const MeshChange& change, std::optional<DefectRow> of, bool isSame);
 
 }  // namespace handwheel

@@ -214,11 +214,11 @@ Result<TaskPointer> DrillingSubject::withTarget(const ExerciseTask& task, const 
   const DrilledHoles& holes = workOf(work).holes;
   for (auto hole = holes.rbegin(); hole != holes.rend(); ++hole) {
     if ((*hole)->setup.tool.shape == DrillShape::Saw) continue;  // its slot does not go along the axis
-    const VolumeSampler reader(changed.volume());
+    const VolumeSampler sampler(changed.volume());
     const PagedArray<DrillPose>& poses = (*hole)->poses;
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const Vec3 axis = poses[i].direction(), tip = poses[i].place() - (*hole)->setup.tool.reach() * axis;
-      if (!(reader.depthAt(tip).depth > 0.0)) continue;
+      if (!(sampler.depthAt(tip).depth > 0.0)) continue;
       changed.plan.entry = tip;
       changed.plan.direction = -axis;
       return pointerTo(std::move(changed));

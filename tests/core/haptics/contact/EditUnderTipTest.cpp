@@ -33,7 +33,7 @@ DeviceCapabilities device() {
   return all;
 }
 
-struct Bench {
+struct Fixture {
   std::shared_ptr<ScriptedDevice::Log> log = std::make_shared<ScriptedDevice::Log>();
   VirtualClock clock;
   Service service{"servo"};
@@ -43,7 +43,7 @@ struct Bench {
   double most = 0.0;                                                   // N, the largest change of a tick
   Vec3 last = Vec3::Zero();
 
-  Bench() {
+  Fixture() {
     const TriangleSoup soup = cube(100.0);
     surface = ContactSurface(soup.points, soup.triangles);
   }
@@ -89,7 +89,7 @@ class EditUnderTipTest : public QObject {
  private slots:
   // At 5 mm, 4 N: the whole cube goes, and comes back around the tip; what bears it is laid 1 mm higher and taken away.
   void noForceChangesFasterThanTheLimit() {
-    Bench b;
+    Fixture b;
     b.begin(5.0);
     QVERIFY((b.last - Vec3(0, 0, 4)).norm() < 1e-4);
     std::vector<std::uint32_t> all;
@@ -114,7 +114,7 @@ class EditUnderTipTest : public QObject {
 
   // A face lowered and raised by a brush, a hundred times by up to 4 mm, while the hand goes up and down.
   void aBrushUnderTheTip() {
-    Bench b;
+    Fixture b;
     b.begin(5.0);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> height(100.5, 104.0), tip(96.0, 102.0);

@@ -21,7 +21,7 @@ constexpr double kViewChangeStiffness = 0.5;  // N/mm at the device
 constexpr double kNotch = 1.1892071150;       // 2^(1/4), of the wheel
 
 // A hand of which the test says where it is, on the top of a cube of 100 mm at z = 100.
-struct ViewChangeBench {
+struct ViewChangeFixture {
   std::shared_ptr<ScriptedDevice::Log> log = std::make_shared<ScriptedDevice::Log>();
   VirtualClock clock;
   Service service{"servo"};
@@ -30,7 +30,7 @@ struct ViewChangeBench {
   WorkspaceMapping mapping;
   double leastScale = 1.0;
 
-  ViewChangeBench() {
+  ViewChangeFixture() {
     const TriangleSoup soup = cube(100.0);
     surface = ContactSurface(soup.points, soup.triangles);
     mapping.sceneFromView.translation() = Vec3(50, 50, 100);
@@ -69,7 +69,7 @@ class ViewChangeTest : public QObject {
   // the proxy, which is what is seen, stays.
   void zoomingInContactIsNotFelt() {
     for (const double scale : {0.1, 1.0, 3.0}) {
-      ViewChangeBench b;
+      ViewChangeFixture b;
       b.mapping.scale = scale;
       b.leastScale = scale / 4.0;
       b.pressTo(4.0);
@@ -95,7 +95,7 @@ class ViewChangeTest : public QObject {
 
   // Another gain with a scene that was made for it: the same force, too.
   void anotherGainIsNotFelt() {
-    ViewChangeBench b;
+    ViewChangeFixture b;
     b.pressTo(4.0);
     b.mapping.forceGain = 3.0;
     b.loop.setMapping(b.mapping, b.scene(false));
@@ -106,7 +106,7 @@ class ViewChangeTest : public QObject {
   // A view that turns the force of 2 N by so many degrees changes it by 4·sin(half of it): above 0.2 N by the ramp.
   void turningTheForceFarIsByTheRamp() {
     for (const double degrees : {1.0, 5.0, 6.0, 90.0, 180.0}) {
-      ViewChangeBench b;
+      ViewChangeFixture b;
       b.pressTo(4.0);
       b.mapping.sceneFromView.linear() = Eigen::AngleAxisd(degrees * M_PI / 180.0, Vec3::UnitX()).toRotationMatrix();
       b.loop.setMapping(b.mapping, b.scene(false));

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double kFineVoxel = 0.1, kRadius = 10.0;  // mm
 
-struct ClayBench {
+struct ClayFixture {
   std::shared_ptr<ClayChannel> channel = std::make_shared<ClayChannel>();
   ClayFeel feel;
   std::unique_ptr<ClayForce> force;
   ForceOut out;
   double time = 0.0;
 
-  explicit ClayBench(const ClayFeel& of = {}) : feel(of), force(std::make_unique<ClayForce>(channel, of)) {
+  explicit ClayFixture(const ClayFeel& of = {}) : feel(of), force(std::make_unique<ClayForce>(channel, of)) {
     auto state = std::make_shared<ClayState>();
     state->volume = ballOfVoxels(kRadius, kFineVoxel);
     show(state);
@@ -52,27 +52,27 @@ class ClayForceTest : public QObject {
  private slots:
   // The tool stays on the ball where the hand is nearest to it, and pulls by Hooke's law.
   void aBallIsFelt() {
-    ClayBench bench;
+    ClayFixture fixture;
     for (int i = 0; i <= 2000; ++i) {
       // In through the top, then around inside of the surface.
       const double angle = i < 500 ? 0.0 : (i - 500) * 0.001, radius = i < 500 ? 11.0 - i * 0.003 : 9.5;
       const Vec3 hand = radius * Vec3(std::sin(angle), 0.0, std::cos(angle));
-      const Vec3 felt = bench.tick(hand);
+      const Vec3 felt = fixture.tick(hand);
       if (radius > kRadius + 0.2 * kFineVoxel) QVERIFY(felt.isZero());
       if (radius > kRadius - kFineVoxel) continue;
-      const Vec3 exact = bench.feel.stiffness * (kRadius - radius) * hand.normalized();
+      const Vec3 exact = fixture.feel.stiffness * (kRadius - radius) * hand.normalized();
       QVERIFY2((felt - exact).norm() < 0.03 * exact.norm() + 0.002, qPrintable(QString::number((felt - exact).norm())));
     }
   }
 
   // The pressure is the force by what is full, until it is; beside the ball there is none to go by.
   void pressureIsTheForce() {
-    ClayBench bench;
+    ClayFixture fixture;
     for (int i = 0; i <= 600; ++i) {
       const double z = 11.0 - 0.01 * i;  // to 5 mm below the surface: 2.5 N
-      const double force = bench.tick({0.0, 0.0, z}).norm();
+      const double force = fixture.tick({0.0, 0.0, z}).norm();
       SimulationInput input;
-      QVERIFY(bench.channel->inputs->pop(input));
+      QVERIFY(fixture.channel->inputs->pop(input));
       if (z > kRadius + 0.2 * kFineVoxel) QCOMPARE(input.pressure, 1.0);
       if (z > kRadius - kFineVoxel) continue;
       QVERIFY(std::abs(input.pressure - std::min(1.0, force / ClayForce::kFullForce)) < 1e-9);
@@ -82,14 +82,14 @@ class ClayForceTest : public QObject {
 
   // However fast, it does not get in: a hand that goes through the ball at 2 m/s is held on the side it came from.
   void aFastHand() {
-    ClayBench bench;
+    ClayFixture fixture;
     for (int i = 0; i <= 9; ++i) {
       const Vec3 hand(0.3, 0.2, 12.0 - 2.0 * i);
-      bench.tick(hand);
-      if (bench.out.isContact) QVERIFY(bench.out.proxy.norm() > kRadius - 0.2 * kFineVoxel);
+      fixture.tick(hand);
+      if (fixture.out.isContact) QVERIFY(fixture.out.proxy.norm() > kRadius - 0.2 * kFineVoxel);
     }
-    QVERIFY(bench.out.isContact);
-    QVERIFY(bench.out.proxy.z() > 0.0);
+    QVERIFY(fixture.out.isContact);
+    QVERIFY(fixture.out.proxy.z() > 0.0);
   }
 
   // F = resistance · speed while it cuts: at rest within, the tool comes to the hand with the time constant R / K.
@@ -97,11 +97,11 @@ class ClayForceTest : public QObject {
     ClayFeel feel;
     feel.isCutting = true;
     feel.resistance = 0.1;
-    ClayBench bench(feel);
-    bench.channel->inputs->setDeviceGesture(1);
-    bench.tick({0.0, 0.0, 11.0}, true);
+    ClayFixture fixture(feel);
+    fixture.channel->inputs->setDeviceGesture(1);
+    fixture.tick({0.0, 0.0, 11.0}, true);
     double force = 0.0;
-    for (int i = 0; i < 2000; ++i) force = bench.tick({0.0, 0.0, 11.0 - 0.005 * i}, true).norm();  // 5 mm/s
+    for (int i = 0; i < 2000; ++i) force = fixture.tick({0.0, 0.0, 11.0 - 0.005 * i}, true).norm();  // 5 mm/s
     QVERIFY2(std::abs(force - 5.0 * feel.resistance) < 0.02 * force, qPrintable(QString::number(force)));
   }
 
@@ -117,15 +117,15 @@ class ClayForceTest : public QObject {
     };
     const auto feltAt = [&](double spindle, bool isHeld) {
       feel.spindle = spindle;
-      ClayBench bench(feel);
-      if (isHeld) bench.channel->inputs->setDeviceGesture(1);
-      bench.tick({0.0, 0.0, 11.0}, isHeld);
+      ClayFixture fixture(feel);
+      if (isHeld) fixture.channel->inputs->setDeviceGesture(1);
+      fixture.tick({0.0, 0.0, 11.0}, isHeld);
       Felt felt;
       for (int i = 0; i < 3000; ++i) {
         const Vec3 hand(0.0, 0.0, 11.0 - 0.002 * i);
-        felt.forces.push_back(bench.tick(hand, isHeld).norm());
-        const double spring = feel.stiffness * (bench.out.proxy - hand).norm();
-        felt.shares.push_back(bench.out.isContact && spring > 0.0 ? felt.forces.back() / spring : 1.0);
+        felt.forces.push_back(fixture.tick(hand, isHeld).norm());
+        const double spring = feel.stiffness * (fixture.out.proxy - hand).norm();
+        felt.shares.push_back(fixture.out.isContact && spring > 0.0 ? felt.forces.back() / spring : 1.0);
       }
       return felt;
     };
@@ -152,25 +152,25 @@ class ClayForceTest : public QObject {
 
   // Material that comes around a hand does not push it; it is felt when the hand has been outside.
   void clayThatComesBack() {
-    ClayBench bench;
+    ClayFixture fixture;
     auto nothing = std::make_shared<ClayState>();
-    const auto ball = bench.channel->patch.read();
-    bench.show(nothing);
+    const auto ball = fixture.channel->patch.read();
+    fixture.show(nothing);
     const Vec3 within(0.0, 0.0, 9.0);
-    QVERIFY(bench.tick(within).isZero());
-    bench.show(ball.state);
-    for (int i = 0; i < 100; ++i) QVERIFY(bench.tick(within).isZero());
-    QVERIFY(bench.tick({0.0, 0.0, 10.5}).isZero());
-    QVERIFY(bench.tick({0.0, 0.0, 9.8}).norm() > 0.05);
+    QVERIFY(fixture.tick(within).isZero());
+    fixture.show(ball.state);
+    for (int i = 0; i < 100; ++i) QVERIFY(fixture.tick(within).isZero());
+    QVERIFY(fixture.tick({0.0, 0.0, 10.5}).isZero());
+    QVERIFY(fixture.tick({0.0, 0.0, 9.8}).norm() > 0.05);
   }
 
   void whatIsNoPlace() {
-    ClayBench bench;
+    ClayFixture fixture;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    QVERIFY(bench.tick({nan, 0.0, 0.0}).isZero());
-    QVERIFY(bench.tick({1e300, 0.0, 0.0}).isZero());
-    QVERIFY(bench.tick({0.0, 0.0, 11.0}).isZero());
-    QVERIFY(bench.tick({0.0, 0.0, 9.5}).allFinite());
+    QVERIFY(fixture.tick({nan, 0.0, 0.0}).isZero());
+    QVERIFY(fixture.tick({1e300, 0.0, 0.0}).isZero());
+    QVERIFY(fixture.tick({0.0, 0.0, 11.0}).isZero());
+    QVERIFY(fixture.tick({0.0, 0.0, 9.5}).allFinite());
   }
 };
 

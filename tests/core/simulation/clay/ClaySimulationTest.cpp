@@ -54,14 +54,14 @@ class ClaySimulationTest : public QObject {
     }
     simulation.finish();
     const auto state = std::static_pointer_cast<const ClayState>(simulation.state());
-    const VolumeSampler reader(state->volume);
+    const VolumeSampler sampler(state->volume);
     for (int i = 0; i < 2000; ++i) {
       const Vec3 p(8.0 * std::sin(i), 3.0 * std::sin(2.0 * i + 1.0), 4.0 + 3.0 * std::cos(3.0 * i));
       const double share = std::clamp((p - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
       const double exact = std::min(6.0 - p.norm(), (p - from - share * (to - from)).norm() - 1.0);
       // The last bit of the way is less than what a dab is made for.
       if ((p - to).norm() < 1.2 || std::abs(exact) < 0.3 * kVoxel) continue;
-      QCOMPARE(reader.depthAt(p).depth > 0.0, exact > 0.0);
+      QCOMPARE(sampler.depthAt(p).depth > 0.0, exact > 0.0);
     }
     QVERIFY(state->changedBlocks > 10);
     const VolumeSurface fresh(state->volume);
@@ -131,9 +131,9 @@ class ClaySimulationTest : public QObject {
       carved.step(1.0 / 60.0, {&input, 1});
     }
     carved.finish();
-    const VolumeSampler reader(std::static_pointer_cast<const ClayState>(carved.state())->volume);
-    QVERIFY(reader.depthAt({0.0, 0.0, 5.5}).depth > 0.0);
-    for (const double y : {-2.5, 2.5}) QVERIFY(reader.depthAt({0.0, y, 5.2}).depth < 0.0);
+    const VolumeSampler sampler(std::static_pointer_cast<const ClayState>(carved.state())->volume);
+    QVERIFY(sampler.depthAt({0.0, 0.0, 5.5}).depth > 0.0);
+    for (const double y : {-2.5, 2.5}) QVERIFY(sampler.depthAt({0.0, y, 5.2}).depth < 0.0);
   }
 
   // Both sides of a plane are worked on at once.
@@ -144,11 +144,11 @@ class ClaySimulationTest : public QObject {
     const SimulationInput input = at({4.0, 1.0, 4.0}, 0.0);
     simulation.step(1.0 / 60.0, {&input, 1});
     simulation.finish();
-    const VolumeSampler reader(std::static_pointer_cast<const ClayState>(simulation.state())->volume);
+    const VolumeSampler sampler(std::static_pointer_cast<const ClayState>(simulation.state())->volume);
     for (const double x : {-4.0, 4.0})
       for (const double z : {-4.0, 4.0}) {
-        QVERIFY(reader.depthAt({x, 1.0, z}).depth < 0.0);
-        QVERIFY(reader.depthAt({x, -1.0, z}).depth > 0.0);
+        QVERIFY(sampler.depthAt({x, 1.0, z}).depth < 0.0);
+        QVERIFY(sampler.depthAt({x, -1.0, z}).depth > 0.0);
       }
   }
 

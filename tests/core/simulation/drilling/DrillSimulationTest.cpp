@@ -47,9 +47,9 @@ class DrillSimulationTest : public QObject {
     const auto half = test::stateOf(simulation);
     QVERIFY(half->removed > 0.0 && half->figures.thrust > 0.0 && !half->breakthrough);
     // After a second the front is 6 mm below 4: at the depth of the feed.
-    const VolumeSampler reader(half->volume);
-    QVERIFY(reader.depthAt({0.0, 0.0, -1.9}).depth < 0.0);
-    QVERIFY(reader.depthAt({0.0, 0.0, -2.3}).depth > 0.0);
+    const VolumeSampler sampler(half->volume);
+    QVERIFY(sampler.depthAt({0.0, 0.0, -1.9}).depth < 0.0);
+    QVERIFY(sampler.depthAt({0.0, 0.0, -2.3}).depth > 0.0);
     for (int i = 60; i < 130; ++i) simulation.step(1.0 / 60.0, {});
     const auto through = test::stateOf(simulation);
     QVERIFY(through->breakthrough);

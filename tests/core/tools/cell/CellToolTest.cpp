@@ -27,9 +27,9 @@ PointerEvent slanted(Kind kind, const Vec3& through, double slope, Modifiers mod
 }
 
 // A robot with a cube of 20 mm beside it, and its tool.
-class CellBench {
+class CellFixture {
  public:
-  CellBench() {
+  CellFixture() {
     Body cube{.name = "cube", .geometry = *PrimitiveGeometry::make(Primitive::Cuboid, {20, 20, 20})};
     cube.pose = poseOf({0, 500, 0}, {0, 0, 0.3});
     document().commit("Add", std::move(addBodyEdit(document().bodies(), cube)).value());
@@ -55,7 +55,7 @@ class CellBench {
   BodySelection selection;
 
  private:
-  Bench m_bench;
+  Fixture m_bench;
 };
 
 // Where the tool shows the cube.
@@ -74,47 +74,47 @@ class CellToolTest : public QObject {
 
  private slots:
   void aClickSelects() {
-    CellBench bench;
-    CellTool tool = bench.tool("body.1");
+    CellFixture fixture;
+    CellTool tool = fixture.tool("body.1");
     QCOMPARE(tool.pointer(at(Kind::Press, 0, 500)), ToolReply::Used);
     QCOMPARE(tool.pointer(at(Kind::Release, 0, 500)), ToolReply::Used);
-    QCOMPARE(bench.selection.body(), std::optional<BodyId>(1));
-    QCOMPARE(bench.steps(), 1);
+    QCOMPARE(fixture.selection.body(), std::optional<BodyId>(1));
+    QCOMPARE(fixture.steps(), 1);
     QVERIFY(!tool.preview().replaced);  // it has not moved
   }
 
   // What the robot carries is a part of it: dragged, it moves the joint, and stays selected.
   void aCarriedBodyMovesTheJoint() {
-    CellBench bench;
-    const RobotModel& robot = bench.document().robot().model;
-    bench.document().commit("Mount",
-                            std::move(mountEdit(bench.document().bodies(), 1, toolLink(robot), robot)).value());
-    const JointValues before = bench.document().joints();
-    const int steps = bench.steps();
-    CellTool tool = bench.tool("body.1");
+    CellFixture fixture;
+    const RobotModel& robot = fixture.document().robot().model;
+    fixture.document().commit("Mount",
+                              std::move(mountEdit(fixture.document().bodies(), 1, toolLink(robot), robot)).value());
+    const JointValues before = fixture.document().joints();
+    const int steps = fixture.steps();
+    CellTool tool = fixture.tool("body.1");
     QCOMPARE(tool.pointer(at(Kind::Press, 850, 0)), ToolReply::Used);
-    QCOMPARE(bench.selection.body(), std::optional<BodyId>(1));
+    QCOMPARE(fixture.selection.body(), std::optional<BodyId>(1));
     tool.pointer(at(Kind::Drag, 950, 20));
     QVERIFY((bodyShown(tool).translation() - Vec3(900, 0, 0)).norm() < 1e-9);
     tool.pointer(at(Kind::Release, 950, 20));
-    QCOMPARE(bench.steps(), steps + 1);
+    QCOMPARE(fixture.steps(), steps + 1);
     const std::uint32_t slide = dofMoving(robot, toolLink(robot));
-    QCOMPARE(bench.document().joints()[slide], before[slide] + 100.0);
-    QCOMPARE(bench.document().bodies().withId(1)->pose.matrix(), Pose::Identity().matrix());
+    QCOMPARE(fixture.document().joints()[slide], before[slide] + 100.0);
+    QCOMPARE(fixture.document().bodies().withId(1)->pose.matrix(), Pose::Identity().matrix());
   }
 
   // What collides is marked for what is shown, at the joints and places that are shown.
   void marksWhatItShows() {
-    CellBench bench;
+    CellFixture fixture;
     int marked = 0;
     CellTool tool(
-        bench.document(), bench.selection,
+        fixture.document(), fixture.selection,
         [](const Ray& ray) -> std::optional<RobotCellPick> {
           return RobotCellPick{"body.1", Vec3(ray.origin.x(), ray.origin.y(), 0)};
         },
         [&](DisplayModel& shown, const JointValues& joints, const Body* moved) {
           ++marked;
-          QVERIFY(joints == bench.document().joints());
+          QVERIFY(joints == fixture.document().joints());
           QVERIFY(moved && moved->id == 1);
           for (DisplayPart& part : shown.parts) part.colour = {1.0f, 0.0f, 0.0f};
         });
@@ -128,55 +128,55 @@ class CellToolTest : public QObject {
   }
 
   void aDragIsOneStep() {
-    CellBench bench;
-    CellTool tool = bench.tool("body.1");
+    CellFixture fixture;
+    CellTool tool = fixture.tool("body.1");
     tool.pointer(at(Kind::Press, 5, 505));
     for (double x : {10.0, 25.0, 60.0}) QCOMPARE(tool.pointer(at(Kind::Drag, x, 480)), ToolReply::Used);
-    QCOMPARE(bench.place(), Vec3(0, 500, 0));  // a preview so far
+    QCOMPARE(fixture.place(), Vec3(0, 500, 0));  // a preview so far
     QVERIFY((bodyShown(tool).translation() - Vec3(55, 475, 0)).norm() < 1e-9);
     QCOMPARE(tool.settings().size(), std::size_t{3});
     for (const Property& place : tool.settings()) QVERIFY(std::isinf(place.least) && std::isinf(place.largest));
     tool.pointer(at(Kind::Release, 65, 480));
-    QVERIFY((bench.place() - Vec3(60, 475, 0)).norm() < 1e-9);
-    QCOMPARE(bench.steps(), 2);
-    bench.document().history()->undo();
-    QCOMPARE(bench.place(), Vec3(0, 500, 0));
+    QVERIFY((fixture.place() - Vec3(60, 475, 0)).norm() < 1e-9);
+    QCOMPARE(fixture.steps(), 2);
+    fixture.document().history()->undo();
+    QCOMPARE(fixture.place(), Vec3(0, 500, 0));
   }
 
   // Seen from the side and above, as a table is: the drag goes along the floor.
   void theHeightIsKept() {
-    CellBench bench;
-    bench.raise(0.1 + 0.2);  // not a multiple of any step
-    const double height = bench.place().z();
-    CellTool tool = bench.slantedTool(1.0);
+    CellFixture fixture;
+    fixture.raise(0.1 + 0.2);  // not a multiple of any step
+    const double height = fixture.place().z();
+    CellTool tool = fixture.slantedTool(1.0);
     tool.pointer(slanted(Kind::Press, {3, 500, height}, 1.0));
     for (double x : {30.0, 103.0}) tool.pointer(slanted(Kind::Drag, {x, 540, height}, 1.0));
     tool.pointer(slanted(Kind::Release, {103, 540, height}, 1.0));
-    QVERIFY((bench.place() - Vec3(100, 540, height)).norm() < 1e-6);
-    QCOMPARE(bench.place().z(), height);
+    QVERIFY((fixture.place() - Vec3(100, 540, height)).norm() < 1e-6);
+    QCOMPARE(fixture.place().z(), height);
   }
 
   void shiftMovesUpAndDown() {
-    CellBench bench;
-    CellTool tool = bench.slantedTool(0.5);
+    CellFixture fixture;
+    CellTool tool = fixture.slantedTool(0.5);
     tool.pointer(slanted(Kind::Press, {0, 500, 0}, 0.5, kShift));
     tool.pointer(slanted(Kind::Drag, {0, 500, 40}, 0.5, kShift));
     QVERIFY((bodyShown(tool).translation() - Vec3(0, 500, 40)).norm() < 1e-6);
     tool.pointer(slanted(Kind::Drag, {70, 500, 40}, 0.5));  // without Shift it goes on from there
     tool.pointer(slanted(Kind::Release, {70, 500, 40}, 0.5));
-    QVERIFY((bench.place() - Vec3(70, 500, 40)).norm() < 1e-6);
-    QCOMPARE(bench.steps(), 2);
+    QVERIFY((fixture.place() - Vec3(70, 500, 40)).norm() < 1e-6);
+    QCOMPARE(fixture.steps(), 2);
   }
 
   // A plane seen at less than 15° would run away under the pointer.
   void aFlatViewMovesUpAndDown() {
     const double tangent = std::tan(10.0 / 180.0 * kPi);
-    CellBench bench;
-    CellTool tool = bench.slantedTool(tangent);
+    CellFixture fixture;
+    CellTool tool = fixture.slantedTool(tangent);
     tool.pointer(slanted(Kind::Press, {0, 500, 0}, tangent));
     tool.pointer(slanted(Kind::Release, {30, 500, 25}, tangent));
-    QCOMPARE(Vec3(bench.place().x(), bench.place().y(), 0), Vec3(0, 500, 0));
-    QVERIFY(std::abs(bench.place().z() - 25) < 1e-6);
+    QCOMPARE(Vec3(fixture.place().x(), fixture.place().y(), 0), Vec3(0, 500, 0));
+    QVERIFY(std::abs(fixture.place().z() - 25) < 1e-6);
   }
 
   void placesSnapToAStepThatFitsTheZoom_data() {
@@ -191,8 +191,8 @@ class CellToolTest : public QObject {
     QFETCH(double, pixel);
     QFETCH(double, step);
     for (const Modifiers modifiers : {kNoModifiers, kControl}) {
-      CellBench bench;
-      CellTool tool = bench.tool("body.1");
+      CellFixture fixture;
+      CellTool tool = fixture.tool("body.1");
       PointerEvent event = at(Kind::Press, 0, 500, modifiers);
       event.pixel = pixel;
       tool.pointer(event);
@@ -201,88 +201,88 @@ class CellToolTest : public QObject {
       event.ray.origin.y() += 0.1 * step;  // the hand trembles
       tool.pointer(event);
       const bool snaps = !modifiers.control;
-      QVERIFY(std::abs(bench.place().x() - (snaps ? 30.0 : 30.4) * step) < 1e-9);
-      QVERIFY(std::abs(bench.place().y() - (snaps ? 500.0 : 500.0 + 0.1 * step)) < 1e-9);
+      QVERIFY(std::abs(fixture.place().x() - (snaps ? 30.0 : 30.4) * step) < 1e-9);
+      QVERIFY(std::abs(fixture.place().y() - (snaps ? 500.0 : 500.0 + 0.1 * step)) < 1e-9);
     }
   }
 
   void escapeDeselects() {
-    CellBench bench;
-    CellTool tool = bench.tool("body.1");
-    bench.selection.select(1);
+    CellFixture fixture;
+    CellTool tool = fixture.tool("body.1");
+    fixture.selection.select(1);
     QVERIFY(isEnabled(tool, "revert"));
     QCOMPARE(tool.perform("revert"), ToolReply::Used);
-    QVERIFY(bench.selection.empty());
+    QVERIFY(fixture.selection.empty());
     QCOMPARE(tool.perform("revert"), ToolReply::Finished);
-    QCOMPARE(bench.steps(), 1);
+    QCOMPARE(fixture.steps(), 1);
   }
 
   void aPressOnTheRobotDeselects() {
-    CellBench bench;
-    bench.selection.select(1);
-    CellTool tool = bench.tool("upper/0");
+    CellFixture fixture;
+    fixture.selection.select(1);
+    CellTool tool = fixture.tool("upper/0");
     QCOMPARE(tool.pointer(at(Kind::Press, 850, 0)), ToolReply::Used);
-    QVERIFY(bench.selection.empty());
+    QVERIFY(fixture.selection.empty());
     tool.pointer(at(Kind::Release, 300, 0));
     QCOMPARE(tool.perform("delete"), ToolReply::Ignored);
   }
 
   void escapeTakesItBack() {
-    CellBench bench;
-    CellTool tool = bench.tool("body.1");
+    CellFixture fixture;
+    CellTool tool = fixture.tool("body.1");
     tool.pointer(at(Kind::Press, 0, 500));
     tool.pointer(at(Kind::Drag, 50, 500));
     QCOMPARE(tool.perform("revert"), ToolReply::Used);
     QVERIFY(!tool.preview().replaced);
     tool.pointer(at(Kind::Release, 50, 500));
-    QCOMPARE(bench.steps(), 1);
-    QCOMPARE(bench.place(), Vec3(0, 500, 0));
+    QCOMPARE(fixture.steps(), 1);
+    QCOMPARE(fixture.place(), Vec3(0, 500, 0));
   }
 
   void theRobotIsMovedAsBefore() {
-    CellBench bench;
-    CellTool tool = bench.tool("upper/0");
+    CellFixture fixture;
+    CellTool tool = fixture.tool("upper/0");
     QCOMPARE(tool.pointer(at(Kind::Press, 850, 0)), ToolReply::Used);
     tool.pointer(at(Kind::Drag, 0, 300));
     tool.pointer(at(Kind::Release, 0, 300));
-    QVERIFY(std::abs(bench.document().joints()[0] - 0.5 * kPi) < 1e-6);
-    QVERIFY(!bench.selection.body());
-    CellTool nothing = bench.tool("");
+    QVERIFY(std::abs(fixture.document().joints()[0] - 0.5 * kPi) < 1e-6);
+    QVERIFY(!fixture.selection.body());
+    CellTool nothing = fixture.tool("");
     QCOMPARE(nothing.pointer(at(Kind::Press, 0, 0)), ToolReply::Ignored);  // the camera's
   }
 
   void deleting() {
-    CellBench bench;
-    CellTool tool = bench.tool("body.1");
+    CellFixture fixture;
+    CellTool tool = fixture.tool("body.1");
     QCOMPARE(tool.perform("delete"), ToolReply::Ignored);  // nothing is selected
-    bench.selection.select(1);
+    fixture.selection.select(1);
     QCOMPARE(tool.perform("delete"), ToolReply::Used);
     tool.documentChanged();
-    QVERIFY(bench.document().bodies().empty() && !bench.selection.body());
-    bench.document().history()->undo();
-    QCOMPARE(bench.place(), Vec3(0, 500, 0));
+    QVERIFY(fixture.document().bodies().empty() && !fixture.selection.body());
+    fixture.document().history()->undo();
+    QCOMPARE(fixture.place(), Vec3(0, 500, 0));
   }
 
   // The scene has an end.
   void nothingGoesTooFar() {
-    CellBench bench;
-    CellTool tool = bench.tool("body.1");
+    CellFixture fixture;
+    CellTool tool = fixture.tool("body.1");
     tool.pointer(at(Kind::Press, 0, 500));
     tool.pointer(at(Kind::Drag, 1e9, 500));
     tool.pointer(at(Kind::Release, 1e9, 500));
-    QVERIFY(isRigid(bench.document().bodies().withId(1)->pose));
+    QVERIFY(isRigid(fixture.document().bodies().withId(1)->pose));
   }
 
   void changesEndADrag() {
-    CellBench bench;
-    CellTool tool = bench.tool("body.1");
+    CellFixture fixture;
+    CellTool tool = fixture.tool("body.1");
     tool.pointer(at(Kind::Press, 0, 500));
     tool.pointer(at(Kind::Drag, 50, 500));
-    bench.document().history()->undo();
+    fixture.document().history()->undo();
     tool.documentChanged();
-    QVERIFY(!bench.selection.body() && !tool.preview().replaced);
+    QVERIFY(!fixture.selection.body() && !tool.preview().replaced);
     tool.pointer(at(Kind::Release, 50, 500));
-    QVERIFY(bench.document().bodies().empty());
+    QVERIFY(fixture.document().bodies().empty());
   }
 };
 

@@ -39,9 +39,9 @@ inline const std::string kRobot =
     joint("grip", "revolute", "upper", "finger", 0.2, "0 0 1", "<limit lower='-2' upper='2'/><mimic joint='elbow'/>") +
     joint("spin", "continuous", "foot", "free", -1.0, "0 0 1", "") + "</robot>";
 
-class Bench {
+class Fixture {
  public:
-  explicit Bench(const std::string& urdf = kRobot) {
+  explicit Fixture(const std::string& urdf = kRobot) {
     auto read = readUrdf(urdf);
     auto robot = std::make_shared<CellRobot>();
     robot->model = std::move(read->robot);

@@ -17,60 +17,60 @@ class HandGuidingPlacesTest : public QObject {
   // A place is taken near the tool's centre point at it, by a device or the mouse, and moves as the hand does: one
   // step, in which the robot stays. The other place stays, too.
   void aPlaceIsPulled() {
-    HandGuidingFixture bench;
-    bench.addTurn(-0.6);
-    HandGuidingTool tool = bench.tool();
+    HandGuidingFixture fixture;
+    fixture.addTurn(-0.6);
+    HandGuidingTool tool = fixture.tool();
     tool.setSetting("way", PropertyValue(2.0));
     for (const bool byDevice : {true, false}) {
-      const Pose before = bench.poseAt(1);
+      const Pose before = fixture.poseAt(1);
       const Vec3 at = before.translation() + Vec3(6.0, -4.0, 0.0), way(-20.0, 5.0, byDevice ? 10.0 : 0.0);
       const auto event = [&](Kind kind, const Vec3& place) {
         return byDevice ? byHand(kind, moved(place)) : above(kind, place.x(), place.y());
       };
-      const int steps = bench.steps();
+      const int steps = fixture.steps();
       QCOMPARE(tool.pointer(event(Kind::Press, at)), ToolReply::Used);
       QVERIFY(tool.isLeading());
-      QVERIFY(tool.joints().isApprox(bench.place(1).joints, 1e-12));  // where the robot is shown
+      QVERIFY(tool.joints().isApprox(fixture.place(1).joints, 1e-12));  // where the robot is shown
       tool.pointer(event(Kind::Drag, at + 0.5 * way));
-      QCOMPARE(bench.steps(), steps);
+      QCOMPARE(fixture.steps(), steps);
       tool.pointer(event(Kind::Release, at + way));
-      QCOMPARE(bench.steps(), steps + 1);
-      QVERIFY((bench.poseAt(1).translation() - before.translation() - way).norm() < 0.05);
-      QVERIFY((bench.poseAt(1).linear() - before.linear()).norm() < 1e-3);
-      QVERIFY(bench.place(0).joints == HandGuidingFixture::start());
-      QVERIFY(bench.document().joints() == HandGuidingFixture::start());
-      bench.document().history()->undo();
+      QCOMPARE(fixture.steps(), steps + 1);
+      QVERIFY((fixture.poseAt(1).translation() - before.translation() - way).norm() < 0.05);
+      QVERIFY((fixture.poseAt(1).linear() - before.linear()).norm() < 1e-3);
+      QVERIFY(fixture.place(0).joints == HandGuidingFixture::start());
+      QVERIFY(fixture.document().joints() == HandGuidingFixture::start());
+      fixture.document().history()->undo();
       tool.documentChanged();
-      QVERIFY(bench.poseAt(1).isApprox(before, 1e-12));
+      QVERIFY(fixture.poseAt(1).isApprox(before, 1e-12));
     }
   }
 
   // It is one that planning again has to pass, also where the path was planned along a curve, or the place by a
   // planner.
   void aPulledPlaceIsKept() {
-    HandGuidingFixture bench;
-    bench.addTurn(-0.6);
-    CellPlans plans = *bench.document().plans();
+    HandGuidingFixture fixture;
+    fixture.addTurn(-0.6);
+    CellPlans plans = *fixture.document().plans();
     plans.paths[0].process = PathProcess();
     plans.paths[0].places[1].isCritical = false;
-    bench.document().commit("Change", bench.document().plansEdit(plans));
-    HandGuidingTool tool = bench.tool();
+    fixture.document().commit("Change", fixture.document().plansEdit(plans));
+    HandGuidingTool tool = fixture.tool();
     tool.setSetting("way", PropertyValue(2.0));
-    const Vec3 at = bench.poseAt(1).translation();
+    const Vec3 at = fixture.poseAt(1).translation();
     tool.pointer(byHand(Kind::Press, moved(at)));
     tool.pointer(byHand(Kind::Release, moved(at - Vec3(5, 0, 0))));
-    QVERIFY(bench.place(1).isCritical);
-    QVERIFY(!bench.document().plans()->paths[0].process);
+    QVERIFY(fixture.place(1).isCritical);
+    QVERIFY(!fixture.document().plans()->paths[0].process);
   }
 
   // Beside all places, at a click, with the second button, after a change below, and with nothing prepared.
   void nothingIsPulled() {
-    HandGuidingFixture bench;
-    bench.addTurn(-0.6);
-    HandGuidingTool tool = bench.tool();
+    HandGuidingFixture fixture;
+    fixture.addTurn(-0.6);
+    HandGuidingTool tool = fixture.tool();
     tool.setSetting("way", PropertyValue(2.0));
-    const Vec3 at = bench.poseAt(1).translation();
-    const int steps = bench.steps();
+    const Vec3 at = fixture.poseAt(1).translation();
+    const int steps = fixture.steps();
     QCOMPARE(tool.pointer(byHand(Kind::Press, moved(at + Vec3(0, 0, 15.1)))), ToolReply::Ignored);
     QVERIFY(!tool.isLeading());
     tool.pointer(byHand(Kind::Press, moved(at)));
@@ -84,59 +84,59 @@ class HandGuidingPlacesTest : public QObject {
     tool.pointer(byHand(Kind::Press, moved(at)));
     tool.documentChanged();
     QVERIFY(!tool.isLeading());
-    QCOMPARE(bench.steps(), steps);
-    QCOMPARE(bench.places, 0);
-    bench.isUnderWay = true;
+    QCOMPARE(fixture.steps(), steps);
+    QCOMPARE(fixture.places, 0);
+    fixture.isUnderWay = true;
     QCOMPARE(tool.pointer(byHand(Kind::Press, moved(at))), ToolReply::Ignored);
     tool.setSetting("way", PropertyValue(0.0));
-    bench.isUnderWay = false;
+    fixture.isUnderWay = false;
     tool.pointer(byHand(Kind::Hover, moved(at)));
     QVERIFY(tool.forces().empty());
   }
 
   // The nearest of two, and of the path that is chosen only.
   void theNearestPlaceIsPulled() {
-    HandGuidingFixture bench;
-    bench.addTurn(-0.02);  // some 6 mm
-    CellPlans plans = *bench.document().plans();
-    plans.paths.push_back({"other", {{.joints = bench.place(1).joints}}});
-    bench.document().commit("Add", bench.document().plansEdit(plans));
-    HandGuidingTool tool = bench.tool();
+    HandGuidingFixture fixture;
+    fixture.addTurn(-0.02);  // some 6 mm
+    CellPlans plans = *fixture.document().plans();
+    plans.paths.push_back({"other", {{.joints = fixture.place(1).joints}}});
+    fixture.document().commit("Add", fixture.document().plansEdit(plans));
+    HandGuidingTool tool = fixture.tool();
     tool.setSetting("way", PropertyValue(2.0));
     tool.setSetting("path", PropertyValue(1.0));
-    const Pose first = bench.poseAt(0), second = bench.poseAt(1);
+    const Pose first = fixture.poseAt(0), second = fixture.poseAt(1);
     const Vec3 at = 0.7 * second.translation() + 0.3 * first.translation();
     tool.pointer(byHand(Kind::Press, moved(at)));
     tool.pointer(byHand(Kind::Release, moved(at - Vec3(30, 0, 0))));
-    QVERIFY(bench.poseAt(0).isApprox(first, 1e-12));
-    QVERIFY((bench.poseAt(1).translation() - second.translation() + Vec3(30, 0, 0)).norm() < 0.05);
-    QVERIFY(bench.toolPose(bench.document().plans()->path("other")->places[0].joints).isApprox(second, 1e-12));
+    QVERIFY(fixture.poseAt(0).isApprox(first, 1e-12));
+    QVERIFY((fixture.poseAt(1).translation() - second.translation() + Vec3(30, 0, 0)).norm() < 0.05);
+    QVERIFY(fixture.toolPose(fixture.document().plans()->path("other")->places[0].joints).isApprox(second, 1e-12));
   }
 
   // However far the hand pulls, the place stays before the wall.
   void noPlaceIsPulledIntoAWall() {
-    HandGuidingFixture bench;
-    bench.addTurn(-0.1);
-    HandGuidingTool tool = bench.tool();
+    HandGuidingFixture fixture;
+    fixture.addTurn(-0.1);
+    HandGuidingTool tool = fixture.tool();
     tool.setSetting("way", PropertyValue(2.0));
-    const Vec3 at = bench.poseAt(1).translation();
+    const Vec3 at = fixture.poseAt(1).translation();
     tool.pointer(byHand(Kind::Press, moved(at)));
     for (int i = 1; i <= 30; ++i) tool.pointer(byHand(Kind::Drag, moved(at + Vec3(10.0 * i, 0, 0))));
     QVERIFY(!tool.forces().empty());
     tool.pointer(byHand(Kind::Release, moved(at + Vec3(300, 0, 0))));
-    const double clearance = bench.clearance(bench.place(1).joints);
+    const double clearance = fixture.clearance(fixture.place(1).joints);
     QVERIFY2(clearance > 0.0 && clearance < 5.0, qPrintable(QString::number(clearance)));
   }
 
   // Before it is pressed a device is drawn to the place, the less the nearer it is to the edge of where that takes
   // hold.
   void aPlaceDrawsTheDevice() {
-    HandGuidingFixture bench;
-    bench.addTurn(-0.6);
-    HandGuidingTool tool = bench.tool();
+    HandGuidingFixture fixture;
+    fixture.addTurn(-0.6);
+    HandGuidingTool tool = fixture.tool();
     tool.setSetting("way", PropertyValue(2.0));
     tool.setSetting("grasp", PropertyValue(20.0));
-    const Vec3 at = bench.poseAt(1).translation(), aside = Vec3(1, 2, -2) / 3.0;
+    const Vec3 at = fixture.poseAt(1).translation(), aside = Vec3(1, 2, -2) / 3.0;
     const auto pull = [&](double distance) {
       const Vec3 tip = at + distance * aside;
       tool.pointer(byHand(Kind::Hover, moved(tip)));

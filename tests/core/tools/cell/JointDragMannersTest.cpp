@@ -26,71 +26,71 @@ class JointDragMannersTest : public QObject {
 };
 
 void JointDragMannersTest::clicksChangeNothing() {
-  Bench bench;
-  JointDragTool tool(bench.document(), bench.picking("upper/0"));
+  Fixture fixture;
+  JointDragTool tool(fixture.document(), fixture.picking("upper/0"));
   for (double y : {20.0, 0.1, 1.0 / 3.0}) {
     tool.pointer(at(Kind::Press, 300.7, y));
     tool.pointer(at(Kind::Drag, 300.7, y));
     tool.pointer(at(Kind::Release, 300.7, y));
   }
-  QCOMPARE(bench.document().history()->count(), 0);
+  QCOMPARE(fixture.document().history()->count(), 0);
   QVERIFY(!tool.isDragging());
 }
 
 // Out and back; and once around the axis, where there are no limits.
 void JointDragMannersTest::comingBackChangesNothing() {
-  Bench bench;
+  Fixture fixture;
   const std::pair<const char*, std::vector<Vec3>> kWays[] = {
       {"upper/0", {{300.7, 0.3, 0}, {200, 200, 0}, {-50, 200, 0}, {300.7, 0.3, 0}}},
       {"finger/0", {{300.7, 0.3, 0}, {250, 80, 0}, {300.7, 0.3, 0}}},
       {"free/0", {{-700, 0.3, 0}, {-900, 200, 0}, {-1200, 100, 0}, {-1200, -100, 0}, {-900, -200, 0}, {-700, 0.3, 0}}}};
   for (const auto& [part, way] : kWays) {
-    JointDragTool tool(bench.document(), bench.picking(part));
+    JointDragTool tool(fixture.document(), fixture.picking(part));
     tool.pointer(at(Kind::Press, way[0].x(), way[0].y()));
     for (const Vec3& p : way) {
       tool.pointer(at(Kind::Drag, p.x(), p.y()));
-      if (&p == &way[1]) QVERIFY(tool.joints() != bench.document().joints());
+      if (&p == &way[1]) QVERIFY(tool.joints() != fixture.document().joints());
     }
     tool.pointer(at(Kind::Release, way.back().x(), way.back().y()));
     QVERIFY(!tool.isDragging());
-    QCOMPARE(bench.document().history()->count(), 0);
+    QCOMPARE(fixture.document().history()->count(), 0);
   }
 }
 
 void JointDragMannersTest::jointsThatCannotMove() {
-  Bench bench("<robot name='r'>" + bar("foot") + bar("upper") + bar("lower") +
-              joint("shoulder", "revolute", "foot", "upper", 0, "0 0 1") +
-              joint("elbow", "revolute", "upper", "lower", 0.4, "0 0 1", "<limit lower='0.5' upper='0.5'/>") +
-              "</robot>");
-  JointDragTool tool(bench.document(), bench.picking("lower/0"));
+  Fixture fixture("<robot name='r'>" + bar("foot") + bar("upper") + bar("lower") +
+                  joint("shoulder", "revolute", "foot", "upper", 0, "0 0 1") +
+                  joint("elbow", "revolute", "upper", "lower", 0.4, "0 0 1", "<limit lower='0.5' upper='0.5'/>") +
+                  "</robot>");
+  JointDragTool tool(fixture.document(), fixture.picking("lower/0"));
   tool.pointer(at(Kind::Press, 600, 0));
   QCOMPARE(tool.settings().at(0).label, std::string("shoulder"));
   tool.pointer(at(Kind::Release, 0, 600));
-  QVERIFY(std::abs(bench.document().joints()[0] - kPi / 2) < 1e-12);
-  QCOMPARE(bench.document().joints()[1], 0.5);
+  QVERIFY(std::abs(fixture.document().joints()[0] - kPi / 2) < 1e-12);
+  QCOMPARE(fixture.document().joints()[1], 0.5);
 }
 
 void JointDragMannersTest::escPutsBack() {
-  Bench bench;
-  JointDragTool tool(bench.document(), bench.picking("upper/0"));
+  Fixture fixture;
+  JointDragTool tool(fixture.document(), fixture.picking("upper/0"));
   tool.pointer(at(Kind::Press, 300, 0));
   tool.pointer(at(Kind::Drag, 0, 300));
   QCOMPARE(tool.perform("revert"), ToolReply::Used);
   QCOMPARE(tool.joints()[0], 0.0);
   QCOMPARE(tool.pointer(at(Kind::Release, 0, 300)), ToolReply::Ignored);
-  QCOMPARE(bench.document().history()->count(), 0);
+  QCOMPARE(fixture.document().history()->count(), 0);
   QCOMPARE(tool.perform("revert"), ToolReply::Finished);
   QCOMPARE(tool.perform("nothing"), ToolReply::Ignored);
   // Return in the midst of a drag takes what is there.
   tool.pointer(at(Kind::Press, 300, 0));
   tool.pointer(at(Kind::Drag, 0, 300));
   QCOMPARE(tool.perform("commit"), ToolReply::Used);
-  QVERIFY(std::abs(bench.document().joints()[0] - kPi / 2) < 1e-12);
+  QVERIFY(std::abs(fixture.document().joints()[0] - kPi / 2) < 1e-12);
 }
 
 void JointDragMannersTest::theOtherButtonPutsBack() {
-  Bench bench;
-  JointDragTool tool(bench.document(), bench.picking("upper/0"));
+  Fixture fixture;
+  JointDragTool tool(fixture.document(), fixture.picking("upper/0"));
   tool.pointer(at(Kind::Press, 300, 0));
   tool.pointer(at(Kind::Drag, 0, 300));
   PointerEvent other = at(Kind::Press, 0, 300);
@@ -101,16 +101,16 @@ void JointDragMannersTest::theOtherButtonPutsBack() {
 }
 
 void JointDragMannersTest::nothingToTakeHoldOf() {
-  Bench bench;
-  JointDragTool foot(bench.document(), bench.picking("foot/0"));
+  Fixture fixture;
+  JointDragTool foot(fixture.document(), fixture.picking("foot/0"));
   QCOMPARE(foot.pointer(at(Kind::Press, 300, 0)), ToolReply::Ignored);
-  JointDragTool unknown(bench.document(), bench.picking("none/0"));
+  JointDragTool unknown(fixture.document(), fixture.picking("none/0"));
   QCOMPARE(unknown.pointer(at(Kind::Press, 300, 0)), ToolReply::Ignored);
-  JointDragTool empty(bench.document(), [](const Ray&) { return std::nullopt; });
+  JointDragTool empty(fixture.document(), [](const Ray&) { return std::nullopt; });
   QCOMPARE(empty.pointer(at(Kind::Press, 300, 0)), ToolReply::Ignored);
   QCOMPARE(empty.pointer(at(Kind::Drag, 300, 0)), ToolReply::Ignored);
   // On the axis of the elbow: the shoulder has a lever there.
-  JointDragTool axis(bench.document(), bench.picking("lower/0"));
+  JointDragTool axis(fixture.document(), fixture.picking("lower/0"));
   axis.pointer(at(Kind::Press, 400, 0));
   axis.pointer(at(Kind::Drag, 0, 400));
   QVERIFY(std::abs(axis.joints()[0] - kPi / 2) < 1e-12);
@@ -118,8 +118,8 @@ void JointDragMannersTest::nothingToTakeHoldOf() {
 }
 
 void JointDragMannersTest::previewMovesWhatMoves() {
-  Bench bench;
-  JointDragTool tool(bench.document(), bench.picking("lower/0"));
+  Fixture fixture;
+  JointDragTool tool(fixture.document(), fixture.picking("lower/0"));
   QVERIFY(tool.preview().parts.empty() && tool.preview().lines.empty() && tool.settings().empty());
   tool.pointer(at(Kind::Hover, 600, 0));
   QCOMPARE(tool.preview().lines.size(), std::size_t{1});  // the axis that would turn
@@ -145,27 +145,27 @@ void JointDragMannersTest::previewMovesWhatMoves() {
 
 // Run as the window runs it: the tool's own edit does not disturb it, an undo under it drops the drag.
 void JointDragMannersTest::undoTakesItBack() {
-  Bench bench;
+  Fixture fixture;
   ToolRunner runner;
-  runner.start(std::make_unique<JointDragTool>(bench.document(), bench.picking("upper/0")), bench.document());
+  runner.start(std::make_unique<JointDragTool>(fixture.document(), fixture.picking("upper/0")), fixture.document());
   runner.pointer(at(Kind::Press, 300, 0));
   runner.pointer(at(Kind::Drag, 0, 300));
   runner.pointer(at(Kind::Release, 0, 300));
-  QVERIFY(std::abs(bench.document().joints()[0] - kPi / 2) < 1e-12);
+  QVERIFY(std::abs(fixture.document().joints()[0] - kPi / 2) < 1e-12);
   runner.pointer(at(Kind::Press, 0, 300));
   runner.pointer(at(Kind::Drag, 300, 0));
-  bench.document().history()->undo();
+  fixture.document().history()->undo();
   const auto* tool = static_cast<const JointDragTool*>(runner.tool());
   QVERIFY(tool && !tool->isDragging());
   QCOMPARE(tool->joints()[0], 0.0);
   runner.pointer(at(Kind::Release, 300, 0));
-  QCOMPARE(bench.document().history()->count(), 1);
-  QVERIFY(!bench.document().isModified());
+  QCOMPARE(fixture.document().history()->count(), 1);
+  QVERIFY(!fixture.document().isModified());
 }
 
 void JointDragMannersTest::oddEvents() {
-  Bench bench;
-  JointDragTool tool(bench.document(), bench.picking("upper/0"));
+  Fixture fixture;
+  JointDragTool tool(fixture.document(), fixture.picking("upper/0"));
   PointerEvent odd = at(Kind::Press, 300, 0);
   odd.ray.direction.setZero();
   QCOMPARE(tool.pointer(odd), ToolReply::Ignored);

@@ -15,9 +15,9 @@ using namespace handwheel::test;
 namespace {
 
 // A cube of 20 mm beside a robot, its top at z = 10, and the tool. Whatever is pointed to is the cube.
-class ProcessBench {
+class ProcessFixture {
  public:
-  ProcessBench() {
+  ProcessFixture() {
     Body cube{.name = "cube", .geometry = *PrimitiveGeometry::make(Primitive::Cuboid, {20, 20, 20})};
     cube.pose.translation() = Vec3(0, 500, 0);
     document().commit("Add", std::move(addBodyEdit(document().bodies(), cube)).value());
@@ -41,7 +41,7 @@ class ProcessBench {
   bool isPrepared = true;
 
  private:
-  Bench m_bench;
+  Fixture m_bench;
 };
 
 void click(ProcessPathTool& tool, double x, double y) {
@@ -67,22 +67,22 @@ class ProcessPathToolTest : public QObject {
  private slots:
   // The edge under the pointer, 20 mm, is shown, then taken.
   void anEdge() {
-    ProcessBench bench;
-    ProcessPathTool tool = bench.tool();
+    ProcessFixture fixture;
+    ProcessPathTool tool = fixture.tool();
     tool.pointer(above(Kind::Hover, 9.5, 500));
     QCOMPARE(shownLength(tool), 20.0);
     QVERIFY(!isEnabled(tool, "commit"));
     click(tool, 9.5, 500);
     QVERIFY(isEnabled(tool, "commit"));
     tool.perform("commit");
-    QCOMPARE(bench.planned.size(), std::size_t{1});
-    QCOMPARE(bench.planned[0].numbers("near"), (std::vector<double>{9.5, 500.0, 10.0}));
+    QCOMPARE(fixture.planned.size(), std::size_t{1});
+    QCOMPARE(fixture.planned[0].numbers("near"), (std::vector<double>{9.5, 500.0, 10.0}));
   }
 
   // An outline is hit by pointing beside it: 4 pixels beside the cube its edge is shown and taken, 40 beside nothing.
   void anEdgeFromOutside() {
-    ProcessBench bench;
-    ProcessPathTool tool = bench.tool(10.0);
+    ProcessFixture fixture;
+    ProcessPathTool tool = fixture.tool(10.0);
     const auto beside = [](Kind kind, double x) {
       PointerEvent event = above(kind, x, 500);
       event.pixel = 1.0;
@@ -99,19 +99,19 @@ class ProcessPathToolTest : public QObject {
 
   // The pointer rests on a part whose edges are still being looked for: they are shown once they are found.
   void anEdgeThatIsFoundLater() {
-    ProcessBench bench;
-    bench.isPrepared = false;
-    ProcessPathTool tool = bench.tool();
+    ProcessFixture fixture;
+    fixture.isPrepared = false;
+    ProcessPathTool tool = fixture.tool();
     tool.pointer(above(Kind::Hover, 9.5, 500));
     QCOMPARE(shownLength(tool), 0.0);
-    bench.isPrepared = true;
+    fixture.isPrepared = true;
     QCOMPARE(shownLength(tool), 20.0);
   }
 
   // By clicks, with the way to the pointer shown; the last is removed again.
   void drawnByClicks() {
-    ProcessBench bench;
-    ProcessPathTool tool = bench.tool();
+    ProcessFixture fixture;
+    ProcessPathTool tool = fixture.tool();
     tool.setSetting("along", PropertyValue(static_cast<double>(kAlongDrawn)));
     click(tool, -5, 495);
     QVERIFY(!isEnabled(tool, "commit") && !isEnabled(tool, "removeLast"));
@@ -125,8 +125,8 @@ class ProcessPathToolTest : public QObject {
     QVERIFY(std::abs(shownLength(tool) - 20.0) < 1e-9);
     tool.pointer(above(Kind::Hover, -9, 505));  // what is only pointed to is not taken
     tool.perform("commit");
-    QCOMPARE(bench.planned.size(), std::size_t{1});
-    QCOMPARE(bench.planned[0].text("through"), std::string("5,495,10;5,505,10"));
+    QCOMPARE(fixture.planned.size(), std::size_t{1});
+    QCOMPARE(fixture.planned[0].text("through"), std::string("5,495,10;5,505,10"));
     QCOMPARE(tool.perform("revert"), ToolReply::Used);
     QCOMPARE(shownLength(tool), 0.0);
     QCOMPARE(tool.perform("revert"), ToolReply::Finished);
@@ -134,29 +134,29 @@ class ProcessPathToolTest : public QObject {
 
   // In one go: a place every twelve pixels.
   void drawnInOneGo() {
-    ProcessBench bench;
-    ProcessPathTool tool = bench.tool();
+    ProcessFixture fixture;
+    ProcessPathTool tool = fixture.tool();
     tool.setSetting("along", PropertyValue(static_cast<double>(kAlongDrawn)));
     tool.pointer(above(Kind::Press, -5, 500));
     for (int i = 1; i <= 100; ++i) tool.pointer(above(Kind::Drag, -5 + 0.1 * i, 500));
     tool.pointer(above(Kind::Release, 5, 500));
     QVERIFY(std::abs(shownLength(tool) - 10.0) < 0.2);
     tool.perform("commit");
-    QCOMPARE(std::ranges::count(bench.planned.at(0).text("through"), ';'), 49);  // 0.2 mm: pixels are 0.01, drags 0.1
+    QCOMPARE(std::ranges::count(fixture.planned.at(0).text("through"), ';'), 49);  // 0.2 mm: pixels are 0.01, drags 0.1
   }
 
   // What is drawn on a part that moves away is gone; another kind of curve begins anew.
   void whatChangesBelow() {
-    ProcessBench bench;
-    ProcessPathTool tool = bench.tool();
+    ProcessFixture fixture;
+    ProcessPathTool tool = fixture.tool();
     tool.setSetting("along", PropertyValue(static_cast<double>(kAlongDrawn)));
     click(tool, -5, 500);
     click(tool, 5, 500);
-    bench.document().history()->undo();
+    fixture.document().history()->undo();
     tool.documentChanged();
     QCOMPARE(shownLength(tool), 0.0);
     QVERIFY(!isEnabled(tool, "commit"));
-    bench.document().history()->redo();
+    fixture.document().history()->redo();
     tool.documentChanged();
     click(tool, -5, 500);
     click(tool, 5, 500);

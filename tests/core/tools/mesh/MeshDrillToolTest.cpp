@@ -27,7 +27,7 @@ TriangleSoup drilledPlate(double edge = 30.0) {
 }
 
 // A mesh and a drill above it.
-struct MeshDrillBench {
+struct MeshDrillFixture {
   std::unique_ptr<MeshDocument> document;
   MonotonicClock clock;
   Service simulation{"simulation"};
@@ -35,13 +35,13 @@ struct MeshDrillBench {
   std::vector<std::string> offers;  // reasons
   MeshDrillTool* tool = nullptr;
 
-  explicit MeshDrillBench(const TriangleSoup& soup) : document(test::meshDocument(soup)) {
+  explicit MeshDrillFixture(const TriangleSoup& soup) : document(test::meshDocument(soup)) {
     start(immediateServices(*document));
   }
-  MeshDrillBench(const TriangleSoup& soup, test::WaitingServices& waiting) : document(test::meshDocument(soup)) {
+  MeshDrillFixture(const TriangleSoup& soup, test::WaitingServices& waiting) : document(test::meshDocument(soup)) {
     start(waiting.services());
   }
-  ~MeshDrillBench() { runner.stop(); }
+  ~MeshDrillFixture() { runner.stop(); }
 
   void start(MeshServices services) {
     auto started =
@@ -90,16 +90,16 @@ class MeshDrillToolTest : public QObject {
   // voxels to its diameter. Triangles that it does not meet keep their indices. Undone it is gone, redone it is there
   // again.
   void aHoleThroughAPlate() {
-    MeshDrillBench bench(drilledPlate());
-    QCOMPARE(bench.setting("voxel"), std::optional(kDrillDiameter / 16.0));
-    QCOMPARE(bench.says(), std::string("drill across the surface"));
-    const HalfEdgeMesh before = bench.document->mesh();
-    QVERIFY(bench.drill(0.113, -0.271, kPlateThick + 1.2 * kDrillDiameter));
-    QCOMPARE(bench.document->history()->count(), 1);
-    QCOMPARE(bench.document->history()->undoText(), QStringLiteral("Drill a hole"));
-    QCOMPARE(bench.flaw(), std::string());
-    QVERIFY(bench.offers.empty());
-    const HalfEdgeMesh after = bench.document->mesh();
+    MeshDrillFixture fixture(drilledPlate());
+    QCOMPARE(fixture.setting("voxel"), std::optional(kDrillDiameter / 16.0));
+    QCOMPARE(fixture.says(), std::string("drill across the surface"));
+    const HalfEdgeMesh before = fixture.document->mesh();
+    QVERIFY(fixture.drill(0.113, -0.271, kPlateThick + 1.2 * kDrillDiameter));
+    QCOMPARE(fixture.document->history()->count(), 1);
+    QCOMPARE(fixture.document->history()->undoText(), QStringLiteral("Drill a hole"));
+    QCOMPARE(fixture.flaw(), std::string());
+    QVERIFY(fixture.offers.empty());
+    const HalfEdgeMesh after = fixture.document->mesh();
     QCOMPARE(test::eulerCharacteristic(after), 0L);  // one handle
     const double gone = test::volume(before.compact().soup) - test::volume(after.compact().soup);
     const double exact = 0.25 * M_PI * kDrillDiameter * kDrillDiameter * kPlateThick;
@@ -111,57 +111,57 @@ class MeshDrillToolTest : public QObject {
         ++kept;
       }
     QCOMPARE(kept, std::size_t{8});  // those of the four sides
-    QVERIFY(bench.setting("max_thrust").value_or(0.0) > 0.0 && bench.setting("breakthrough").has_value());
-    QVERIFY(std::abs(*bench.setting("removed") / exact - 1.0) < 0.02);
-    bench.document->history()->undo();
-    QVERIFY(test::sameMesh(bench.document->mesh(), before));
-    QVERIFY(!bench.setting("max_thrust"));  // what is undone is not shown any more
-    bench.document->history()->redo();
-    QVERIFY(test::sameMesh(bench.document->mesh(), after));
+    QVERIFY(fixture.setting("max_thrust").value_or(0.0) > 0.0 && fixture.setting("breakthrough").has_value());
+    QVERIFY(std::abs(*fixture.setting("removed") / exact - 1.0) < 0.02);
+    fixture.document->history()->undo();
+    QVERIFY(test::sameMesh(fixture.document->mesh(), before));
+    QVERIFY(!fixture.setting("max_thrust"));  // what is undone is not shown any more
+    fixture.document->history()->redo();
+    QVERIFY(test::sameMesh(fixture.document->mesh(), after));
   }
 
   // Held again within a hole that is not through, it goes on along it, and the hole has one wall; another beside it
   // begins on the surface. What is discarded leaves nothing.
   void holesInTurn() {
-    MeshDrillBench bench(test::box({-10.0, -10.0, -12.0}, {20.0, 20.0, 12.0}));
-    QVERIFY(bench.drill(-3.0, 1.0, 3.0));
-    QCOMPARE(bench.document->history()->count(), 1);
-    const double one = test::volume(bench.document->mesh().compact().soup);
+    MeshDrillFixture fixture(test::box({-10.0, -10.0, -12.0}, {20.0, 20.0, 12.0}));
+    QVERIFY(fixture.drill(-3.0, 1.0, 3.0));
+    QCOMPARE(fixture.document->history()->count(), 1);
+    const double one = test::volume(fixture.document->mesh().compact().soup);
     // A ball whose front is 3 mm deep: a cylinder of 1 mm with half the ball before it.
     QVERIFY(one < 4800.0 - 0.95 * (4.0 * M_PI + 16.0 / 3.0 * M_PI));
-    QCOMPARE(bench.event(PointerEvent::Kind::Press, -2.2, 1.3), ToolReply::Used);
-    QVERIFY(QTest::qWaitFor([&] { return bench.setting("removed").value_or(0.0) > 1.0; }, 30'000));
-    const auto deeper = bench.tool->hole();
+    QCOMPARE(fixture.event(PointerEvent::Kind::Press, -2.2, 1.3), ToolReply::Used);
+    QVERIFY(QTest::qWaitFor([&] { return fixture.setting("removed").value_or(0.0) > 1.0; }, 30'000));
+    const auto deeper = fixture.tool->hole();
     QVERIFY((deeper->poses[0].place() - Vec3(-3.0, 1.0, deeper->poses[0].place().z())).norm() < 1e-3);
     QVERIFY(deeper->poses[0].place().z() < -0.9);
-    bench.runner.perform("revert");
-    QCOMPARE(bench.document->history()->count(), 1);
-    const HalfEdgeMesh before = bench.document->mesh();
-    QVERIFY(bench.drill(-2.2, 1.3, 4.0));
-    QVERIFY(bench.offers.empty());
-    QCOMPARE(bench.document->history()->count(), 2);
-    QCOMPARE(bench.flaw(), std::string());
-    const double two = test::volume(bench.document->mesh().compact().soup);
+    fixture.runner.perform("revert");
+    QCOMPARE(fixture.document->history()->count(), 1);
+    const HalfEdgeMesh before = fixture.document->mesh();
+    QVERIFY(fixture.drill(-2.2, 1.3, 4.0));
+    QVERIFY(fixture.offers.empty());
+    QCOMPARE(fixture.document->history()->count(), 2);
+    QCOMPARE(fixture.flaw(), std::string());
+    const double two = test::volume(fixture.document->mesh().compact().soup);
     QVERIFY(two < one - 0.95 * 4.0 * 4.0 * M_PI);  // 4 mm of a cylinder, and more
-    bench.document->history()->undo();
-    QVERIFY(test::sameMesh(bench.document->mesh(), before));
-    bench.document->history()->redo();
-    QVERIFY(bench.drill(5.0, -4.0, 3.0));
-    QVERIFY((bench.tool->hole()->poses[0].place() - Vec3(5.0, -4.0, 2.0)).norm() < 1e-3);
-    QCOMPARE(bench.flaw(), std::string());
-    QCOMPARE(bench.document->history()->count(), 3);
-    QVERIFY(test::volume(bench.document->mesh().compact().soup) < two - 20.0);
+    fixture.document->history()->undo();
+    QVERIFY(test::sameMesh(fixture.document->mesh(), before));
+    fixture.document->history()->redo();
+    QVERIFY(fixture.drill(5.0, -4.0, 3.0));
+    QVERIFY((fixture.tool->hole()->poses[0].place() - Vec3(5.0, -4.0, 2.0)).norm() < 1e-3);
+    QCOMPARE(fixture.flaw(), std::string());
+    QCOMPARE(fixture.document->history()->count(), 3);
+    QVERIFY(test::volume(fixture.document->mesh().compact().soup) < two - 20.0);
   }
 
   // While it goes on, the tiles that are cut are shown by voxels and hidden of the mesh, which is not changed yet.
   void shownWhileItIsDrilled() {
-    MeshDrillBench bench(drilledPlate(60.0));
-    bench.event(PointerEvent::Kind::Hover, 1.0, 2.0);
-    QCOMPARE(bench.tool->preview().lines.size(), std::size_t{2});
-    const HalfEdgeMesh before = bench.document->mesh();
-    QCOMPARE(bench.event(PointerEvent::Kind::Press, 1.0, 2.0), ToolReply::Used);
-    QVERIFY(QTest::qWaitFor([&] { return bench.setting("removed").value_or(0.0) > 10.0; }, 30'000));
-    const MeshPreview shown = meshPreviewOf(bench.tool->preview());
+    MeshDrillFixture fixture(drilledPlate(60.0));
+    fixture.event(PointerEvent::Kind::Hover, 1.0, 2.0);
+    QCOMPARE(fixture.tool->preview().lines.size(), std::size_t{2});
+    const HalfEdgeMesh before = fixture.document->mesh();
+    QCOMPARE(fixture.event(PointerEvent::Kind::Press, 1.0, 2.0), ToolReply::Used);
+    QVERIFY(QTest::qWaitFor([&] { return fixture.setting("removed").value_or(0.0) > 10.0; }, 30'000));
+    const MeshPreview shown = meshPreviewOf(fixture.tool->preview());
     QVERIFY(shown.voxels && shown.previewMesh);
     const auto* state = dynamic_cast<const DrillState*>(shown.voxels.get());
     QVERIFY(state && state->isExact && !state->tiles.empty());
@@ -181,42 +181,42 @@ class MeshDrillToolTest : public QObject {
     }
     const double plain = test::area(before.compact().soup);
     QVERIFY2(area > 0.99 * plain && area < plain + 150.0, QByteArray::number(area - plain));
-    QVERIFY(test::sameMesh(bench.document->mesh(), before));
-    QCOMPARE(bench.runner.perform("revert"), ToolReply::Used);
-    QVERIFY(!meshPreviewOf(bench.tool->preview()).voxels);
-    QCOMPARE(bench.document->history()->count(), 0);
+    QVERIFY(test::sameMesh(fixture.document->mesh(), before));
+    QCOMPARE(fixture.runner.perform("revert"), ToolReply::Used);
+    QVERIFY(!meshPreviewOf(fixture.tool->preview()).voxels);
+    QCOMPARE(fixture.document->history()->count(), 0);
   }
 
   // The mesh is prepared by a job, and the hole put into it by another; until then the drill waits, and says so. What
   // is cancelled leaves nothing.
   void waitsForJobs() {
     test::WaitingServices waiting;
-    MeshDrillBench bench(drilledPlate(), waiting);
-    QCOMPARE(bench.says(), std::string("the mesh is being prepared for the drill"));
-    QCOMPARE(bench.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
-    QVERIFY(!bench.tool->isLive() && bench.offers.empty());
+    MeshDrillFixture fixture(drilledPlate(), waiting);
+    QCOMPARE(fixture.says(), std::string("the mesh is being prepared for the drill"));
+    QCOMPARE(fixture.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
+    QVERIFY(!fixture.tool->isLive() && fixture.offers.empty());
     while (!waiting.jobs.empty()) waiting.work()();  // of voxels for other diameters are too late, and dropped
-    QCOMPARE(bench.says(), std::string("drill across the surface"));
-    QVERIFY(bench.drill(0.0, 0.0, 1.0));
+    QCOMPARE(fixture.says(), std::string("drill across the surface"));
+    QVERIFY(fixture.drill(0.0, 0.0, 1.0));
     QCOMPARE(waiting.changes.size(), std::size_t{1});
-    QCOMPARE(bench.says(), std::string("the hole is being taken from the triangles"));
-    QVERIFY(meshPreviewOf(bench.tool->preview()).voxels);  // still seen
-    QCOMPARE(bench.event(PointerEvent::Kind::Press, 5.0, 5.0), ToolReply::Used);
-    QVERIFY(!bench.tool->isLive());
+    QCOMPARE(fixture.says(), std::string("the hole is being taken from the triangles"));
+    QVERIFY(meshPreviewOf(fixture.tool->preview()).voxels);  // still seen
+    QCOMPARE(fixture.event(PointerEvent::Kind::Press, 5.0, 5.0), ToolReply::Used);
+    QVERIFY(!fixture.tool->isLive());
     waiting.changes.front().ended();  // cancelled
-    QCOMPARE(bench.says(), std::string("drill across the surface"));
-    QVERIFY(!meshPreviewOf(bench.tool->preview()).voxels && bench.offers.empty());
+    QCOMPARE(fixture.says(), std::string("drill across the surface"));
+    QVERIFY(!meshPreviewOf(fixture.tool->preview()).voxels && fixture.offers.empty());
     // Where the mesh is another by then, it stays as it is, with the reason.
     HalfEdgeMesh other = test::meshDocument(test::cube(50.0))->mesh();
     const HalfEdgeMesh before = other;
     const std::size_t faces = before.liveFaceCount();
-    QVERIFY(bench.drill(0.0, 0.0, 1.0));
+    QVERIFY(fixture.drill(0.0, 0.0, 1.0));
     QCOMPARE(waiting.changes.size(), std::size_t{2});
     waiting.changes.back().apply(other, Progress());
     QCOMPARE(other.liveFaceCount(), faces);
     QVERIFY(test::sameMesh(other, before));
     waiting.changes.back().ended();
-    QCOMPARE(bench.offers, std::vector<std::string>{"the mesh was changed meanwhile"});
+    QCOMPARE(fixture.offers, std::vector<std::string>{"the mesh was changed meanwhile"});
   }
 
   // A twist drill of 60 mm does not come onto a slope through the wall opposite: it would cut with its side.
@@ -226,13 +226,13 @@ class MeshDrillToolTest : public QObject {
     for (const double distance : {25.0, 100.0}) {
       TriangleSoup walled = slope;
       test::append(walled, test::box({distance, -10.0, -5.0}, {5.0, 20.0, 150.0}));
-      MeshDrillBench bench(walled);
-      bench.runner.setSetting("head", PropertyValue(1.0));
-      QVERIFY(bench.tool->setup().tool.shape == DrillShape::Twist);
-      QCOMPARE(bench.event(PointerEvent::Kind::Press, 3.5, 0.0), ToolReply::Used);
-      QCOMPARE(bench.tool->isLive(), distance > 60.0);
+      MeshDrillFixture fixture(walled);
+      fixture.runner.setSetting("head", PropertyValue(1.0));
+      QVERIFY(fixture.tool->setup().tool.shape == DrillShape::Twist);
+      QCOMPARE(fixture.event(PointerEvent::Kind::Press, 3.5, 0.0), ToolReply::Used);
+      QCOMPARE(fixture.tool->isLive(), distance > 60.0);
       if (distance < 60.0)
-        QCOMPARE(bench.says(), std::string("the drill would cut sideways here: begin on a free surface"));
+        QCOMPARE(fixture.says(), std::string("the drill would cut sideways here: begin on a free surface"));
     }
   }
 
@@ -255,38 +255,38 @@ class MeshDrillToolTest : public QObject {
     if (shape == 2) soup = test::turnedOver(soup);
     if (shape == 3) soup = {};
     if (shape == 4) soup = drilledPlate(1e6);
-    MeshDrillBench bench(soup);
-    QCOMPARE(bench.says(), reason.toStdString());
-    QCOMPARE(bench.event(PointerEvent::Kind::Press, -5.0, -5.0), ToolReply::Used);
-    QVERIFY(!bench.tool->isLive());
-    QCOMPARE(bench.offers, std::vector<std::string>{reason.toStdString()});
-    QCOMPARE(bench.document->history()->count(), bench.document->openingSteps());
+    MeshDrillFixture fixture(soup);
+    QCOMPARE(fixture.says(), reason.toStdString());
+    QCOMPARE(fixture.event(PointerEvent::Kind::Press, -5.0, -5.0), ToolReply::Used);
+    QVERIFY(!fixture.tool->isLive());
+    QCOMPARE(fixture.offers, std::vector<std::string>{reason.toStdString()});
+    QCOMPARE(fixture.document->history()->count(), fixture.document->openingSteps());
   }
 
   // A part that would be gone stays, and it is said why.
   void nothingWouldBeLeft() {
-    MeshDrillBench bench(test::box({-0.5, -0.5, -1.0}, {1.0, 1.0, 1.0}));
-    QVERIFY(bench.drill(0.1, 0.0, 2.0));
-    QCOMPARE(bench.offers, std::vector<std::string>{"nothing would be left of the mesh"});
-    QCOMPARE(bench.document->history()->count(), bench.document->openingSteps());
-    QCOMPARE(bench.document->mesh().liveFaceCount(), std::size_t{12});
+    MeshDrillFixture fixture(test::box({-0.5, -0.5, -1.0}, {1.0, 1.0, 1.0}));
+    QVERIFY(fixture.drill(0.1, 0.0, 2.0));
+    QCOMPARE(fixture.offers, std::vector<std::string>{"nothing would be left of the mesh"});
+    QCOMPARE(fixture.document->history()->count(), fixture.document->openingSteps());
+    QCOMPARE(fixture.document->mesh().liveFaceCount(), std::size_t{12});
   }
 
   // Beside the part the camera has the mouse; the voxel follows the head, and can be chosen within limits of it.
   void settings() {
-    MeshDrillBench bench(drilledPlate());
-    QCOMPARE(bench.event(PointerEvent::Kind::Press, 40.0, 0.0), ToolReply::Ignored);
-    bench.runner.setSetting("voxel", PropertyValue(100.0));
-    QCOMPARE(bench.setting("voxel"), std::optional(kDrillDiameter / 6.0));
-    bench.runner.setSetting("voxel", PropertyValue(0.3));
-    bench.runner.setSetting("voxel", PropertyValue(std::nan("")));
-    QCOMPARE(bench.setting("voxel"), std::optional(0.3));
-    QVERIFY(bench.drill(0.0, 0.0, 1.0) && bench.tool->hole());
-    QCOMPARE(bench.tool->hole()->volume.voxel(), 0.3);
-    bench.runner.setSetting("head", PropertyValue(3.0));  // a saw, which is thin
-    const DrillBit saw = bench.tool->setup().tool;
+    MeshDrillFixture fixture(drilledPlate());
+    QCOMPARE(fixture.event(PointerEvent::Kind::Press, 40.0, 0.0), ToolReply::Ignored);
+    fixture.runner.setSetting("voxel", PropertyValue(100.0));
+    QCOMPARE(fixture.setting("voxel"), std::optional(kDrillDiameter / 6.0));
+    fixture.runner.setSetting("voxel", PropertyValue(0.3));
+    fixture.runner.setSetting("voxel", PropertyValue(std::nan("")));
+    QCOMPARE(fixture.setting("voxel"), std::optional(0.3));
+    QVERIFY(fixture.drill(0.0, 0.0, 1.0) && fixture.tool->hole());
+    QCOMPARE(fixture.tool->hole()->volume.voxel(), 0.3);
+    fixture.runner.setSetting("head", PropertyValue(3.0));  // a saw, which is thin
+    const DrillBit saw = fixture.tool->setup().tool;
     QVERIFY(saw.shape == DrillShape::Saw);
-    QCOMPARE(bench.setting("voxel"), std::optional(std::min(saw.diameter / 16.0, saw.width / 4.0)));
+    QCOMPARE(fixture.setting("voxel"), std::optional(std::min(saw.diameter / 16.0, saw.width / 4.0)));
   }
 };
 

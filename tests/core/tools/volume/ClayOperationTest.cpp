@@ -156,9 +156,9 @@ class ClayOperationTest : public QObject {
       const double exact = 2.0 * sweptVolume(2.0, 8.0);
       QVERIFY2(isWithinShare(carved->removed, exact, 0.01), QByteArray::number(carved->removed / exact));
       QCOMPARE(carved->seconds, 3.0);
-      const VolumeSampler reader(carved->part->volume);
-      QVERIFY(reader.depthAt({0.0, -4.0, 1.8}).depth < 0.0 && reader.depthAt({0.0, 5.0, 0.0}).depth < 0.0);
-      QVERIFY(reader.depthAt({0.0, -4.0, 2.2}).depth > 0.0 && reader.depthAt({-7.0, 0.0, 0.0}).depth > 0.0);
+      const VolumeSampler sampler(carved->part->volume);
+      QVERIFY(sampler.depthAt({0.0, -4.0, 1.8}).depth < 0.0 && sampler.depthAt({0.0, 5.0, 0.0}).depth < 0.0);
+      QVERIFY(sampler.depthAt({0.0, -4.0, 2.2}).depth > 0.0 && sampler.depthAt({-7.0, 0.0, 0.0}).depth > 0.0);
     }
   }
 
@@ -170,8 +170,8 @@ class ClayOperationTest : public QObject {
     QVERIFY(added.hasValue());
     const double exact = sweptVolume(1.5, 120.0);
     QVERIFY2(isWithinShare(added->added, exact, 0.02), QByteArray::number(added->added / exact));
-    const VolumeSampler reader(added->part->volume);
-    for (double x = 19.0; x < 141.0; x += 0.5) QVERIFY(reader.depthAt({x, 0.0, 0.0}).depth > 0.0);
+    const VolumeSampler sampler(added->part->volume);
+    for (double x = 19.0; x < 141.0; x += 0.5) QVERIFY(sampler.depthAt({x, 0.0, 0.0}).depth > 0.0);
   }
 
   // With a mirror the other side is done, too; with two of them four.

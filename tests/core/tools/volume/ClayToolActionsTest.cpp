@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ClayBench.h"
+#include "ClayFixture.h"
 #include "TestClass.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ const Property* claySetting(const std::vector<Property>& settings, std::string_v
   return found == settings.end() ? nullptr : &*found;
 }
 
-double clayNumberOf(const ClayBench& bench, std::string_view id) {
-  const std::vector<Property> settings = bench.tool->settings();
+double clayNumberOf(const ClayFixture& fixture, std::string_view id) {
+  const std::vector<Property> settings = fixture.tool->settings();
   const Property* const setting = claySetting(settings, id);
   return setting ? std::get<double>(setting->value) : -1.0;
 }
@@ -29,41 +29,41 @@ class ClayToolActionsTest : public QObject {
 
  private slots:
   void keysChooseWhatIsDone() {
-    ClayBench bench;
+    ClayFixture fixture;
     for (const auto& [key, action] : {std::pair("add", ClayAction::Add), std::pair("carve", ClayAction::Carve),
                                       std::pair("smooth", ClayAction::Smooth), std::pair("move", ClayAction::Move),
                                       std::pair("mask", ClayAction::Mask)}) {
-      QCOMPARE(bench.runner.perform(key), ToolReply::Used);
-      QCOMPARE(clayNumberOf(bench, "action"), static_cast<double>(action));
+      QCOMPARE(fixture.runner.perform(key), ToolReply::Used);
+      QCOMPARE(clayNumberOf(fixture, "action"), static_cast<double>(action));
     }
-    QCOMPARE(bench.runner.perform("juggle"), ToolReply::Ignored);
-    QCOMPARE(bench.runner.perform("loadStamp"), ToolReply::Ignored);  // nothing can be loaded here
-    QCOMPARE(bench.runner.perform("revert"), ToolReply::Ignored);     // there is no stroke
-    QCOMPARE(bench.steps(), 0);
+    QCOMPARE(fixture.runner.perform("juggle"), ToolReply::Ignored);
+    QCOMPARE(fixture.runner.perform("loadStamp"), ToolReply::Ignored);  // nothing can be loaded here
+    QCOMPARE(fixture.runner.perform("revert"), ToolReply::Ignored);     // there is no stroke
+    QCOMPARE(fixture.steps(), 0);
   }
 
   // By a quarter more and back, within a voxel and a half and 500 voxels of 0.2 mm.
   void keysChangeTheRadius() {
-    ClayBench bench;
-    bench.set("radius", PropertyValue(4.0));
-    bench.runner.perform("larger");
-    QCOMPARE(clayNumberOf(bench, "radius"), 5.0);
-    bench.runner.perform("smaller");
-    bench.runner.perform("smaller");
-    QCOMPARE(clayNumberOf(bench, "radius"), 3.2);
-    for (int i = 0; i < 40; ++i) bench.runner.perform("smaller");
-    QCOMPARE(clayNumberOf(bench, "radius"), 1.5 * 0.2);
-    for (int i = 0; i < 60; ++i) bench.runner.perform("larger");
-    QCOMPARE(clayNumberOf(bench, "radius"), 500.0 * 0.2);
+    ClayFixture fixture;
+    fixture.set("radius", PropertyValue(4.0));
+    fixture.runner.perform("larger");
+    QCOMPARE(clayNumberOf(fixture, "radius"), 5.0);
+    fixture.runner.perform("smaller");
+    fixture.runner.perform("smaller");
+    QCOMPARE(clayNumberOf(fixture, "radius"), 3.2);
+    for (int i = 0; i < 40; ++i) fixture.runner.perform("smaller");
+    QCOMPARE(clayNumberOf(fixture, "radius"), 1.5 * 0.2);
+    for (int i = 0; i < 60; ++i) fixture.runner.perform("larger");
+    QCOMPARE(clayNumberOf(fixture, "radius"), 500.0 * 0.2);
   }
 
   // Each action has the settings that it goes by: a ball has no falloff, what moves and masks no strength, and only
   // what is added or carved has a stamp, which can be turned.
   void settingsOfAnAction() {
-    ClayBench bench;
+    ClayFixture fixture;
     const auto offers = [&](ClayAction action, const char* id) {
-      bench.choose(action);
-      return claySetting(bench.tool->settings(), id) != nullptr;
+      fixture.choose(action);
+      return claySetting(fixture.tool->settings(), id) != nullptr;
     };
     for (int i = 0; i <= static_cast<int>(ClayAction::Mask); ++i) {
       const auto action = static_cast<ClayAction>(i);
@@ -74,31 +74,31 @@ class ClayToolActionsTest : public QObject {
       QVERIFY(!offers(action, "turn"));
     }
     QVERIFY(offers(ClayAction::Carve, "strength"));
-    QCOMPARE(claySetting(bench.tool->settings(), "strength")->label, std::string("Depth (mouse)"));
-    bench.set("stamp", PropertyValue(1.0));
-    QCOMPARE(claySetting(bench.tool->settings(), "strength")->label, std::string("Strength"));
-    bench.set("turn", PropertyValue(9.0));
-    QCOMPARE(clayNumberOf(bench, "turn"), M_PI);  // half a turn at most
-    bench.choose(ClayAction::Inflate);
-    QCOMPARE(claySetting(bench.tool->settings(), "strength")->label, std::string("Strength"));
+    QCOMPARE(claySetting(fixture.tool->settings(), "strength")->label, std::string("Depth (mouse)"));
+    fixture.set("stamp", PropertyValue(1.0));
+    QCOMPARE(claySetting(fixture.tool->settings(), "strength")->label, std::string("Strength"));
+    fixture.set("turn", PropertyValue(9.0));
+    QCOMPARE(clayNumberOf(fixture, "turn"), M_PI);  // half a turn at most
+    fixture.choose(ClayAction::Inflate);
+    QCOMPARE(claySetting(fixture.tool->settings(), "strength")->label, std::string("Strength"));
   }
 
   // What is no value of a setting changes nothing; what is beyond its limits becomes the limit.
   void valuesOfSettings() {
-    ClayBench bench;
-    bench.choose(ClayAction::Smooth);
-    bench.set("action", PropertyValue(10.0));
-    bench.set("action", PropertyValue(std::string("carve")));
-    QCOMPARE(clayNumberOf(bench, "action"), static_cast<double>(ClayAction::Smooth));
-    bench.set("falloff", PropertyValue(-1.0));
-    QCOMPARE(clayNumberOf(bench, "falloff"), 0.0);
-    bench.set("strength", PropertyValue(0.0));
-    QCOMPARE(clayNumberOf(bench, "strength"), 0.01);
-    bench.set("pressure", PropertyValue(3.0));
-    QCOMPARE(clayNumberOf(bench, "pressure"), 3.0);
-    bench.set("resistance", PropertyValue(99.0));
-    QCOMPARE(clayNumberOf(bench, "resistance"), 10.0);
-    QCOMPARE(bench.tool->feelAtDevice().resistance, 10.0);
+    ClayFixture fixture;
+    fixture.choose(ClayAction::Smooth);
+    fixture.set("action", PropertyValue(10.0));
+    fixture.set("action", PropertyValue(std::string("carve")));
+    QCOMPARE(clayNumberOf(fixture, "action"), static_cast<double>(ClayAction::Smooth));
+    fixture.set("falloff", PropertyValue(-1.0));
+    QCOMPARE(clayNumberOf(fixture, "falloff"), 0.0);
+    fixture.set("strength", PropertyValue(0.0));
+    QCOMPARE(clayNumberOf(fixture, "strength"), 0.01);
+    fixture.set("pressure", PropertyValue(3.0));
+    QCOMPARE(clayNumberOf(fixture, "pressure"), 3.0);
+    fixture.set("resistance", PropertyValue(99.0));
+    QCOMPARE(clayNumberOf(fixture, "resistance"), 10.0);
+    QCOMPARE(fixture.tool->feelAtDevice().resistance, 10.0);
   }
 
   // The history says what each stroke did, and how much of the ball it took or gave.
@@ -119,16 +119,16 @@ class ClayToolActionsTest : public QObject {
   void strokesInTheHistory() {
     QFETCH(int, action);
     QFETCH(QString, text);
-    ClayBench bench;
-    bench.choose(static_cast<ClayAction>(action));
-    bench.set("radius", PropertyValue(5.0));
-    bench.set("strength", PropertyValue(1.0));
-    const double before = bench.document.volume()->volume.enclosed();
-    bench.stroke(4.0, 8.0);
-    QCOMPARE(bench.steps(), 1);
-    const QString told = bench.document.history()->undoText();
+    ClayFixture fixture;
+    fixture.choose(static_cast<ClayAction>(action));
+    fixture.set("radius", PropertyValue(5.0));
+    fixture.set("strength", PropertyValue(1.0));
+    const double before = fixture.document.volume()->volume.enclosed();
+    fixture.stroke(4.0, 8.0);
+    QCOMPARE(fixture.steps(), 1);
+    const QString told = fixture.document.history()->undoText();
     QVERIFY2(told.startsWith(text) && told.endsWith(QStringLiteral(" mm³")), qPrintable(told));
-    const double change = bench.document.volume()->volume.enclosed() - before;
+    const double change = fixture.document.volume()->volume.enclosed() - before;
     QString amount = told.section(QStringLiteral(": "), 1).section(QLatin1Char(' '), 0, 0);
     const bool isLess = amount.startsWith(QStringLiteral("−"));
     const double shown = QLocale().toDouble(amount.mid(1)) * (isLess ? -1.0 : 1.0);
@@ -137,29 +137,29 @@ class ClayToolActionsTest : public QObject {
 
   // The circle of the brush is where the mouse is over the clay, and goes with it.
   void theBrushIsShown() {
-    ClayBench bench;
-    bench.set("radius", PropertyValue(3.0));
-    bench.event(PointerEvent::Kind::Hover, 12.0, 0.0);
-    const auto circle = bench.tool->preview().circle;
+    ClayFixture fixture;
+    fixture.set("radius", PropertyValue(3.0));
+    fixture.event(PointerEvent::Kind::Hover, 12.0, 0.0);
+    const auto circle = fixture.tool->preview().circle;
     QVERIFY(circle && circle->second == 3.0);
     QVERIFY((circle->first - Vec3(12.0, 0.0, 16.0)).norm() < 0.05);  // on the ball of 20 mm
-    QCOMPARE(bench.event(PointerEvent::Kind::Leave, 12.0, 0.0), ToolReply::Used);
-    QVERIFY(!bench.tool->preview().circle);
-    bench.event(PointerEvent::Kind::Hover, 25.0, 0.0);
-    QVERIFY(!bench.tool->preview().circle);
+    QCOMPARE(fixture.event(PointerEvent::Kind::Leave, 12.0, 0.0), ToolReply::Used);
+    QVERIFY(!fixture.tool->preview().circle);
+    fixture.event(PointerEvent::Kind::Hover, 25.0, 0.0);
+    QVERIFY(!fixture.tool->preview().circle);
   }
 
   // In the middle of a stroke only discarding it is offered.
   void actionsOfAStroke() {
-    ClayBench bench;
+    ClayFixture fixture;
     const auto enabled = [&](const char* key) {
-      const std::vector<ToolAction> actions = bench.tool->actions();
+      const std::vector<ToolAction> actions = fixture.tool->actions();
       const auto found = std::find_if(actions.begin(), actions.end(),
                                       [&](const ToolAction& a) { return a.id == std::string_view(key); });
       return found != actions.end() && found->enabled;
     };
     for (const bool isStroke : {false, true}) {
-      if (isStroke) bench.event(PointerEvent::Kind::Press, 0.0, 0.0);
+      if (isStroke) fixture.event(PointerEvent::Kind::Press, 0.0, 0.0);
       for (const char* const key : {"smaller", "larger", "add", "carve", "smooth", "move", "mask", "invertMask"})
         QCOMPARE(enabled(key), !isStroke);
       QCOMPARE(enabled("revert"), isStroke);
@@ -170,12 +170,12 @@ class ClayToolActionsTest : public QObject {
   // What a device feels by action: it cuts as it carves, goes freely as it adds and moves, and else rests on the
   // surface.
   void feltAtADevice() {
-    ClayBench bench;
+    ClayFixture fixture;
     for (int i = 0; i <= static_cast<int>(ClayAction::Mask); ++i) {
       const auto action = static_cast<ClayAction>(i);
-      bench.choose(action);
-      QCOMPARE(bench.tool->feelAtDevice().isCutting, action == ClayAction::Carve);
-      QCOMPARE(bench.tool->feelAtDevice().isFree, action == ClayAction::Add || action == ClayAction::Move);
+      fixture.choose(action);
+      QCOMPARE(fixture.tool->feelAtDevice().isCutting, action == ClayAction::Carve);
+      QCOMPARE(fixture.tool->feelAtDevice().isFree, action == ClayAction::Add || action == ClayAction::Move);
     }
   }
 };

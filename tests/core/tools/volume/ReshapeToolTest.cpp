@@ -41,7 +41,7 @@ SparseVolume ballAt(const Vec3& centre, double radius) {
 }
 
 // A document of a volume with the tool on it. Jobs wait until they are run.
-struct Bench {
+struct Fixture {
   VolumeKind kind;
   std::unique_ptr<VolumeDocument> document;
   ToolRunner runner;
@@ -50,7 +50,7 @@ struct Bench {
   std::vector<Error> failures;
   int files = 0;
 
-  Bench(const SparseVolume& volume, Change change) {
+  Fixture(const SparseVolume& volume, Change change) {
     auto content = std::make_shared<VolumeSnapshot>();
     content->volume = volume;
     content->surface = VolumeSurface(volume);
@@ -99,119 +99,119 @@ class ReshapeToolTest : public QObject {
  private slots:
   // Shells and moved surfaces have the volumes of geometry; what is shown is what is committed, as one step.
   void wallsOfABall() {
-    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Shell);
-    bench.set("wall", 2.0);
-    QVERIFY(!bench.isProposed());
-    bench.work();
-    QVERIFY(bench.isProposed());
-    QVERIFY(isNear(bench.material(), ball(kRadius)));
-    QVERIFY(isNear(*bench.figure("after"), ball(kRadius) - ball(kRadius - 2.0)));
-    QCOMPARE(bench.runner.perform("commit"), ToolReply::Used);
-    QVERIFY(isNear(bench.material(), ball(kRadius) - ball(kRadius - 2.0)));
-    QVERIFY(isClosedManifold(surfaceOf(bench.volume())));
-    QCOMPARE(bench.document->history()->index(), 1);
-    QVERIFY(bench.waiting.empty() && !bench.isProposed());  // no shell of the shell
-    bench.document->history()->undo();
-    QVERIFY(isNear(bench.material(), ball(kRadius)));
+    Fixture fixture(ballOfVoxels(kRadius, kVoxel), Change::Shell);
+    fixture.set("wall", 2.0);
+    QVERIFY(!fixture.isProposed());
+    fixture.work();
+    QVERIFY(fixture.isProposed());
+    QVERIFY(isNear(fixture.material(), ball(kRadius)));
+    QVERIFY(isNear(*fixture.figure("after"), ball(kRadius) - ball(kRadius - 2.0)));
+    QCOMPARE(fixture.runner.perform("commit"), ToolReply::Used);
+    QVERIFY(isNear(fixture.material(), ball(kRadius) - ball(kRadius - 2.0)));
+    QVERIFY(isClosedManifold(surfaceOf(fixture.volume())));
+    QCOMPARE(fixture.document->history()->index(), 1);
+    QVERIFY(fixture.waiting.empty() && !fixture.isProposed());  // no shell of the shell
+    fixture.document->history()->undo();
+    QVERIFY(isNear(fixture.material(), ball(kRadius)));
 
     for (const double distance : {1.5, -1.5}) {
-      bench.set("change", static_cast<double>(Change::Offset));
-      bench.set("distance", distance);
-      bench.work();
-      QVERIFY(isNear(*bench.figure("after"), ball(kRadius + distance)));
+      fixture.set("change", static_cast<double>(Change::Offset));
+      fixture.set("distance", distance);
+      fixture.work();
+      QVERIFY(isNear(*fixture.figure("after"), ball(kRadius + distance)));
     }
   }
 
   // Work on a drilling exercise is not changed as a whole: nothing is computed, and it says why.
   void refusedInAnExercise() {
-    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Smooth);
-    QVERIFY(!bench.waiting.empty());
+    Fixture fixture(ballOfVoxels(kRadius, kVoxel), Change::Smooth);
+    QVERIFY(!fixture.waiting.empty());
     const nlohmann::json exercise = {{"subject", "drilling"}, {"task", nlohmann::json::object()}};
-    bench.document->assign({std::make_shared<const nlohmann::json>(exercise),
-                            std::make_shared<const nlohmann::json>(nlohmann::json::object())},
-                           false);
-    const auto before = bench.document->volume();
+    fixture.document->assign({std::make_shared<const nlohmann::json>(exercise),
+                              std::make_shared<const nlohmann::json>(nlohmann::json::object())},
+                             false);
+    const auto before = fixture.document->volume();
     for (int i = 0; i < ReshapeTool::kChanges; ++i) {
-      bench.start(static_cast<Change>(i));
-      QVERIFY(bench.waiting.empty() && !bench.isProposed());
-      const ToolAction commit = bench.runner.tool()->actions().front();
+      fixture.start(static_cast<Change>(i));
+      QVERIFY(fixture.waiting.empty() && !fixture.isProposed());
+      const ToolAction commit = fixture.runner.tool()->actions().front();
       QVERIFY(!commit.enabled);
       QCOMPARE(commit.reason, std::string("this volume is to be drilled, not shaped"));
-      QCOMPARE(bench.runner.perform("commit"), ToolReply::Ignored);
-      QVERIFY(bench.waiting.empty());
+      QCOMPARE(fixture.runner.perform("commit"), ToolReply::Ignored);
+      QVERIFY(fixture.waiting.empty());
     }
-    QCOMPARE(bench.document->volume(), before);
-    QCOMPARE(bench.document->history()->count(), 0);
+    QCOMPARE(fixture.document->volume(), before);
+    QCOMPARE(fixture.document->history()->count(), 0);
   }
 
   // Layers of clay are applied by a change of the whole volume, and come back when it is undone.
   void appliesLayers() {
-    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Shell);
-    bench.document->commit("layer", withNewLayer(*bench.document->volume(), "first").edit());
-    QVERIFY(bench.document->volume()->layers);
-    bench.set("wall", 2.0);
-    bench.work();
-    QCOMPARE(bench.runner.perform("commit"), ToolReply::Used);
-    QVERIFY(isNear(bench.material(), ball(kRadius) - ball(kRadius - 2.0)));
-    QVERIFY(!bench.document->volume()->layers);
-    bench.document->history()->undo();
-    QVERIFY(bench.document->volume()->layers);
+    Fixture fixture(ballOfVoxels(kRadius, kVoxel), Change::Shell);
+    fixture.document->commit("layer", withNewLayer(*fixture.document->volume(), "first").edit());
+    QVERIFY(fixture.document->volume()->layers);
+    fixture.set("wall", 2.0);
+    fixture.work();
+    QCOMPARE(fixture.runner.perform("commit"), ToolReply::Used);
+    QVERIFY(isNear(fixture.material(), ball(kRadius) - ball(kRadius - 2.0)));
+    QVERIFY(!fixture.document->volume()->layers);
+    fixture.document->history()->undo();
+    QVERIFY(fixture.document->volume()->layers);
   }
 
   // The three combinations with a ball beside, against the volume of the lens that both have.
   void combined() {
     static constexpr double kApart = 9.0;
-    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Boolean);
-    QVERIFY(bench.waiting.empty());
-    QCOMPARE(bench.runner.perform("commit"), ToolReply::Ignored);  // with nothing
-    QCOMPARE(bench.runner.perform("file"), ToolReply::Used);
-    QCOMPARE(bench.files, 1);
-    bench.others.push_back({"1", "far", [](const SparseVolume&, Progress) -> Result<SparseVolume> {
-                              return ballAt(Vec3(0, 0, 100), 3.0);
-                            }});
-    bench.others.push_back({"2", "near", [](const SparseVolume&, Progress) -> Result<SparseVolume> {
-                              return ballAt(Vec3(kApart, 0, 0), kRadius);
-                            }});
-    bench.set("with", 1.0);
+    Fixture fixture(ballOfVoxels(kRadius, kVoxel), Change::Boolean);
+    QVERIFY(fixture.waiting.empty());
+    QCOMPARE(fixture.runner.perform("commit"), ToolReply::Ignored);  // with nothing
+    QCOMPARE(fixture.runner.perform("file"), ToolReply::Used);
+    QCOMPARE(fixture.files, 1);
+    fixture.others.push_back({"1", "far", [](const SparseVolume&, Progress) -> Result<SparseVolume> {
+                                return ballAt(Vec3(0, 0, 100), 3.0);
+                              }});
+    fixture.others.push_back({"2", "near", [](const SparseVolume&, Progress) -> Result<SparseVolume> {
+                                return ballAt(Vec3(kApart, 0, 0), kRadius);
+                              }});
+    fixture.set("with", 1.0);
     const double common = lens(kRadius, kApart);
     const double expected[] = {2.0 * ball(kRadius) - common, ball(kRadius) - common, common};
     for (int how = 0; how < 3; ++how) {
-      bench.set("how", static_cast<double>(how));
-      bench.work();
-      QVERIFY(isNear(*bench.figure("after"), expected[how]));
+      fixture.set("how", static_cast<double>(how));
+      fixture.work();
+      QVERIFY(isNear(*fixture.figure("after"), expected[how]));
     }
     // Nothing in common: that is refused, and nothing is there to commit.
-    bench.set("with", 0.0);
-    bench.work();
-    QCOMPARE(bench.failures.size(), std::size_t{1});
-    QVERIFY(bench.failures[0].code == VolumeErrors::NothingLeft);
-    QVERIFY(!bench.isProposed());
+    fixture.set("with", 0.0);
+    fixture.work();
+    QCOMPARE(fixture.failures.size(), std::size_t{1});
+    QVERIFY(fixture.failures[0].code == VolumeErrors::NothingLeft);
+    QVERIFY(!fixture.isProposed());
   }
 
   // What is chosen is the body that was shown, though those before it have gone; the first that comes is proposed.
   void bodiesComeAndGo() {
-    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Boolean);
+    Fixture fixture(ballOfVoxels(kRadius, kVoxel), Change::Boolean);
     const auto offer = [&](const char* key, double radius) {
-      bench.others.push_back({key, key, [radius](const SparseVolume&, Progress) -> Result<SparseVolume> {
-                                return ballAt(Vec3(0, 0, 100), radius);
-                              }});
+      fixture.others.push_back({key, key, [radius](const SparseVolume&, Progress) -> Result<SparseVolume> {
+                                  return ballAt(Vec3(0, 0, 100), radius);
+                                }});
     };
     offer("a", 3.0);
-    bench.set("with", std::string("a"));
-    QVERIFY(!bench.waiting.empty());
-    bench.work();
-    QVERIFY(isNear(*bench.figure("difference"), ball(3.0), 0.05));
+    fixture.set("with", std::string("a"));
+    QVERIFY(!fixture.waiting.empty());
+    fixture.work();
+    QVERIFY(isNear(*fixture.figure("difference"), ball(3.0), 0.05));
     offer("b", 5.0);
     offer("c", 7.0);
-    bench.set("with", 0.0);  // now all three are shown
-    bench.others.erase(bench.others.begin());
-    bench.set("with", 1.0);
-    bench.work();
-    QVERIFY(isNear(*bench.figure("difference"), ball(5.0), 0.05));
-    bench.others.clear();
-    bench.set("with", std::string("b"));
-    bench.work();
-    QVERIFY(isNear(*bench.figure("difference"), ball(5.0), 0.05));
+    fixture.set("with", 0.0);  // now all three are shown
+    fixture.others.erase(fixture.others.begin());
+    fixture.set("with", 1.0);
+    fixture.work();
+    QVERIFY(isNear(*fixture.figure("difference"), ball(5.0), 0.05));
+    fixture.others.clear();
+    fixture.set("with", std::string("b"));
+    fixture.work();
+    QVERIFY(isNear(*fixture.figure("difference"), ball(5.0), 0.05));
   }
 
   // The slider of debris: parts go by their size, the largest never; what goes is shown.
@@ -221,25 +221,25 @@ class ReshapeToolTest : public QObject {
       const SparseVolume other = ballAt(Vec3(x, 0, 0), radius);
       volume = *makeBoolean(volume, other, OperationValues(booleanOperation()), {});
     }
-    Bench bench(volume, Change::Debris);
-    bench.set("below", 1.0);
-    bench.work();
-    QVERIFY(!bench.runner.tool()->actions().front().enabled);
-    QCOMPARE(bench.runner.perform("commit"), ToolReply::Ignored);
+    Fixture fixture(volume, Change::Debris);
+    fixture.set("below", 1.0);
+    fixture.work();
+    QVERIFY(!fixture.runner.tool()->actions().front().enabled);
+    QCOMPARE(fixture.runner.perform("commit"), ToolReply::Ignored);
     const std::pair<double, double> expected[] = {{1.0, 0.0}, {4.5, 1.0}, {8.0, 2.0}, {100.0, 2.0}};
     for (const auto& [below, gone] : expected) {
-      bench.set("below", below);
-      bench.work();
-      QCOMPARE(*bench.figure("parts"), 3.0);
-      QCOMPARE(*bench.figure("gone"), gone);
-      QCOMPARE(bench.runner.tool()->preview().parts.empty(), gone == 0.0);
+      fixture.set("below", below);
+      fixture.work();
+      QCOMPARE(*fixture.figure("parts"), 3.0);
+      QCOMPARE(*fixture.figure("gone"), gone);
+      QCOMPARE(fixture.runner.tool()->preview().parts.empty(), gone == 0.0);
     }
-    bench.set("below", 4.5);
-    bench.work();
-    const auto shown = bench.runner.tool()->preview().parts.front().soup;
+    fixture.set("below", 4.5);
+    fixture.work();
+    const auto shown = fixture.runner.tool()->preview().parts.front().soup;
     for (const Vec3& p : shown->points) QVERIFY(std::abs((p - Vec3(24, 0, 0)).norm() - 1.5) < kVoxel);
-    bench.runner.perform("commit");
-    QVERIFY(isNear(bench.material(), ball(kRadius) + ball(3.0)));
+    fixture.runner.perform("commit");
+    QVERIFY(isNear(fixture.material(), ball(kRadius) + ball(3.0)));
   }
 
   // A slot that a ball of the radius does not get into is filled; smoothing takes off at corners.
@@ -248,59 +248,59 @@ class ReshapeToolTest : public QObject {
     SparseVolume blocks = volumeOfSurface(left, kVoxel)->volume;
     const SparseVolume second = volumeOfSurface(right, kVoxel)->volume;
     blocks = *makeBoolean(blocks, second, OperationValues(booleanOperation()), {});
-    Bench bench(blocks, Change::Gaps);
-    bench.set("radius", 2.0);
-    bench.work();
-    QVERIFY(*bench.figure("after") > 2000.0 + 80.0 && *bench.figure("after") < 2000.0 + 105.0);
-    bench.set("change", static_cast<double>(Change::Smooth));
-    bench.work();
-    const double once = *bench.figure("after");
+    Fixture fixture(blocks, Change::Gaps);
+    fixture.set("radius", 2.0);
+    fixture.work();
+    QVERIFY(*fixture.figure("after") > 2000.0 + 80.0 && *fixture.figure("after") < 2000.0 + 105.0);
+    fixture.set("change", static_cast<double>(Change::Smooth));
+    fixture.work();
+    const double once = *fixture.figure("after");
     QVERIFY(once < blocks.enclosed() && once > 0.97 * blocks.enclosed());
-    bench.set("passes", 4.0);
-    bench.work();
-    QVERIFY(*bench.figure("after") < once);
+    fixture.set("passes", 4.0);
+    fixture.work();
+    QVERIFY(*fixture.figure("after") < once);
   }
 
   // Applied before it is made: it is committed once it is. Undo takes a proposal back first. Results of settings, of a
   // document or of a tool that have changed meanwhile count for nothing.
   void whatComesLate() {
-    Bench bench(ballOfVoxels(kRadius, kVoxel), Change::Offset);
-    bench.set("distance", 1.0);
-    QCOMPARE(bench.runner.perform("commit"), ToolReply::Used);
-    QCOMPARE(bench.document->history()->index(), 0);
-    QVERIFY(!bench.runner.tool()->actions().front().enabled);
-    bench.work();
-    QCOMPARE(bench.document->history()->index(), 1);
-    bench.set("distance", 2.0);
-    bench.work();
-    QCOMPARE(bench.runner.undo(), ToolReply::Used);
-    QVERIFY(!bench.isProposed());
-    QCOMPARE(bench.document->history()->index(), 1);
-    QCOMPARE(bench.runner.undo(), ToolReply::Ignored);
+    Fixture fixture(ballOfVoxels(kRadius, kVoxel), Change::Offset);
+    fixture.set("distance", 1.0);
+    QCOMPARE(fixture.runner.perform("commit"), ToolReply::Used);
+    QCOMPARE(fixture.document->history()->index(), 0);
+    QVERIFY(!fixture.runner.tool()->actions().front().enabled);
+    fixture.work();
+    QCOMPARE(fixture.document->history()->index(), 1);
+    fixture.set("distance", 2.0);
+    fixture.work();
+    QCOMPARE(fixture.runner.undo(), ToolReply::Used);
+    QVERIFY(!fixture.isProposed());
+    QCOMPARE(fixture.document->history()->index(), 1);
+    QCOMPARE(fixture.runner.undo(), ToolReply::Ignored);
 
-    bench.set("distance", 3.0);
-    auto old = bench.waiting.front().first.work;
-    bench.document->history()->undo();
-    bench.runner.deliver(old({}));
-    QVERIFY(!bench.isProposed());
-    bench.work();
-    QVERIFY(isNear(*bench.figure("after"), ball(kRadius + 3.0)));
+    fixture.set("distance", 3.0);
+    auto old = fixture.waiting.front().first.work;
+    fixture.document->history()->undo();
+    fixture.runner.deliver(old({}));
+    QVERIFY(!fixture.isProposed());
+    fixture.work();
+    QVERIFY(isNear(*fixture.figure("after"), ball(kRadius + 3.0)));
 
-    bench.set("distance", 2.0);
-    old = bench.waiting.front().first.work;
-    QCOMPARE(bench.runner.perform("revert"), ToolReply::Finished);
-    bench.runner.stop();
-    bench.start(Change::Smooth);
-    bench.runner.deliver(old({}));
-    QVERIFY(!bench.isProposed());
+    fixture.set("distance", 2.0);
+    old = fixture.waiting.front().first.work;
+    QCOMPARE(fixture.runner.perform("revert"), ToolReply::Finished);
+    fixture.runner.stop();
+    fixture.start(Change::Smooth);
+    fixture.runner.deliver(old({}));
+    QVERIFY(!fixture.isProposed());
     // A person cancels the job: nothing is proposed until something is asked for.
-    const auto stopped = bench.waiting.front().second;
-    bench.waiting.clear();
-    bench.runner.deliver(stopped);
-    QVERIFY(bench.runner.tool()->actions().front().enabled);
-    bench.runner.perform("commit");
-    bench.work();
-    QCOMPARE(bench.document->history()->index(), 1);
+    const auto stopped = fixture.waiting.front().second;
+    fixture.waiting.clear();
+    fixture.runner.deliver(stopped);
+    QVERIFY(fixture.runner.tool()->actions().front().enabled);
+    fixture.runner.perform("commit");
+    fixture.work();
+    QCOMPARE(fixture.document->history()->index(), 1);
   }
 
   // What is predicted is about what comes: on round and on flat surfaces, for all three ways to ask.

@@ -135,11 +135,11 @@ class SegmentOperationTest : public QObject {
       const Result<Segmented> done =
           segment(ball, valuesWith({{"range", std::string("50:")}, {"smooth", isSmooth}}), {});
       if (!done) return std::pair(kOpen, kOpen);
-      const VolumeSampler reader(done->volume);
+      const VolumeSampler sampler(done->volume);
       double sum = 0.0, squares = 0.0;
       for (int i = 0; i < 300; ++i) {
         const Vec3 out = Vec3(std::sin(i), std::cos(3.0 * i), std::sin(2.0 * i + 1.0)).normalized();
-        const double depth = reader.depthAt(middle + 6.5 * out).depth;
+        const double depth = sampler.depthAt(middle + 6.5 * out).depth;
         sum += depth;
         squares += depth * depth;
       }

@@ -29,7 +29,7 @@ class HandClock : public ServoClock {
 };
 
 // A bar of 50 × 100 mm and the tool on it, seen from the front: the plane of the tool is y = 0.
-struct TurningBench {
+struct TurningFixture {
   WorkpieceKind kind;
   std::unique_ptr<Document> made = kind.make(DocumentKinds::blank(kind));
   WorkpieceDocument& document = static_cast<WorkpieceDocument&>(*made);
@@ -38,7 +38,7 @@ struct TurningBench {
   ToolRunner runner;
   TurnTool* tool = nullptr;
 
-  explicit TurningBench(ServoClock* other = nullptr, const TurnTool::Start& start = {.spacing = 0.1}) {
+  explicit TurningFixture(ServoClock* other = nullptr, const TurnTool::Start& start = {.spacing = 0.1}) {
     auto started = std::make_unique<TurnTool>(document, SimulationServices{other ? *other : clock, simulation}, start);
     tool = started.get();
     runner.start(std::move(started), document);
@@ -110,59 +110,60 @@ class TurnToolTest : public QObject {
  private slots:
   // A nose of 1 mm whose centre moves 23 mm beside the axis leaves a radius of 22 mm.
   void aPassIsOneUndoStep() {
-    TurningBench bench;
-    QVERIFY(!bench.document.workpiece().part);
-    bench.pass(23.0, 30.0, 60.0);
-    QCOMPARE(bench.document.history()->count(), 1);
-    for (const double z : {30.0, 45.0, 60.0}) QVERIFY(std::abs(bench.radiusAt(z) - 22.0) < 1e-9);
-    QCOMPARE(bench.radiusAt(10.0), 25.0);
-    bench.pass(-20.0, 30.0, 40.0);  // from the other side it is the same part
-    QCOMPARE(bench.document.history()->count(), 2);
-    QVERIFY(std::abs(bench.radiusAt(35.0) - 19.0) < 1e-9);
-    const TurnedProfile after = bench.document.workpiece().part->profile;
-    bench.document.history()->undo();
-    QVERIFY(std::abs(bench.radiusAt(35.0) - 22.0) < 1e-9);
-    bench.document.history()->undo();
-    QVERIFY(!bench.document.workpiece().part);
-    bench.document.history()->redo();
-    bench.document.history()->redo();
-    QVERIFY(bench.document.workpiece().part->profile == after);
+    TurningFixture fixture;
+    QVERIFY(!fixture.document.workpiece().part);
+    fixture.pass(23.0, 30.0, 60.0);
+    QCOMPARE(fixture.document.history()->count(), 1);
+    for (const double z : {30.0, 45.0, 60.0}) QVERIFY(std::abs(fixture.radiusAt(z) - 22.0) < 1e-9);
+    QCOMPARE(fixture.radiusAt(10.0), 25.0);
+    fixture.pass(-20.0, 30.0, 40.0);  // from the other side it is the same part
+    QCOMPARE(fixture.document.history()->count(), 2);
+    QVERIFY(std::abs(fixture.radiusAt(35.0) - 19.0) < 1e-9);
+    const TurnedProfile after = fixture.document.workpiece().part->profile;
+    fixture.document.history()->undo();
+    QVERIFY(std::abs(fixture.radiusAt(35.0) - 22.0) < 1e-9);
+    fixture.document.history()->undo();
+    QVERIFY(!fixture.document.workpiece().part);
+    fixture.document.history()->redo();
+    fixture.document.history()->redo();
+    QVERIFY(fixture.document.workpiece().part->profile == after);
     // The stored passes give the same part.
-    TurnedProfile again(bench.document.workpiece().stock, after.spacing());
-    for (const auto& pass : bench.document.workpiece().part->passes) cut(again, *pass);
+    TurnedProfile again(fixture.document.workpiece().stock, after.spacing());
+    for (const auto& pass : fixture.document.workpiece().part->passes) cut(again, *pass);
     QVERIFY(again == after);
   }
 
   // An exercise gives the nose, and the feed beyond which it says that the hand is too fast: while it cuts, with the
   // figure at the pointer, and once the pass is done.
   void aFeedThatIsTooHigh() {
-    TurningBench bench(nullptr, {.spacing = 0.1, .noseRadius = 0.8, .largestFeed = 1.0});
-    QCOMPARE(std::get<double>(bench.tool->settings().front().value), 0.8);
-    const double turns = latheOf(bench.document.workpiece()).spindle.speed / 60.0;  // a second
+    TurningFixture fixture(nullptr, {.spacing = 0.1, .noseRadius = 0.8, .largestFeed = 1.0});
+    QCOMPARE(std::get<double>(fixture.tool->settings().front().value), 0.8);
+    const double turns = latheOf(fixture.document.workpiece()).spindle.speed / 60.0;  // a second
     const auto drag = [&](double x, double feed) {
       const double seconds = 20.0 / (feed * turns);
-      bench.event(PointerEvent::Kind::Press, 27.0, 30.0, 0.0);
-      for (int i = 0; i <= 400; ++i) bench.event(PointerEvent::Kind::Drag, x, 30.0 + i / 20.0, 1.0 + seconds * i / 400);
+      fixture.event(PointerEvent::Kind::Press, 27.0, 30.0, 0.0);
+      for (int i = 0; i <= 400; ++i)
+        fixture.event(PointerEvent::Kind::Drag, x, 30.0 + i / 20.0, 1.0 + seconds * i / 400);
     };
-    const auto says = [&] { return bench.tool->actions().front().effect.find("too fast") != std::string::npos; };
+    const auto says = [&] { return fixture.tool->actions().front().effect.find("too fast") != std::string::npos; };
     drag(24.8, 0.2);
     QVERIFY(!says());
-    bench.event(PointerEvent::Kind::Release, 24.8, 50.0, 1000.0);
-    QVERIFY(bench.document.workpiece().part && !bench.tool->tooFast());
+    fixture.event(PointerEvent::Kind::Release, 24.8, 50.0, 1000.0);
+    QVERIFY(fixture.document.workpiece().part && !fixture.tool->tooFast());
     drag(23.8, 2.0);
     QTRY_VERIFY(says());
-    QVERIFY(std::abs(bench.tool->preview().label->figures.back().value - 2.0) < 0.05);
-    bench.event(PointerEvent::Kind::Release, 23.8, 50.0, 1000.0);
-    QVERIFY(bench.tool->tooFast() && std::abs(*bench.tool->tooFast() - 2.0) < 0.05);
+    QVERIFY(std::abs(fixture.tool->preview().label->figures.back().value - 2.0) < 0.05);
+    fixture.event(PointerEvent::Kind::Release, 23.8, 50.0, 1000.0);
+    QVERIFY(fixture.tool->tooFast() && std::abs(*fixture.tool->tooFast() - 2.0) < 0.05);
   }
 
   // Beside the nose of 1 mm: diameter and height of its theoretical corner, where a shoulder comes to be, and how deep
   // the nose is below the surface before the pass.
   void theLabelSaysWhereTheNoseIs() {
-    TurningBench bench;
+    TurningFixture fixture;
     const auto figures = [&] {
       std::vector<double> values;
-      if (const auto label = bench.tool->preview().label)
+      if (const auto label = fixture.tool->preview().label)
         for (const ToolLabel::Figure& figure : label->figures) values.push_back(figure.value);
       return values;
     };
@@ -171,110 +172,110 @@ class TurnToolTest : public QObject {
                         [](double x, double y) { return std::abs(x - y) < 1e-9; });
     };
     QVERIFY(figures().empty());
-    bench.event(PointerEvent::Kind::Hover, 27.0, 45.0);
+    fixture.event(PointerEvent::Kind::Hover, 27.0, 45.0);
     QVERIFY(isNear(figures(), {52.0, 44.0, 0.0}));
-    QCOMPARE(bench.tool->preview().label->figures[0].prefix, std::string("⌀"));
-    bench.event(PointerEvent::Kind::Press, 27.0, 45.0);
-    bench.event(PointerEvent::Kind::Drag, 24.8, 45.0);
-    QTRY_VERIFY(bench.leastShown() < 24.0);
+    QCOMPARE(fixture.tool->preview().label->figures[0].prefix, std::string("⌀"));
+    fixture.event(PointerEvent::Kind::Press, 27.0, 45.0);
+    fixture.event(PointerEvent::Kind::Drag, 24.8, 45.0);
+    QTRY_VERIFY(fixture.leastShown() < 24.0);
     QVERIFY(isNear(figures(), {47.6, 44.0, -1.2}));  // also when that surface is gone
-    bench.event(PointerEvent::Kind::Release, 24.8, 45.0);
-    bench.event(PointerEvent::Kind::Hover, 26.0, 45.0);
-    bench.event(PointerEvent::Kind::Press, 26.0, 45.0);
-    bench.event(PointerEvent::Kind::Drag, 24.3, 45.0);
+    fixture.event(PointerEvent::Kind::Release, 24.8, 45.0);
+    fixture.event(PointerEvent::Kind::Hover, 26.0, 45.0);
+    fixture.event(PointerEvent::Kind::Press, 26.0, 45.0);
+    fixture.event(PointerEvent::Kind::Drag, 24.3, 45.0);
     QVERIFY(isNear(figures(), {46.6, 44.0, -0.5}));  // of the part that the last pass has left
-    QCOMPARE(bench.runner.perform("revert"), ToolReply::Used);
-    bench.event(PointerEvent::Kind::Hover, 27.0, 110.0);  // beyond its end there is no surface
+    QCOMPARE(fixture.runner.perform("revert"), ToolReply::Used);
+    fixture.event(PointerEvent::Kind::Hover, 27.0, 110.0);  // beyond its end there is no surface
     QVERIFY(isNear(figures(), {52.0, 109.0}));
-    bench.event(PointerEvent::Kind::Hover, 90.0, 45.0);
+    fixture.event(PointerEvent::Kind::Hover, 90.0, 45.0);
     QVERIFY(figures().empty());
     PointerEvent held;  // of a device the place counts where its tip is shown
     held.device = Pose(Eigen::Translation3d(20.0, 0.0, 50.0));
     held.proxy = Vec3(26.0, 0.0, 50.0);
-    bench.runner.pointer(held);
+    fixture.runner.pointer(held);
     QVERIFY(isNear(figures(), {50.0, 49.0, 0.0}));
   }
 
   // A click on the part cuts nothing, wherever it lands; from there a drag cuts as deep as it goes inwards.
   void theMouseBeginsAtTheSurface() {
-    TurningBench bench;
+    TurningFixture fixture;
     for (const double x : {24.0, 3.0, 0.0, -10.0}) {
-      bench.event(PointerEvent::Kind::Press, x, 50.0);
-      bench.event(PointerEvent::Kind::Release, x, 50.0);
+      fixture.event(PointerEvent::Kind::Press, x, 50.0);
+      fixture.event(PointerEvent::Kind::Release, x, 50.0);
     }
-    QCOMPARE(bench.document.history()->count(), 0);
-    bench.event(PointerEvent::Kind::Press, 10.0, 50.0);
-    bench.event(PointerEvent::Kind::Drag, 8.0, 50.0);
-    bench.event(PointerEvent::Kind::Drag, 8.0, 60.0);
-    bench.event(PointerEvent::Kind::Release, 8.0, 60.0);
-    for (const double z : {50.0, 55.0, 60.0}) QVERIFY(std::abs(bench.radiusAt(z) - 23.0) < 1e-3);
-    QCOMPARE(bench.radiusAt(40.0), 25.0);
+    QCOMPARE(fixture.document.history()->count(), 0);
+    fixture.event(PointerEvent::Kind::Press, 10.0, 50.0);
+    fixture.event(PointerEvent::Kind::Drag, 8.0, 50.0);
+    fixture.event(PointerEvent::Kind::Drag, 8.0, 60.0);
+    fixture.event(PointerEvent::Kind::Release, 8.0, 60.0);
+    for (const double z : {50.0, 55.0, 60.0}) QVERIFY(std::abs(fixture.radiusAt(z) - 23.0) < 1e-3);
+    QCOMPARE(fixture.radiusAt(40.0), 25.0);
   }
 
   // With the tool for a bore a click on the solid bar cuts nothing either; a drag bores from the upper end.
   void theMouseBores() {
-    TurningBench bench;
-    QVERIFY(bench.tool->settings().size() >= 5);
-    bench.runner.setSetting("side", 1.0);
+    TurningFixture fixture;
+    QVERIFY(fixture.tool->settings().size() >= 5);
+    fixture.runner.setSetting("side", 1.0);
     for (const double x : {24.0, 8.0, 0.0, -10.0}) {
-      bench.event(PointerEvent::Kind::Press, x, 50.0);
-      bench.event(PointerEvent::Kind::Release, x, 50.0);
+      fixture.event(PointerEvent::Kind::Press, x, 50.0);
+      fixture.event(PointerEvent::Kind::Release, x, 50.0);
     }
-    QCOMPARE(bench.document.history()->count(), 0);
-    bench.event(PointerEvent::Kind::Press, 8.0, 50.0);
-    bench.event(PointerEvent::Kind::Drag, 8.0, 20.0);
-    bench.event(PointerEvent::Kind::Release, 8.0, 20.0);
-    QVERIFY(bench.document.workpiece().part);
-    const TurnedProfile& part = bench.document.workpiece().part->profile;
+    QCOMPARE(fixture.document.history()->count(), 0);
+    fixture.event(PointerEvent::Kind::Press, 8.0, 50.0);
+    fixture.event(PointerEvent::Kind::Drag, 8.0, 20.0);
+    fixture.event(PointerEvent::Kind::Release, 8.0, 20.0);
+    QVERIFY(fixture.document.workpiece().part);
+    const TurnedProfile& part = fixture.document.workpiece().part->profile;
     QVERIFY(std::abs(part.inner(900) - 9.0) < 1e-9);  // the nose has the radius 1
     QCOMPARE(part.inner(500), 0.0);
     QCOMPARE(part.radius(900), 25.0);
     // Within the bore it begins at the wall.
-    bench.event(PointerEvent::Kind::Press, 20.0, 90.0);
-    bench.event(PointerEvent::Kind::Drag, 21.0, 90.0);
-    bench.event(PointerEvent::Kind::Release, 21.0, 90.0);
-    QVERIFY(std::abs(bench.document.workpiece().part->profile.inner(900) - 10.0) < 1e-9);
+    fixture.event(PointerEvent::Kind::Press, 20.0, 90.0);
+    fixture.event(PointerEvent::Kind::Drag, 21.0, 90.0);
+    fixture.event(PointerEvent::Kind::Release, 21.0, 90.0);
+    QVERIFY(std::abs(fixture.document.workpiece().part->profile.inner(900) - 10.0) < 1e-9);
   }
 
   // The way to cut is that of the settings, and the pass remembers it.
   void thePassKeepsItsMethod() {
-    TurningBench bench;
-    bench.runner.setSetting("method", 1.0);
-    bench.runner.setSetting("resolution", 2.0);
-    bench.pass(23.0, 30.0, 60.0);
-    const TurningPass& pass = *bench.document.workpiece().part->passes[0];
+    TurningFixture fixture;
+    fixture.runner.setSetting("method", 1.0);
+    fixture.runner.setSetting("resolution", 2.0);
+    fixture.pass(23.0, 30.0, 60.0);
+    const TurningPass& pass = *fixture.document.workpiece().part->passes[0];
     QVERIFY(pass.method == TurningMethod::Poles);
     QCOMPARE(pass.resolution, 2.0);
-    TurnedProfile again(bench.document.workpiece().stock, 0.1);
+    TurnedProfile again(fixture.document.workpiece().stock, 0.1);
     cut(again, pass);
-    QVERIFY(again == bench.document.workpiece().part->profile);
+    QVERIFY(again == fixture.document.workpiece().part->profile);
   }
 
   // The history says what a pass has done, and that it has parted the bar.
   void theHistorySaysWhatAPassHasDone() {
-    TurningBench bench;
-    bench.pass(23.0, 30.0, 60.0);
+    TurningFixture fixture;
+    fixture.pass(23.0, 30.0, 60.0);
     const double removed =
-        bench.document.workpiece().stock.volume() - bench.document.workpiece().part->profile.volume();
+        fixture.document.workpiece().stock.volume() - fixture.document.workpiece().part->profile.volume();
     QVERIFY(removed > 1000.0);
-    QCOMPARE(bench.document.history()->text(0),
+    QCOMPARE(fixture.document.history()->text(0),
              QStringLiteral("Turning pass 1: −%1 mm³").arg(QLocale().toString(removed, 'f', 0)));
-    bench.pass(0.5, 80.0, 82.0);
-    QCOMPARE(bench.document.workpiece().part->profile.pieces(), std::size_t{2});
-    QVERIFY(bench.document.history()->text(1).startsWith("Turning pass 2: −"));
-    QVERIFY(bench.document.history()->text(1).contains("2 piece"));
+    fixture.pass(0.5, 80.0, 82.0);
+    QCOMPARE(fixture.document.workpiece().part->profile.pieces(), std::size_t{2});
+    QVERIFY(fixture.document.history()->text(1).startsWith("Turning pass 2: −"));
+    QVERIFY(fixture.document.history()->text(1).contains("2 piece"));
   }
 
   // The simulation works on its own thread: what it has cut is shown within a few of its steps.
   void whatIsCutIsShownBeforeItIsCommitted() {
-    TurningBench bench;
-    const auto before = bench.tool->preview().replaced;
-    QVERIFY(before && bench.tool->preview().replaced == before);  // what is the same costs nothing
-    bench.event(PointerEvent::Kind::Press, 27.0, 50.0);
-    bench.event(PointerEvent::Kind::Drag, 20.0, 50.0);
+    TurningFixture fixture;
+    const auto before = fixture.tool->preview().replaced;
+    QVERIFY(before && fixture.tool->preview().replaced == before);  // what is the same costs nothing
+    fixture.event(PointerEvent::Kind::Press, 27.0, 50.0);
+    fixture.event(PointerEvent::Kind::Drag, 20.0, 50.0);
     const auto shownRadius = [&] {
       double least = 25.0;
-      for (const DisplayPart& part : bench.tool->preview().replaced->parts) {
+      for (const DisplayPart& part : fixture.tool->preview().replaced->parts) {
         for (const Vec3& p : part.soup->points) {
           if (std::abs(p.z() - 50.0) < 0.04) least = std::min(least, std::hypot(p.x(), p.y()));
         }
@@ -282,20 +283,20 @@ class TurnToolTest : public QObject {
       return least;
     };
     QTRY_VERIFY(std::abs(shownRadius() - 19.0) < 1e-9);
-    QCOMPARE(bench.document.history()->count(), 0);
-    QVERIFY(!bench.tool->preview().lines.empty());
+    QCOMPARE(fixture.document.history()->count(), 0);
+    QVERIFY(!fixture.tool->preview().lines.empty());
   }
 
   void escapeDropsThePass() {
-    TurningBench bench;
-    bench.event(PointerEvent::Kind::Press, 23.0, 50.0);
-    bench.event(PointerEvent::Kind::Drag, 20.0, 50.0);
-    QCOMPARE(bench.runner.perform("revert"), ToolReply::Used);
-    bench.event(PointerEvent::Kind::Release, 20.0, 50.0);
-    QCOMPARE(bench.document.history()->count(), 0);
-    bench.pass(24.0, 10.0, 20.0);  // and the next one begins anew
-    QVERIFY(std::abs(bench.radiusAt(15.0) - 23.0) < 1e-9);
-    QCOMPARE(bench.document.workpiece().part->profile.radius(500), 25.0);
+    TurningFixture fixture;
+    fixture.event(PointerEvent::Kind::Press, 23.0, 50.0);
+    fixture.event(PointerEvent::Kind::Drag, 20.0, 50.0);
+    QCOMPARE(fixture.runner.perform("revert"), ToolReply::Used);
+    fixture.event(PointerEvent::Kind::Release, 20.0, 50.0);
+    QCOMPARE(fixture.document.history()->count(), 0);
+    fixture.pass(24.0, 10.0, 20.0);  // and the next one begins anew
+    QVERIFY(std::abs(fixture.radiusAt(15.0) - 23.0) < 1e-9);
+    QCOMPARE(fixture.document.workpiece().part->profile.radius(500), 25.0);
   }
 
   // The hand goes on with the button held after the pass was dropped: it cuts nothing until the button is pressed anew,
@@ -309,61 +310,61 @@ class TurnToolTest : public QObject {
   }
   void aDroppedPassOfADeviceIsOver() {
     QFETCH(int, drop);
-    TurningBench bench;
-    if (drop == 1) QVERIFY(bench.document.setProperty("chord", 0.02));
+    TurningFixture fixture;
+    if (drop == 1) QVERIFY(fixture.document.setProperty("chord", 0.02));
     if (drop != 3) {
-      bench.tick(27.0, 20.0, true);
-      bench.deviceEvent(PointerEvent::Kind::Press, 27.0, 20.0);
+      fixture.tick(27.0, 20.0, true);
+      fixture.deviceEvent(PointerEvent::Kind::Press, 27.0, 20.0);
     }
-    bench.plunge(5.0, 20.0);
-    if (drop != 3) QTRY_VERIFY(bench.leastShown() < 20.5);
-    if (drop == 0) QCOMPARE(bench.runner.perform("revert"), ToolReply::Used);
-    if (drop == 1) bench.document.history()->undo();
-    if (drop == 2) bench.runner.setSetting("nose_radius", 2.0);
-    bench.plunge(5.0, 30.0);
-    bench.tick(27.0, 30.0, false);
-    bench.deviceEvent(PointerEvent::Kind::Release, 27.0, 30.0);
+    fixture.plunge(5.0, 20.0);
+    if (drop != 3) QTRY_VERIFY(fixture.leastShown() < 20.5);
+    if (drop == 0) QCOMPARE(fixture.runner.perform("revert"), ToolReply::Used);
+    if (drop == 1) fixture.document.history()->undo();
+    if (drop == 2) fixture.runner.setSetting("nose_radius", 2.0);
+    fixture.plunge(5.0, 30.0);
+    fixture.tick(27.0, 30.0, false);
+    fixture.deviceEvent(PointerEvent::Kind::Release, 27.0, 30.0);
     QTest::qWait(20);  // some steps
-    QCOMPARE(bench.leastShown(), 25.0);
-    QVERIFY(!bench.document.workpiece().part);
-    bench.plungeByDevice(5.0, 80.0);
-    QVERIFY(std::abs(bench.radiusAt(80.0) - (drop == 2 ? 19.0 : 20.0)) < 0.06);
-    for (const double z : {20.0, 30.0, 50.0}) QCOMPARE(bench.radiusAt(z), 25.0);
+    QCOMPARE(fixture.leastShown(), 25.0);
+    QVERIFY(!fixture.document.workpiece().part);
+    fixture.plungeByDevice(5.0, 80.0);
+    QVERIFY(std::abs(fixture.radiusAt(80.0) - (drop == 2 ? 19.0 : 20.0)) < 0.06);
+    for (const double z : {20.0, 30.0, 50.0}) QCOMPARE(fixture.radiusAt(z), 25.0);
   }
 
   // One hand at a time: the mouse neither cuts in a pass of the device nor ends it, and a device does not cut in one of
   // the mouse.
   void theOtherHandDoesNotTakePart() {
-    TurningBench bench;
-    bench.tick(27.0, 20.0, true);
-    bench.deviceEvent(PointerEvent::Kind::Press, 27.0, 20.0);
-    bench.pass(20.0, 60.0, 70.0);
-    bench.plunge(5.0, 20.0);
-    QVERIFY(!bench.document.workpiece().part);
-    bench.deviceEvent(PointerEvent::Kind::Release, 27.0, 20.0);
-    QVERIFY(std::abs(bench.radiusAt(20.0) - 20.0) < 0.06);
-    QCOMPARE(bench.radiusAt(65.0), 25.0);
-    bench.tick(27.0, 20.0, false);
-    bench.event(PointerEvent::Kind::Press, 27.0, 60.0);
-    bench.event(PointerEvent::Kind::Drag, 24.0, 60.0);
-    bench.plunge(5.0, 40.0);
-    bench.event(PointerEvent::Kind::Release, 24.0, 60.0);
-    QVERIFY(std::abs(bench.radiusAt(60.0) - 23.0) < 1e-9);
-    QCOMPARE(bench.radiusAt(40.0), 25.0);
+    TurningFixture fixture;
+    fixture.tick(27.0, 20.0, true);
+    fixture.deviceEvent(PointerEvent::Kind::Press, 27.0, 20.0);
+    fixture.pass(20.0, 60.0, 70.0);
+    fixture.plunge(5.0, 20.0);
+    QVERIFY(!fixture.document.workpiece().part);
+    fixture.deviceEvent(PointerEvent::Kind::Release, 27.0, 20.0);
+    QVERIFY(std::abs(fixture.radiusAt(20.0) - 20.0) < 0.06);
+    QCOMPARE(fixture.radiusAt(65.0), 25.0);
+    fixture.tick(27.0, 20.0, false);
+    fixture.event(PointerEvent::Kind::Press, 27.0, 60.0);
+    fixture.event(PointerEvent::Kind::Drag, 24.0, 60.0);
+    fixture.plunge(5.0, 40.0);
+    fixture.event(PointerEvent::Kind::Release, 24.0, 60.0);
+    QVERIFY(std::abs(fixture.radiusAt(60.0) - 23.0) < 1e-9);
+    QCOMPARE(fixture.radiusAt(40.0), 25.0);
   }
 
   // The file promises seconds, also of the mouse.
   void thePointsOfTheMouseHaveTheirTimes() {
     HandClock clock;
-    TurningBench bench(&clock);
+    TurningFixture fixture(&clock);
     const std::vector<double> expected{0.0, 0.25, 0.5, 2.0};
     for (const double time : expected) {
       clock.set(static_cast<std::int64_t>((5.0 + time) * kNanoseconds));
       const bool isFirst = time == 0.0;
-      bench.event(isFirst ? PointerEvent::Kind::Press : PointerEvent::Kind::Drag, isFirst ? 27.0 : 23.0, 50.0 + time);
+      fixture.event(isFirst ? PointerEvent::Kind::Press : PointerEvent::Kind::Drag, isFirst ? 27.0 : 23.0, 50.0 + time);
     }
-    bench.event(PointerEvent::Kind::Release, 23.0, 52.0);
-    const std::vector<double>& times = bench.document.workpiece().part->passes.front()->times;
+    fixture.event(PointerEvent::Kind::Release, 23.0, 52.0);
+    const std::vector<double>& times = fixture.document.workpiece().part->passes.front()->times;
     QCOMPARE(times.size(), expected.size());
     for (std::size_t i = 0; i < times.size(); ++i) QVERIFY(std::abs(times[i] - expected[i]) < 1e-9);
   }
@@ -371,59 +372,59 @@ class TurnToolTest : public QObject {
   // A busy window comes to several moves of the mouse at once: each has the time at which it happened.
   void lateMovesHaveTheirOwnTimes() {
     HandClock clock;  // stands still
-    TurningBench bench(&clock);
-    bench.event(PointerEvent::Kind::Press, 27.0, 50.0, 70.0);
-    bench.event(PointerEvent::Kind::Drag, 23.0, 50.0, 70.25);
-    bench.event(PointerEvent::Kind::Drag, 23.0, 51.0, 71.5);
-    bench.event(PointerEvent::Kind::Drag, 23.0, 52.0);  // not known: no earlier than the one before
-    bench.event(PointerEvent::Kind::Release, 23.0, 52.0);
-    QCOMPARE(bench.document.workpiece().part->passes.front()->times, (std::vector<double>{0.0, 0.25, 1.5, 1.5}));
+    TurningFixture fixture(&clock);
+    fixture.event(PointerEvent::Kind::Press, 27.0, 50.0, 70.0);
+    fixture.event(PointerEvent::Kind::Drag, 23.0, 50.0, 70.25);
+    fixture.event(PointerEvent::Kind::Drag, 23.0, 51.0, 71.5);
+    fixture.event(PointerEvent::Kind::Drag, 23.0, 52.0);  // not known: no earlier than the one before
+    fixture.event(PointerEvent::Kind::Release, 23.0, 52.0);
+    QCOMPARE(fixture.document.workpiece().part->passes.front()->times, (std::vector<double>{0.0, 0.25, 1.5, 1.5}));
   }
 
   // Where the mouse leaves the view there is no nose to show, but in a pass; a double click is the camera's.
   void theMouseLeaves() {
-    TurningBench bench;
-    bench.event(PointerEvent::Kind::Hover, 27.0, 45.0);
-    QVERIFY(bench.tool->preview().label);
-    bench.event(PointerEvent::Kind::Leave, 27.0, 45.0);
-    QVERIFY(!bench.tool->preview().label && !bench.tool->isLive());
-    bench.event(PointerEvent::Kind::Press, 27.0, 45.0);
-    bench.event(PointerEvent::Kind::Leave, 27.0, 45.0);
-    QVERIFY(bench.tool->preview().label && bench.tool->isLive());
+    TurningFixture fixture;
+    fixture.event(PointerEvent::Kind::Hover, 27.0, 45.0);
+    QVERIFY(fixture.tool->preview().label);
+    fixture.event(PointerEvent::Kind::Leave, 27.0, 45.0);
+    QVERIFY(!fixture.tool->preview().label && !fixture.tool->isLive());
+    fixture.event(PointerEvent::Kind::Press, 27.0, 45.0);
+    fixture.event(PointerEvent::Kind::Leave, 27.0, 45.0);
+    QVERIFY(fixture.tool->preview().label && fixture.tool->isLive());
     PointerEvent twice;
     twice.kind = PointerEvent::Kind::DoubleClick;
-    QCOMPARE(bench.runner.pointer(twice), ToolReply::Ignored);
-    QCOMPARE(bench.tool->needs(), std::vector<std::string>{"simulation"});
-    for (const ToolKey& key : TurnTool::keys()) QVERIFY(bench.runner.perform(key.action) == ToolReply::Used);
-    QVERIFY(!bench.tool->isLive());  // Esc, the only one, drops the pass
+    QCOMPARE(fixture.runner.pointer(twice), ToolReply::Ignored);
+    QCOMPARE(fixture.tool->needs(), std::vector<std::string>{"simulation"});
+    for (const ToolKey& key : TurnTool::keys()) QVERIFY(fixture.runner.perform(key.action) == ToolReply::Used);
+    QVERIFY(!fixture.tool->isLive());  // Esc, the only one, drops the pass
   }
 
   void besideTheBarNothingIsCommitted() {
-    TurningBench bench;
-    bench.pass(40.0, 10.0, 90.0);
-    QCOMPARE(bench.document.history()->count(), 0);
-    QVERIFY(!bench.document.workpiece().part);
+    TurningFixture fixture;
+    fixture.pass(40.0, 10.0, 90.0);
+    QCOMPARE(fixture.document.history()->count(), 0);
+    QVERIFY(!fixture.document.workpiece().part);
   }
 
   // An undo under the tool: the next pass cuts what the document has.
   void followsTheDocument() {
-    TurningBench bench;
-    bench.pass(15.0, 10.0, 90.0);
-    bench.document.history()->undo();
-    bench.pass(23.0, 40.0, 50.0);
-    QCOMPARE(bench.radiusAt(20.0), 25.0);
+    TurningFixture fixture;
+    fixture.pass(15.0, 10.0, 90.0);
+    fixture.document.history()->undo();
+    fixture.pass(23.0, 40.0, 50.0);
+    QCOMPARE(fixture.radiusAt(20.0), 25.0);
   }
 
   // The size of a bar that was cut stays; undone, it may change again.
   void aCutBarKeepsItsSize() {
-    TurningBench bench;
-    bench.pass(23.0, 40.0, 50.0);
-    QVERIFY(!bench.document.setProperty("diameter", 60.0));
-    QVERIFY(!bench.document.setProperty("length", 60.0));
-    QVERIFY(bench.document.setProperty("chord", 0.02));
-    QVERIFY(bench.document.setProperty("position", 5.0));
-    for (int i = 0; i < 3; ++i) bench.document.history()->undo();
-    QVERIFY(bench.document.setProperty("diameter", 60.0));
+    TurningFixture fixture;
+    fixture.pass(23.0, 40.0, 50.0);
+    QVERIFY(!fixture.document.setProperty("diameter", 60.0));
+    QVERIFY(!fixture.document.setProperty("length", 60.0));
+    QVERIFY(fixture.document.setProperty("chord", 0.02));
+    QVERIFY(fixture.document.setProperty("position", 5.0));
+    for (int i = 0; i < 3; ++i) fixture.document.history()->undo();
+    QVERIFY(fixture.document.setProperty("diameter", 60.0));
   }
 };
 

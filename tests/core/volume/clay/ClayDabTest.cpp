@@ -214,10 +214,10 @@ class ClayDabTest : public QObject {
     ClayDab dab = dabOf(ClayAction::Pinch, Vec3::Zero(), 12.0);
     dab.direction = Vec3::UnitX();
     applyDab(ball, dab);
-    const VolumeSampler reader(ball);
-    QVERIFY(isBelow(std::abs(reader.depthAt({5.0, 0.0, 0.0}).depth), 0.1 * kClayVoxel));
-    QVERIFY(isBelow(std::abs(reader.depthAt({0.0, 4.0, 0.0}).depth), 0.1 * kClayVoxel));
-    QVERIFY(isBelow(std::abs(reader.depthAt({0.0, 0.0, -4.0}).depth), 0.1 * kClayVoxel));
+    const VolumeSampler sampler(ball);
+    QVERIFY(isBelow(std::abs(sampler.depthAt({5.0, 0.0, 0.0}).depth), 0.1 * kClayVoxel));
+    QVERIFY(isBelow(std::abs(sampler.depthAt({0.0, 4.0, 0.0}).depth), 0.1 * kClayVoxel));
+    QVERIFY(isBelow(std::abs(sampler.depthAt({0.0, 0.0, -4.0}).depth), 0.1 * kClayVoxel));
   }
 
   // A cap becomes a plane, from both sides.
@@ -225,7 +225,7 @@ class ClayDabTest : public QObject {
     SparseVolume ball = ballOfVoxels(10.0, kClayVoxel);
     ClayDab dab = dabOf(ClayAction::Flatten, {0.0, 0.0, 10.0}, 3.0);
     for (int i = 0; i < 12; ++i) applyDab(ball, dab);
-    const VolumeSampler reader(ball);
+    const VolumeSampler sampler(ball);
     const double middle = firstHit(ball, {0.0, 0.0, 20.0}, -Vec3::UnitZ())->point.z();
     for (const Vec3& at : {Vec3(1.0, 0.0, 20.0), Vec3(-0.7, 0.7, 20.0), Vec3(0.0, -1.5, 20.0)}) {
       const auto hit = firstHit(ball, at, -Vec3::UnitZ());

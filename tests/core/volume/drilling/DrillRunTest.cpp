@@ -101,9 +101,9 @@ class DrillRunTest : public QObject {
     const double exact = kBlock * kDown * setup.tool.width;
     QVERIFY2(std::abs(run.removed() / exact - 1.0) < 0.02, qPrintable(QString::number(run.removed() / exact)));
     QVERIFY(run.energy() > 0.0);
-    const VolumeSampler reader(volume);
-    QVERIFY(reader.depthAt({0.0, 0.03, -1.0}).depth < 0.0 && reader.depthAt({0.0, 1.0, -1.0}).depth > 0.0);
-    QVERIFY(reader.depthAt({0.0, 0.03, -2.3}).depth > 0.0);
+    const VolumeSampler sampler(volume);
+    QVERIFY(sampler.depthAt({0.0, 0.03, -1.0}).depth < 0.0 && sampler.depthAt({0.0, 1.0, -1.0}).depth > 0.0);
+    QVERIFY(sampler.depthAt({0.0, 0.03, -2.3}).depth > 0.0);
     QVERIFY(isClosedManifold(surfaceOf(volume)));
     // The rim is above the block where it is foremost: nothing comes out. 1 mm deep in the block it does, by (3-24).
     QVERIFY(!run.breakthrough());

@@ -52,7 +52,7 @@ class SkullTest : public QObject {
     const Vec3 low(-75.0, -93.0, -100.0), size(150.0, 190.0, 170.0);
     const int count = 400'000;
     int inside = 0, wrong = 0;
-    const VolumeSampler reader(skull);
+    const VolumeSampler sampler(skull);
     for (int i = 0; i < count; ++i) {
       const Vec3 p = low + size.cwiseProduct(Vec3(unit(random), unit(random), unit(random)));
       const auto in = [&](const Vec3& centre, const Vec3& half) { return outOf(p - centre, half) < 1.0; };
@@ -61,7 +61,7 @@ class SkullTest : public QObject {
                           !in({30, 84, -44}, {18, 24, 16}) && !in({0, 88, -68}, {11, 22, 14}) &&
                           !in({0, -18, -66}, {15, 18, 16});
       inside += isBone;
-      const double depth = reader.depthAt(p).depth;
+      const double depth = sampler.depthAt(p).depth;
       wrong += isBone != (depth > 0.0) && std::abs(depth) > 0.4;  // half a voxel: where bodies meet at an edge
     }
     QCOMPARE(wrong, 0);

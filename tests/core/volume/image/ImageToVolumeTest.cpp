@@ -88,12 +88,12 @@ class ImageToVolumeTest : public QObject {
     QVERIFY(std::abs(enclosed(surface) / expected - 1.0) < 0.015);
     // Linear between samples up to 1.9 mm apart a ball is 0.06 mm flatter.
     for (const Vec3& p : surface.points) QVERIFY(std::abs(p.norm() - 8.0) < 0.08);
-    const VolumeSampler reader(*volume);
+    const VolumeSampler sampler(*volume);
     for (int i = 0; i < 200; ++i) {
       const Vec3 out = Vec3(std::sin(i), std::cos(3.0 * i), std::sin(2.0 * i + 1.0)).normalized();
       const double radius = 8.0 + std::sin(5.0 * i);
       // Two voxels from the surface depths are known to first order.
-      QVERIFY(std::abs(reader.depthAt(radius * out).depth - (8.0 - radius)) < 0.25);
+      QVERIFY(std::abs(sampler.depthAt(radius * out).depth - (8.0 - radius)) < 0.25);
     }
   }
 

@@ -54,11 +54,11 @@ class VdbFileTest : public QObject {
     QCOMPARE(read->otherGrids, std::size_t{1});
     const double expected = 4.0 / 3.0 * M_PI * std::pow(kRadius, 3);
     QVERIFY(std::abs(read->volume.material() / expected - 1.0) < 0.01);
-    const VolumeSampler reader(read->volume);
+    const VolumeSampler sampler(read->volume);
     const Vec3 centre(kCentre.x(), kCentre.y(), kCentre.z());
     for (int i = 0; i < 200; ++i) {
       const double radius = kRadius + 2.0 * kVoxel * std::sin(5.0 * i);
-      QVERIFY(std::abs(reader.depthAt(centre + radius * outwards(i)).depth - (kRadius - radius)) <
+      QVERIFY(std::abs(sampler.depthAt(centre + radius * outwards(i)).depth - (kRadius - radius)) <
               0.02 * kVoxel + 0.01);
     }
   }

@@ -19,8 +19,8 @@ using namespace handwheel::test;
 namespace {
 
 // A dial of 50 divisions of 0.1 mm, 5 mm to a turn, that has the focus.
-struct DialBench {
-  DialBench() {
+struct DialFixture {
+  DialFixture() {
     dial.setDivisions(50, 0.1);
     dial.resize(220, 260);
     dial.show();
@@ -82,75 +82,76 @@ class HandwheelDialTest : public QObject {
 
 // Two turns and a quarter clockwise are 11.25 mm, whatever the way; to the precision of pixels at a radius of 60.
 void HandwheelDialTest::dragCountsTurns() {
-  DialBench bench;
-  QSignalSpy moved(&bench.dial, &HandwheelDial::moved);
-  bench.drag(0, 810);
+  DialFixture fixture;
+  QSignalSpy moved(&fixture.dial, &HandwheelDial::moved);
+  fixture.drag(0, 810);
   QVERIFY(moved.size() > 50);
-  QCOMPARE(moved.last()[0].toDouble(), bench.dial.value());
-  QVERIFY2(std::abs(bench.dial.value() - 11.25) < 0.1, qPrintable(QString::number(bench.dial.value())));
-  bench.drag(90, -630);
-  QVERIFY2(std::abs(bench.dial.value() - 1.25) < 0.1, qPrintable(QString::number(bench.dial.value())));
-  const double tenths = bench.dial.value() / 0.01;
+  QCOMPARE(moved.last()[0].toDouble(), fixture.dial.value());
+  QVERIFY2(std::abs(fixture.dial.value() - 11.25) < 0.1, qPrintable(QString::number(fixture.dial.value())));
+  fixture.drag(90, -630);
+  QVERIFY2(std::abs(fixture.dial.value() - 1.25) < 0.1, qPrintable(QString::number(fixture.dial.value())));
+  const double tenths = fixture.dial.value() / 0.01;
   QVERIFY2(std::abs(tenths - std::round(tenths)) < 1e-6, "a drag comes to tenths of a division");
 }
 
 void HandwheelDialTest::dragBackComesBack() {
-  DialBench bench;
-  QTest::mousePress(&bench.dial, Qt::LeftButton, {}, bench.at(20));
-  for (int degrees = 20; degrees < 400; degrees += 7) bench.moveTo(bench.at(degrees));
-  for (int degrees = 400; degrees > 20; degrees -= 11) bench.moveTo(bench.at(degrees));
-  bench.moveTo(bench.at(20));
-  QVERIFY2(std::abs(bench.dial.value()) < 0.02, qPrintable(QString::number(bench.dial.value())));
+  DialFixture fixture;
+  QTest::mousePress(&fixture.dial, Qt::LeftButton, {}, fixture.at(20));
+  for (int degrees = 20; degrees < 400; degrees += 7) fixture.moveTo(fixture.at(degrees));
+  for (int degrees = 400; degrees > 20; degrees -= 11) fixture.moveTo(fixture.at(degrees));
+  fixture.moveTo(fixture.at(20));
+  QVERIFY2(std::abs(fixture.dial.value()) < 0.02, qPrintable(QString::number(fixture.dial.value())));
 }
 
 // A machine that lets the slide only up to 1 mm: turned back from there it moves at once.
 void HandwheelDialTest::dragFollowsWhoAnswers() {
-  DialBench bench;
-  connect(&bench.dial, &HandwheelDial::moved, this, [&bench](double mm) { bench.dial.setValue(std::min(mm, 1.0)); });
-  QTest::mousePress(&bench.dial, Qt::LeftButton, {}, bench.at(0));
-  for (int degrees = 0; degrees <= 180; degrees += 6) bench.moveTo(bench.at(degrees));
-  QCOMPARE(bench.dial.value(), 1.0);
-  for (int degrees = 180; degrees >= 144; degrees -= 6) bench.moveTo(bench.at(degrees));
-  QVERIFY2(std::abs(bench.dial.value() - 0.5) < 0.05, qPrintable(QString::number(bench.dial.value())));
+  DialFixture fixture;
+  connect(&fixture.dial, &HandwheelDial::moved, this,
+          [&fixture](double mm) { fixture.dial.setValue(std::min(mm, 1.0)); });
+  QTest::mousePress(&fixture.dial, Qt::LeftButton, {}, fixture.at(0));
+  for (int degrees = 0; degrees <= 180; degrees += 6) fixture.moveTo(fixture.at(degrees));
+  QCOMPARE(fixture.dial.value(), 1.0);
+  for (int degrees = 180; degrees >= 144; degrees -= 6) fixture.moveTo(fixture.at(degrees));
+  QVERIFY2(std::abs(fixture.dial.value() - 0.5) < 0.05, qPrintable(QString::number(fixture.dial.value())));
 }
 
 void HandwheelDialTest::aClickTurnsNothing() {
-  DialBench bench;
-  QSignalSpy moved(&bench.dial, &HandwheelDial::moved);
-  QTest::mousePress(&bench.dial, Qt::LeftButton, {}, bench.at(45));
-  bench.moveTo(bench.at(45) + QPoint(1, 1));
-  QTest::mouseRelease(&bench.dial, Qt::LeftButton, {}, bench.at(45));
-  QTest::mousePress(&bench.dial, Qt::RightButton, {}, bench.at(45));
-  bench.moveTo(bench.at(45) + QPoint(1, 1));
-  QTest::mousePress(&bench.dial, Qt::LeftButton, {}, bench.dial.centre().toPoint());  // no direction there
-  bench.moveTo(bench.dial.centre().toPoint() + QPoint(1, 0));
+  DialFixture fixture;
+  QSignalSpy moved(&fixture.dial, &HandwheelDial::moved);
+  QTest::mousePress(&fixture.dial, Qt::LeftButton, {}, fixture.at(45));
+  fixture.moveTo(fixture.at(45) + QPoint(1, 1));
+  QTest::mouseRelease(&fixture.dial, Qt::LeftButton, {}, fixture.at(45));
+  QTest::mousePress(&fixture.dial, Qt::RightButton, {}, fixture.at(45));
+  fixture.moveTo(fixture.at(45) + QPoint(1, 1));
+  QTest::mousePress(&fixture.dial, Qt::LeftButton, {}, fixture.dial.centre().toPoint());  // no direction there
+  fixture.moveTo(fixture.dial.centre().toPoint() + QPoint(1, 0));
   QCOMPARE(moved.size(), 0);
 }
 
 void HandwheelDialTest::wheel() {
-  DialBench bench;
-  QVERIFY(bench.turnWheel(120));
-  QCOMPARE(bench.dial.value(), 0.1);
-  bench.turnWheel(-240);
-  QCOMPARE(bench.dial.value(), -0.1);
-  bench.turnWheel(120, Qt::ShiftModifier);
-  QCOMPARE(bench.dial.value(), 0.9);
-  bench.turnWheel(120, Qt::ControlModifier);
-  QCOMPARE(bench.dial.value(), 0.91);
-  for (int i = 0; i < 8; ++i) bench.turnWheel(15);  // a smooth wheel: an eighth of a notch at a time
-  QVERIFY(isNear(bench.dial.value(), 1.01));
-  bench.dial.clearFocus();
-  QVERIFY(!bench.turnWheel(120));  // the panel around it scrolls
-  QVERIFY(isNear(bench.dial.value(), 1.01));
+  DialFixture fixture;
+  QVERIFY(fixture.turnWheel(120));
+  QCOMPARE(fixture.dial.value(), 0.1);
+  fixture.turnWheel(-240);
+  QCOMPARE(fixture.dial.value(), -0.1);
+  fixture.turnWheel(120, Qt::ShiftModifier);
+  QCOMPARE(fixture.dial.value(), 0.9);
+  fixture.turnWheel(120, Qt::ControlModifier);
+  QCOMPARE(fixture.dial.value(), 0.91);
+  for (int i = 0; i < 8; ++i) fixture.turnWheel(15);  // a smooth wheel: an eighth of a notch at a time
+  QVERIFY(isNear(fixture.dial.value(), 1.01));
+  fixture.dial.clearFocus();
+  QVERIFY(!fixture.turnWheel(120));  // the panel around it scrolls
+  QVERIFY(isNear(fixture.dial.value(), 1.01));
 }
 
 void HandwheelDialTest::keys() {
-  DialBench bench;
-  const auto press = [&bench](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(&bench.dial, key, modifiers);
-    return bench.dial.value();
+  DialFixture fixture;
+  const auto press = [&fixture](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(&fixture.dial, key, modifiers);
+    return fixture.dial.value();
   };
-  QShortcut ofTheWindow(Qt::Key_Up, &bench.dial, nullptr, nullptr, Qt::WindowShortcut);  // the dial comes first
+  QShortcut ofTheWindow(Qt::Key_Up, &fixture.dial, nullptr, nullptr, Qt::WindowShortcut);  // the dial comes first
   QCOMPARE(press(Qt::Key_Up), 0.1);
   QCOMPARE(press(Qt::Key_Right), 0.2);
   QCOMPARE(press(Qt::Key_Down), 0.1);
@@ -161,55 +162,55 @@ void HandwheelDialTest::keys() {
   QCOMPARE(press(Qt::Key_Up, Qt::ShiftModifier), 6.0);
   QCOMPARE(press(Qt::Key_Down, Qt::ControlModifier), 5.99);
   for (int i = 0; i < 1000; ++i) press(Qt::Key_Up, Qt::ControlModifier);
-  QCOMPARE(bench.dial.value(), 15.99);  // exactly: steps are counted, not added up
+  QCOMPARE(fixture.dial.value(), 15.99);  // exactly: steps are counted, not added up
 }
 
 // As the ring of a slide: what is set to zero is the reading, the slide stays.
 void HandwheelDialTest::zeroRing() {
-  DialBench bench;
-  QSignalSpy zeroed(&bench.dial, &HandwheelDial::zeroChanged), moved(&bench.dial, &HandwheelDial::moved);
-  bench.dial.setValue(12.34);
-  QTest::keyClick(&bench.dial, Qt::Key_Home);
+  DialFixture fixture;
+  QSignalSpy zeroed(&fixture.dial, &HandwheelDial::zeroChanged), moved(&fixture.dial, &HandwheelDial::moved);
+  fixture.dial.setValue(12.34);
+  QTest::keyClick(&fixture.dial, Qt::Key_Home);
   QCOMPARE(zeroed.size(), 1);
   QCOMPARE(zeroed[0][0].toDouble(), 12.34);
-  QCOMPARE(bench.dial.value(), 12.34);
-  QCOMPARE(bench.dial.numberText(), QString("0.00 mm"));
-  QTest::keyClick(&bench.dial, Qt::Key_Up);
-  QCOMPARE(bench.dial.value(), 12.44);
-  QCOMPARE(bench.dial.numberText(), QString("0.10 mm"));
-  QTest::mouseDClick(&bench.dial, Qt::LeftButton, {}, bench.at(30));
+  QCOMPARE(fixture.dial.value(), 12.34);
+  QCOMPARE(fixture.dial.numberText(), QString("0.00 mm"));
+  QTest::keyClick(&fixture.dial, Qt::Key_Up);
+  QCOMPARE(fixture.dial.value(), 12.44);
+  QCOMPARE(fixture.dial.numberText(), QString("0.10 mm"));
+  QTest::mouseDClick(&fixture.dial, Qt::LeftButton, {}, fixture.at(30));
   QCOMPARE(zeroed.size(), 2);
-  QCOMPARE(bench.dial.zero(), 12.44);
-  QTest::mouseDClick(&bench.dial, Qt::LeftButton, {}, bench.at(30));
+  QCOMPARE(fixture.dial.zero(), 12.44);
+  QTest::mouseDClick(&fixture.dial, Qt::LeftButton, {}, fixture.at(30));
   QCOMPARE(zeroed.size(), 2);  // it is there
   QCOMPARE(moved.size(), 1);
 }
 
 void HandwheelDialTest::stopsAtTheEnds() {
-  DialBench bench;
-  bench.dial.setRange(-1.0, 1.05);
-  QTest::keyClick(&bench.dial, Qt::Key_PageUp);
-  QCOMPARE(bench.dial.value(), 1.05);
-  QTest::keyClick(&bench.dial, Qt::Key_PageDown);
-  QCOMPARE(bench.dial.value(), -1.0);
-  bench.dial.setValue(3.0);  // the machine says so
-  QCOMPARE(bench.dial.value(), 3.0);
-  QSignalSpy moved(&bench.dial, &HandwheelDial::moved);
-  QTest::keyClick(&bench.dial, Qt::Key_Up);
+  DialFixture fixture;
+  fixture.dial.setRange(-1.0, 1.05);
+  QTest::keyClick(&fixture.dial, Qt::Key_PageUp);
+  QCOMPARE(fixture.dial.value(), 1.05);
+  QTest::keyClick(&fixture.dial, Qt::Key_PageDown);
+  QCOMPARE(fixture.dial.value(), -1.0);
+  fixture.dial.setValue(3.0);  // the machine says so
+  QCOMPARE(fixture.dial.value(), 3.0);
+  QSignalSpy moved(&fixture.dial, &HandwheelDial::moved);
+  QTest::keyClick(&fixture.dial, Qt::Key_Up);
   QCOMPARE(moved.size(), 0);
-  QTest::keyClick(&bench.dial, Qt::Key_Down);
-  QCOMPARE(bench.dial.value(), 2.9);
-  bench.dial.setRange(1.0, -1.0);
-  QTest::keyClick(&bench.dial, Qt::Key_PageUp);
-  QCOMPARE(bench.dial.value(), 7.9);
+  QTest::keyClick(&fixture.dial, Qt::Key_Down);
+  QCOMPARE(fixture.dial.value(), 2.9);
+  fixture.dial.setRange(1.0, -1.0);
+  QTest::keyClick(&fixture.dial, Qt::Key_PageUp);
+  QCOMPARE(fixture.dial.value(), 7.9);
 }
 
 void HandwheelDialTest::whatIsSetIsNotSaid() {
-  DialBench bench;
-  QSignalSpy moved(&bench.dial, &HandwheelDial::moved), zeroed(&bench.dial, &HandwheelDial::zeroChanged);
-  bench.dial.setValue(3.0);
-  bench.dial.setZero(1.0);
-  bench.dial.setDivisions(100, 0.02);
+  DialFixture fixture;
+  QSignalSpy moved(&fixture.dial, &HandwheelDial::moved), zeroed(&fixture.dial, &HandwheelDial::zeroChanged);
+  fixture.dial.setValue(3.0);
+  fixture.dial.setZero(1.0);
+  fixture.dial.setDivisions(100, 0.02);
   QCOMPARE(moved.size() + zeroed.size(), 0);
 }
 
@@ -235,28 +236,28 @@ void HandwheelDialTest::texts() {
 
 void HandwheelDialTest::extremes() {
   constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
-  DialBench bench;
-  bench.dial.setValue(1.5);
-  bench.dial.setValue(kNoNumber);
-  bench.dial.setValue(kInf);
-  bench.dial.setZero(kNoNumber);
-  bench.dial.setDivisions(50, 0.0);
-  bench.dial.setDivisions(50, -1.0);
-  bench.dial.setDivisions(50, kNoNumber);
-  QCOMPARE(bench.dial.text(), QString("1.50 mm, 15.0 div"));
-  bench.dial.setDivisions(-3, 1e-9);
-  bench.dial.setValue(1e300);
-  QTest::keyClick(&bench.dial, Qt::Key_PageUp);
-  bench.dial.grab();
-  QVERIFY(std::isfinite(bench.dial.value()));
-  QVERIFY(bench.dial.text().size() < 60);
-  bench.dial.setDivisions(1 << 30, 1e9);
-  bench.dial.setValue(-1e300);
-  bench.turnWheel(std::numeric_limits<int>::max(), Qt::ShiftModifier);
-  bench.dial.grab();
-  bench.dial.resize(1, 1);
-  bench.dial.grab();
-  QVERIFY(std::isfinite(bench.dial.value()));
+  DialFixture fixture;
+  fixture.dial.setValue(1.5);
+  fixture.dial.setValue(kNoNumber);
+  fixture.dial.setValue(kInf);
+  fixture.dial.setZero(kNoNumber);
+  fixture.dial.setDivisions(50, 0.0);
+  fixture.dial.setDivisions(50, -1.0);
+  fixture.dial.setDivisions(50, kNoNumber);
+  QCOMPARE(fixture.dial.text(), QString("1.50 mm, 15.0 div"));
+  fixture.dial.setDivisions(-3, 1e-9);
+  fixture.dial.setValue(1e300);
+  QTest::keyClick(&fixture.dial, Qt::Key_PageUp);
+  fixture.dial.grab();
+  QVERIFY(std::isfinite(fixture.dial.value()));
+  QVERIFY(fixture.dial.text().size() < 60);
+  fixture.dial.setDivisions(1 << 30, 1e9);
+  fixture.dial.setValue(-1e300);
+  fixture.turnWheel(std::numeric_limits<int>::max(), Qt::ShiftModifier);
+  fixture.dial.grab();
+  fixture.dial.resize(1, 1);
+  fixture.dial.grab();
+  QVERIFY(std::isfinite(fixture.dial.value()));
 }
 
 void HandwheelDialTest::marksDoNotTouch() {
@@ -274,30 +275,30 @@ void HandwheelDialTest::marksDoNotTouch() {
 
 // Noise of a measured place far below a division does not make the picture tremble.
 void HandwheelDialTest::anInvisibleChangeIsNotDrawn() {
-  DialBench bench;
-  bench.dial.setValue(2.0);
-  const QImage still = bench.dial.grab().toImage();
+  DialFixture fixture;
+  fixture.dial.setValue(2.0);
+  const QImage still = fixture.dial.grab().toImage();
   for (double noise : {1e-7, -1e-7, 1e-6, 1e-5}) {
-    bench.dial.setValue(2.0 + noise);
-    QVERIFY2(bench.dial.grab().toImage() == still, qPrintable(QString::number(noise)));
+    fixture.dial.setValue(2.0 + noise);
+    QVERIFY2(fixture.dial.grab().toImage() == still, qPrintable(QString::number(noise)));
   }
-  bench.dial.setValue(2.01);
-  QVERIFY(bench.dial.grab().toImage() != still);
-  bench.dial.setValue(2.0 + 5.0);  // a whole turn: the same picture but for the numbers
+  fixture.dial.setValue(2.01);
+  QVERIFY(fixture.dial.grab().toImage() != still);
+  fixture.dial.setValue(2.0 + 5.0);  // a whole turn: the same picture but for the numbers
   const QRect ring(QPoint(0, 0), QSize(220, 200) * still.devicePixelRatio());
-  QVERIFY(bench.dial.grab().toImage().copy(ring) == still.copy(ring));
+  QVERIFY(fixture.dial.grab().toImage().copy(ring) == still.copy(ring));
 }
 
 void HandwheelDialTest::pictures() {
-  DialBench bench;
-  bench.dial.setDivisions(100, 0.05);
-  bench.dial.setPrefix("⌀");
-  bench.dial.setValue(12.35);
-  lookAt(bench.dial, "dial");
-  bench.dial.setDivisions(25, 0.02);
-  bench.dial.setZero(12.0);
-  bench.dial.resize(bench.dial.minimumSizeHint());
-  lookAt(bench.dial, "dial-small");
+  DialFixture fixture;
+  fixture.dial.setDivisions(100, 0.05);
+  fixture.dial.setPrefix("⌀");
+  fixture.dial.setValue(12.35);
+  lookAt(fixture.dial, "dial");
+  fixture.dial.setDivisions(25, 0.02);
+  fixture.dial.setZero(12.0);
+  fixture.dial.resize(fixture.dial.minimumSizeHint());
+  lookAt(fixture.dial, "dial-small");
 }
 
 HANDWHEEL_CONTROLS_TEST(HandwheelDialTest)

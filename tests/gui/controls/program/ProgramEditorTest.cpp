@@ -40,8 +40,8 @@ QString longProgram(int lines) {
   return text + QStringLiteral("M30");
 }
 
-struct ProgramBench {
-  explicit ProgramBench(const QString& text = kProgram) {
+struct ProgramFixture {
+  explicit ProgramFixture(const QString& text = kProgram) {
     editor.setPlainText(text);
     editor.resize(520, 320);
     editor.show();
@@ -98,202 +98,203 @@ class ProgramEditorTest : public QObject {
 };
 
 void ProgramEditorTest::coloursWords() {
-  ProgramBench bench;
+  ProgramFixture fixture;
   using Kind = EditorWord::Kind;
   const auto colour = [](Kind kind) { return programColour(kind, ThemeKind::Light); };
-  QCOMPARE(bench.colourAt(2, 3), colour(Kind::Comment));
-  QCOMPARE(bench.colourAt(3, 1), colour(Kind::LineNumber));
-  QCOMPARE(bench.colourAt(3, 5), colour(Kind::Preparatory));
-  QCOMPARE(bench.colourAt(4, 5), colour(Kind::Machine));
-  QCOMPARE(bench.colourAt(6, 8), colour(Kind::Axis));
-  QCOMPARE(bench.colourAt(6, 9), colour(Kind::Number));
-  QCOMPARE(bench.colourAt(7, 1), colour(Kind::Variable));
-  QSignalSpy changed(&bench.editor, &QPlainTextEdit::textChanged);
-  bench.editor.moveCursor(QTextCursor::End);
-  QTest::keyClicks(&bench.editor, "G1(new)");
-  QCOMPARE(bench.colourAt(12, 1), colour(Kind::Preparatory));
-  QCOMPARE(bench.colourAt(12, 4), colour(Kind::Comment));
+  QCOMPARE(fixture.colourAt(2, 3), colour(Kind::Comment));
+  QCOMPARE(fixture.colourAt(3, 1), colour(Kind::LineNumber));
+  QCOMPARE(fixture.colourAt(3, 5), colour(Kind::Preparatory));
+  QCOMPARE(fixture.colourAt(4, 5), colour(Kind::Machine));
+  QCOMPARE(fixture.colourAt(6, 8), colour(Kind::Axis));
+  QCOMPARE(fixture.colourAt(6, 9), colour(Kind::Number));
+  QCOMPARE(fixture.colourAt(7, 1), colour(Kind::Variable));
+  QSignalSpy changed(&fixture.editor, &QPlainTextEdit::textChanged);
+  fixture.editor.moveCursor(QTextCursor::End);
+  QTest::keyClicks(&fixture.editor, "G1(new)");
+  QCOMPARE(fixture.colourAt(12, 1), colour(Kind::Preparatory));
+  QCOMPARE(fixture.colourAt(12, 4), colour(Kind::Comment));
   QCOMPARE(changed.size(), 7);  // by the keys alone: colours change no text
 }
 
 void ProgramEditorTest::coloursFollowTheTheme() {
-  ProgramBench bench;
+  ProgramFixture fixture;
   applyTheme(*qApp, ThemeKind::Dark);
   QTest::qWait(20);
-  bench.editor.grab();
-  QCOMPARE(bench.colourAt(3, 5), programColour(EditorWord::Kind::Preparatory, ThemeKind::Dark));
+  fixture.editor.grab();
+  QCOMPARE(fixture.colourAt(3, 5), programColour(EditorWord::Kind::Preparatory, ThemeKind::Dark));
 }
 
 void ProgramEditorTest::coloursOnlyWhatIsShown() {
-  ProgramBench bench(longProgram(100000));
-  QCOMPARE(bench.editor.blockCount(), 100000);
-  QVERIFY(!bench.formats(1).isEmpty());
-  QVERIFY(bench.formats(1000).isEmpty());
-  bench.editor.verticalScrollBar()->setValue(50000);
-  bench.editor.grab();
-  QVERIFY(!bench.formats(50010).isEmpty());
+  ProgramFixture fixture(longProgram(100000));
+  QCOMPARE(fixture.editor.blockCount(), 100000);
+  QVERIFY(!fixture.formats(1).isEmpty());
+  QVERIFY(fixture.formats(1000).isEmpty());
+  fixture.editor.verticalScrollBar()->setValue(50000);
+  fixture.editor.grab();
+  QVERIFY(!fixture.formats(50010).isEmpty());
   int coloured = 0;
-  for (int line = 1; line <= 100000; ++line) coloured += !bench.formats(line).isEmpty();
+  for (int line = 1; line <= 100000; ++line) coloured += !fixture.formats(line).isEmpty();
   QVERIFY2(coloured < 200, qPrintable(QString::number(coloured)));
-  bench.editor.moveCursor(QTextCursor::End);
-  bench.editor.grab();
-  QVERIFY(!bench.formats(100000).isEmpty());
+  fixture.editor.moveCursor(QTextCursor::End);
+  fixture.editor.grab();
+  QVERIFY(!fixture.formats(100000).isEmpty());
 }
 
 void ProgramEditorTest::marksUnderline() {
-  ProgramBench bench;
-  bench.editor.setMarks({{10, 5, Severity::Error, "G5 is not supported: use G1, G2 or G3."},
-                         {6, 0, Severity::Warning, "Rapid near the chuck."},
-                         {9, 8, Severity::Note, "a note"},
-                         {5, 99, Severity::Note, "beyond the end of the line"}});
-  bench.editor.grab();
-  QCOMPARE(bench.underlined(10), QString("5-6"));  // the word G5
-  QCOMPARE(bench.underlined(6), QString("1-13"));
-  QCOMPARE(bench.underlined(9), QString("8-8"));
-  QCOMPARE(bench.underlined(5), QString("46-46"));  // its last character
-  QCOMPARE(bench.colourAt(10, 5), programColour(EditorWord::Kind::Preparatory, ThemeKind::Light));
-  bench.editor.setMarks({});
-  bench.editor.grab();
-  QCOMPARE(bench.underlined(10), QString());
+  ProgramFixture fixture;
+  fixture.editor.setMarks({{10, 5, Severity::Error, "G5 is not supported: use G1, G2 or G3."},
+                           {6, 0, Severity::Warning, "Rapid near the chuck."},
+                           {9, 8, Severity::Note, "a note"},
+                           {5, 99, Severity::Note, "beyond the end of the line"}});
+  fixture.editor.grab();
+  QCOMPARE(fixture.underlined(10), QString("5-6"));  // the word G5
+  QCOMPARE(fixture.underlined(6), QString("1-13"));
+  QCOMPARE(fixture.underlined(9), QString("8-8"));
+  QCOMPARE(fixture.underlined(5), QString("46-46"));  // its last character
+  QCOMPARE(fixture.colourAt(10, 5), programColour(EditorWord::Kind::Preparatory, ThemeKind::Light));
+  fixture.editor.setMarks({});
+  fixture.editor.grab();
+  QCOMPARE(fixture.underlined(10), QString());
 }
 
 void ProgramEditorTest::marksMoveWithTheirLines() {
-  ProgramBench bench;
-  bench.editor.setMarks({{10, 5, Severity::Error, "here"}, {99, 0, Severity::Error, "at the end"}, {-1, 0, {}, "top"}});
-  bench.editor.goTo(1);
-  QTest::keyClick(&bench.editor, Qt::Key_Return);
-  const auto text = [&bench](int line) {
-    return bench.editor.markText(bench.editor.document()->findBlockByNumber(line - 1));
+  ProgramFixture fixture;
+  fixture.editor.setMarks(
+      {{10, 5, Severity::Error, "here"}, {99, 0, Severity::Error, "at the end"}, {-1, 0, {}, "top"}});
+  fixture.editor.goTo(1);
+  QTest::keyClick(&fixture.editor, Qt::Key_Return);
+  const auto text = [&fixture](int line) {
+    return fixture.editor.markText(fixture.editor.document()->findBlockByNumber(line - 1));
   };
   QCOMPARE(text(11), QString("here"));
   QCOMPARE(text(10), QString());
-  QCOMPARE(text(bench.editor.blockCount()), QString("at the end"));
-  bench.editor.setPlainText("G1");
+  QCOMPARE(text(fixture.editor.blockCount()), QString("at the end"));
+  fixture.editor.setPlainText("G1");
   QCOMPARE(text(1), QString());
 }
 
 void ProgramEditorTest::marksInToolTips() {
-  ProgramBench bench;
-  bench.editor.setMarks({{10, 5, Severity::Error, "G5 is not supported."}, {10, 8, Severity::Note, "X1 is inside."}});
-  QTextCursor cursor(bench.editor.document()->findBlockByNumber(9));
-  const QPoint place = bench.editor.cursorRect(cursor).center();
-  QHelpEvent help(QEvent::ToolTip, place, bench.editor.viewport()->mapToGlobal(place));
-  QApplication::sendEvent(bench.editor.viewport(), &help);
+  ProgramFixture fixture;
+  fixture.editor.setMarks({{10, 5, Severity::Error, "G5 is not supported."}, {10, 8, Severity::Note, "X1 is inside."}});
+  QTextCursor cursor(fixture.editor.document()->findBlockByNumber(9));
+  const QPoint place = fixture.editor.cursorRect(cursor).center();
+  QHelpEvent help(QEvent::ToolTip, place, fixture.editor.viewport()->mapToGlobal(place));
+  QApplication::sendEvent(fixture.editor.viewport(), &help);
   QCOMPARE(QToolTip::text(), QString("G5 is not supported.\nX1 is inside."));
   QToolTip::hideText();
-  auto* margin = bench.editor.findChild<QWidget*>("programMargin");
+  auto* margin = fixture.editor.findChild<QWidget*>("programMargin");
   QHelpEvent beside(QEvent::ToolTip, {4, place.y()}, margin->mapToGlobal(QPoint(4, place.y())));
   QApplication::sendEvent(margin, &beside);
   QCOMPARE(QToolTip::text(), QString("G5 is not supported.\nX1 is inside."));
   QTest::mouseClick(margin, Qt::LeftButton, {}, {4, place.y()});
-  QCOMPARE(bench.cursorLine(), 10);
+  QCOMPARE(fixture.cursorLine(), 10);
 }
 
 void ProgramEditorTest::goesFromMarkToMark() {
-  ProgramBench bench;
-  QVERIFY(!bench.editor.goToMark());
-  QShortcut ofTheWindow(Qt::Key_F8, &bench.editor, nullptr, nullptr, Qt::WindowShortcut);  // the editor comes first
-  bench.editor.setMarks({{3, 9, Severity::Error, "a"}, {6, 0, Severity::Note, "b"}});
+  ProgramFixture fixture;
+  QVERIFY(!fixture.editor.goToMark());
+  QShortcut ofTheWindow(Qt::Key_F8, &fixture.editor, nullptr, nullptr, Qt::WindowShortcut);  // the editor comes first
+  fixture.editor.setMarks({{3, 9, Severity::Error, "a"}, {6, 0, Severity::Note, "b"}});
   QList<int> lines;
   for (int i = 0; i < 3; ++i) {
-    QTest::keyClick(&bench.editor, Qt::Key_F8);
-    lines << bench.cursorLine();
+    QTest::keyClick(&fixture.editor, Qt::Key_F8);
+    lines << fixture.cursorLine();
   }
-  QTest::keyClick(&bench.editor, Qt::Key_F8, Qt::ShiftModifier);
-  lines << bench.cursorLine();
+  QTest::keyClick(&fixture.editor, Qt::Key_F8, Qt::ShiftModifier);
+  lines << fixture.cursorLine();
   QCOMPARE(lines, QList<int>({3, 6, 3, 6}));
-  QTest::keyClick(&bench.editor, Qt::Key_F8);
-  QCOMPARE(bench.editor.textCursor().positionInBlock(), 8);
+  QTest::keyClick(&fixture.editor, Qt::Key_F8);
+  QCOMPARE(fixture.editor.textCursor().positionInBlock(), 8);
 }
 
 // It is scrolled into view, and the cursor of the person stays.
 void ProgramEditorTest::executedLine() {
-  ProgramBench bench(longProgram(1000));
-  bench.editor.goTo(3);
-  bench.editor.setCurrentLine(500);
-  QCOMPARE(bench.editor.currentLine(), 500);
-  QCOMPARE(bench.cursorLine(), 3);
-  QVERIFY(bench.shownFirst() > 480 && bench.shownFirst() <= 500);
-  const int first = bench.shownFirst();
-  bench.editor.setCurrentLine(501);
-  QCOMPARE(bench.shownFirst(), first);  // it is in sight: nothing jumps
-  bench.editor.setCurrentLine(2);
-  QVERIFY(bench.shownFirst() <= 2);
-  bench.editor.setCurrentLine(100000);
-  QCOMPARE(bench.editor.currentLine(), 1000);
-  QCOMPARE(bench.editor.extraSelections().size(), 2);
-  bench.editor.setCurrentLine(0);
-  QCOMPARE(bench.editor.extraSelections().size(), 1);
-  bench.editor.setCurrentLine(-5);
-  QCOMPARE(bench.editor.currentLine(), 0);
+  ProgramFixture fixture(longProgram(1000));
+  fixture.editor.goTo(3);
+  fixture.editor.setCurrentLine(500);
+  QCOMPARE(fixture.editor.currentLine(), 500);
+  QCOMPARE(fixture.cursorLine(), 3);
+  QVERIFY(fixture.shownFirst() > 480 && fixture.shownFirst() <= 500);
+  const int first = fixture.shownFirst();
+  fixture.editor.setCurrentLine(501);
+  QCOMPARE(fixture.shownFirst(), first);  // it is in sight: nothing jumps
+  fixture.editor.setCurrentLine(2);
+  QVERIFY(fixture.shownFirst() <= 2);
+  fixture.editor.setCurrentLine(100000);
+  QCOMPARE(fixture.editor.currentLine(), 1000);
+  QCOMPARE(fixture.editor.extraSelections().size(), 2);
+  fixture.editor.setCurrentLine(0);
+  QCOMPARE(fixture.editor.extraSelections().size(), 1);
+  fixture.editor.setCurrentLine(-5);
+  QCOMPARE(fixture.editor.currentLine(), 0);
 }
 
 void ProgramEditorTest::searches() {
-  ProgramBench bench;
-  QVERIFY(bench.editor.findText("g1 x"));
-  QCOMPARE(bench.cursorLine(), 9);
-  QVERIFY(!bench.editor.findText("G1 Y"));
-  QVERIFY(!bench.editor.findText(QString()));
-  QCOMPARE(bench.cursorLine(), 9);
-  QVERIFY(bench.editor.findText("G18"));  // around the end
-  QCOMPARE(bench.cursorLine(), 3);
-  QVERIFY(bench.editor.findText("M30", true));
-  QCOMPARE(bench.cursorLine(), 11);
+  ProgramFixture fixture;
+  QVERIFY(fixture.editor.findText("g1 x"));
+  QCOMPARE(fixture.cursorLine(), 9);
+  QVERIFY(!fixture.editor.findText("G1 Y"));
+  QVERIFY(!fixture.editor.findText(QString()));
+  QCOMPARE(fixture.cursorLine(), 9);
+  QVERIFY(fixture.editor.findText("G18"));  // around the end
+  QCOMPARE(fixture.cursorLine(), 3);
+  QVERIFY(fixture.editor.findText("M30", true));
+  QCOMPARE(fixture.cursorLine(), 11);
 }
 
 void ProgramEditorTest::searchBar() {
-  ProgramBench bench;
-  auto* bar = bench.editor.findChild<QWidget*>("programSearch");
+  ProgramFixture fixture;
+  auto* bar = fixture.editor.findChild<QWidget*>("programSearch");
   auto* line = bar->findChild<QLineEdit*>();
   QVERIFY(!bar->isVisible());
-  QTest::keyClick(&bench.editor, Qt::Key_F, Qt::ControlModifier);
+  QTest::keyClick(&fixture.editor, Qt::Key_F, Qt::ControlModifier);
   QVERIFY(bar->isVisible() && line->hasFocus());
-  QVERIFY(bench.editor.viewport()->geometry().bottom() < bar->geometry().top());
+  QVERIFY(fixture.editor.viewport()->geometry().bottom() < bar->geometry().top());
   QTest::keyClicks(line, "X4");
-  QCOMPARE(bench.cursorLine(), 6);
+  QCOMPARE(fixture.cursorLine(), 6);
   QTest::keyClicks(line, "0");
   QCOMPARE(bar->findChild<QLabel*>("programSearchState")->text(), QString("not found"));
   line->selectAll();
   QTest::keyClicks(line, "X");
   QCOMPARE(bar->findChild<QLabel*>("programSearchState")->text(), QString());
   QTest::keyClick(line, Qt::Key_Return);
-  QCOMPARE(bench.cursorLine(), 9);
+  QCOMPARE(fixture.cursorLine(), 9);
   QTest::keyClick(line, Qt::Key_Return, Qt::ShiftModifier);
-  QCOMPARE(bench.cursorLine(), 6);
+  QCOMPARE(fixture.cursorLine(), 6);
   QTest::keyClick(line, Qt::Key_Escape);
-  QVERIFY(!bar->isVisible() && bench.editor.hasFocus());
-  QTest::keyClick(&bench.editor, Qt::Key_F3);
-  QCOMPARE(bench.cursorLine(), 9);
+  QVERIFY(!bar->isVisible() && fixture.editor.hasFocus());
+  QTest::keyClick(&fixture.editor, Qt::Key_F3);
+  QCOMPARE(fixture.cursorLine(), 9);
 }
 
 void ProgramEditorTest::hostileTexts() {
-  ProgramBench bench(QString(300000, 'X'));
-  bench.editor.setMarks({{1, 299999, Severity::Error, "far"}, {1, -7, Severity::Error, "all"}});
-  bench.editor.grab();
-  bench.editor.setMarks(std::vector<ProgramMark>(100000, {1, 0, Severity::Error, "again"}));
-  bench.editor.grab();
-  QVERIFY(bench.editor.markText(bench.editor.document()->firstBlock()).size() < 1000);
-  bench.editor.setCurrentLine(1);
-  bench.editor.setPlainText(QStringLiteral("G1\0X\u2028Y\r\n\tZ(\n)))"));
-  bench.editor.grab();
-  bench.editor.setPlainText({});
-  bench.editor.setMarks({{5, 5, Severity::Error, "of nothing"}});
-  bench.editor.setCurrentLine(7);
-  bench.editor.goTo(-1, -1);
-  bench.editor.grab();
-  QCOMPARE(bench.editor.currentLine(), 1);
-  QCOMPARE(bench.editor.markText(bench.editor.document()->firstBlock()), QString("of nothing"));
+  ProgramFixture fixture(QString(300000, 'X'));
+  fixture.editor.setMarks({{1, 299999, Severity::Error, "far"}, {1, -7, Severity::Error, "all"}});
+  fixture.editor.grab();
+  fixture.editor.setMarks(std::vector<ProgramMark>(100000, {1, 0, Severity::Error, "again"}));
+  fixture.editor.grab();
+  QVERIFY(fixture.editor.markText(fixture.editor.document()->firstBlock()).size() < 1000);
+  fixture.editor.setCurrentLine(1);
+  fixture.editor.setPlainText(QStringLiteral("G1\0X\u2028Y\r\n\tZ(\n)))"));
+  fixture.editor.grab();
+  fixture.editor.setPlainText({});
+  fixture.editor.setMarks({{5, 5, Severity::Error, "of nothing"}});
+  fixture.editor.setCurrentLine(7);
+  fixture.editor.goTo(-1, -1);
+  fixture.editor.grab();
+  QCOMPARE(fixture.editor.currentLine(), 1);
+  QCOMPARE(fixture.editor.markText(fixture.editor.document()->firstBlock()), QString("of nothing"));
 }
 
 void ProgramEditorTest::pictures() {
-  ProgramBench bench;
-  bench.editor.setMarks({{10, 5, Severity::Error, "G5 is not supported: use G1, G2 or G3."},
-                         {6, 0, Severity::Warning, "Rapid near the chuck."},
-                         {4, 5, Severity::Note, "Tool 1: right turning tool"}});
-  bench.editor.setCurrentLine(9);
-  bench.editor.goTo(7);
-  QTest::keyClick(&bench.editor, Qt::Key_F, Qt::ControlModifier);
-  lookAt(bench.editor, "program");
+  ProgramFixture fixture;
+  fixture.editor.setMarks({{10, 5, Severity::Error, "G5 is not supported: use G1, G2 or G3."},
+                           {6, 0, Severity::Warning, "Rapid near the chuck."},
+                           {4, 5, Severity::Note, "Tool 1: right turning tool"}});
+  fixture.editor.setCurrentLine(9);
+  fixture.editor.goTo(7);
+  QTest::keyClick(&fixture.editor, Qt::Key_F, Qt::ControlModifier);
+  lookAt(fixture.editor, "program");
 }
 
 HANDWHEEL_CONTROLS_TEST(ProgramEditorTest)

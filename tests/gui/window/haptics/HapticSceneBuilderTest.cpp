@@ -18,7 +18,7 @@ namespace {
 constexpr int kLongestMs = 120000;  // a busy machine softens forces for a minute
 
 // The simulated hand, and a scene for it. Lengths and forces are those at the device.
-struct TouchSceneBench {
+struct TouchSceneFixture {
   QThreadPool pool;
   JobRunner jobs{JobRunner::Policy::Queue, pool};
   WindowServices services;
@@ -27,7 +27,7 @@ struct TouchSceneBench {
       std::make_unique<HapticSession>(HapticSession::Parts{jobs, pool, services, clock});
   std::unique_ptr<HapticSceneBuilder> scene = std::make_unique<HapticSceneBuilder>(*session);
 
-  ~TouchSceneBench() {
+  ~TouchSceneFixture() {
     scene.reset();
     session.reset();
     pool.waitForDone();
@@ -93,7 +93,7 @@ class HapticSceneBuilderTest : public QObject {
 
   // A tool turns the hand on a device that has motors for it: by what it asks for, at most as stiffly as the device is.
   void turnsTheHand() {
-    TouchSceneBench b;
+    TouchSceneFixture b;
     b.session->choose("simulated", "turned-hand");
     QVERIFY(QTest::qWaitFor([&] { return b.session->latest() != nullptr; }, kLongestMs));
     const double stiffest = b.session->capabilities().maxAngularStiffness;
@@ -125,7 +125,7 @@ class HapticSceneBuilderTest : public QObject {
   void snapsByTheProfileThatWasChosen() {
     QFETCH(int, shape);
     QFETCH(double, stiffness);
-    TouchSceneBench b;
+    TouchSceneFixture b;
     QVERIFY(b.begin());
     b.offer({Vec3::Zero()}, 4.0);
     TouchSettings touch = b.session->touch();
@@ -149,7 +149,7 @@ class HapticSceneBuilderTest : public QObject {
   // Between two points the proxy has one of them; the forces of both add up to less.
   void snapsByTheMethodThatWasChosen() {
     const Vec3 left(-1.0, 0.0, 0.0), right(1.0, 0.0, 0.0);
-    TouchSceneBench b;
+    TouchSceneFixture b;
     QVERIFY(b.begin());
     b.offer({left, right}, 4.0);
     b.lead({0.5, 1.0, 0.0});
@@ -168,7 +168,7 @@ class HapticSceneBuilderTest : public QObject {
 
   // Switched off, it attracts nothing, whoever offered it.
   void snapsOnlyWhereThatIsOn() {
-    TouchSceneBench b;
+    TouchSceneFixture b;
     QVERIFY(b.begin());
     b.offer({Vec3::Zero()}, 4.0);
     b.lead({2.5, 0.0, 0.0});
@@ -184,7 +184,7 @@ class HapticSceneBuilderTest : public QObject {
 
   // The stiffness of the feature is another at once; what is sent waits for the ramp.
   void aChangeComesByTheRamp() {
-    TouchSceneBench b;
+    TouchSceneFixture b;
     QVERIFY(b.begin());
     b.offer({Vec3::Zero()}, 4.0);
     b.lead({2.5, 0.0, 0.0});

@@ -66,7 +66,7 @@ class FakeDriver : public DeviceDriver {
 };
 
 // A session with all that it needs.
-struct HapticSessionBench {
+struct HapticSessionFixture {
   Plugged plugged;
   QThreadPool pool;
   JobRunner jobs{JobRunner::Policy::Queue, pool};
@@ -75,14 +75,14 @@ struct HapticSessionBench {
   std::unique_ptr<HapticSession> session;
   std::vector<Message> messages;
 
-  HapticSessionBench() {
+  HapticSessionFixture() {
     std::vector<std::unique_ptr<DeviceDriver>> drivers;
     drivers.push_back(std::make_unique<FakeDriver>(plugged));
     session = std::make_unique<HapticSession>(HapticSession::Parts{jobs, pool, services, clock}, std::move(drivers));
     QObject::connect(session.get(), &HapticSession::message, session.get(),
                      [this](const Message& message) { messages.push_back(message); });
   }
-  ~HapticSessionBench() {
+  ~HapticSessionFixture() {
     session.reset();
     pool.waitForDone();
   }
@@ -104,7 +104,7 @@ class HapticSessionTest : public QObject {
   void init() { QSettings().clear(); }
 
   void withoutADeviceNothingRuns() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     QSignalSpy sampled(b.session.get(), &HapticSession::sampled);
     b.session->takeUp();
     b.session->setMapping({});
@@ -119,7 +119,7 @@ class HapticSessionTest : public QObject {
   }
 
   void theLoopRunsAsLongAsTheDeviceIsOpen() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     b.session->choose("simulated", "hand");
     QVERIFY(b.waitForOpen());
     QVERIFY(b.session->simulatedHand() && !b.session->mouse());
@@ -138,7 +138,7 @@ class HapticSessionTest : public QObject {
 
   // The last thing sent is no force, and the device is closed once.
   void closingIsZeroForce() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
     b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(1.0, 0.0, 0.0); }));
@@ -151,7 +151,7 @@ class HapticSessionTest : public QObject {
 
   // The force goes before the loop stops, and comes back; ticks are counted on.
   void anotherRateIsTakenUpWithoutABlow() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     struct Seen {
       int reads = 0;
       std::vector<double> rests;  // N that went when a loop stopped: a write without a reading
@@ -182,7 +182,7 @@ class HapticSessionTest : public QObject {
   }
 
   void aForceThatIsOffStaysOff() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
     b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(1.0, 0.0, 0.0); }));
@@ -197,7 +197,7 @@ class HapticSessionTest : public QObject {
 
   void whatCannotBeOpenedIsTold() {
     for (const char* address : {"deaf", "nowhere"}) {
-      HapticSessionBench b;
+      HapticSessionFixture b;
       b.session->choose("fake", address);
       QCOMPARE(b.session->chosen().address, std::string(address));
       QTRY_VERIFY(b.jobs.isIdle());
@@ -212,7 +212,7 @@ class HapticSessionTest : public QObject {
   void whatIsNotThereAnyMoreIsNoNews() {
     QSettings().setValue("haptics/driver", "fake");
     QSettings().setValue("haptics/address", "nowhere");
-    HapticSessionBench b;
+    HapticSessionFixture b;
     b.session->takeUp();
     QTRY_VERIFY(b.jobs.isIdle());
     QVERIFY(!b.session->isOpen() && b.messages.empty());
@@ -226,12 +226,12 @@ class HapticSessionTest : public QObject {
     mapping.deadZone = 1.5;
     mapping.clutchButtons = 5;
     {
-      HapticSessionBench b;
+      HapticSessionFixture b;
       b.session->choose("fake", "well");
       QVERIFY(b.waitForOpen());
       b.session->setMapping(mapping);
     }
-    HapticSessionBench b;
+    HapticSessionFixture b;
     b.session->takeUp();
     QVERIFY(b.waitForOpen());
     QCOMPARE(b.session->chosen().address, std::string("well"));
@@ -249,7 +249,7 @@ class HapticSessionTest : public QObject {
   // In contact the scale is changed; whoever makes the scene for the new one takes his time. No tick feels the one
   // without the other, and the force comes back by the ramp.
   void anotherScaleIsFeltWithItsScene() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     std::atomic<double> sent{0.0}, largest{0.0};
     std::atomic<int> ticks{0};
     b.plugged.log->onWrite = [&](const ScriptedDevice::Log&, const DeviceForce& force) {
@@ -290,7 +290,7 @@ class HapticSessionTest : public QObject {
 
   // The loop takes the last of the mappings that follow closely: the jump is not lost with the one before it.
   void aTipThatIsToJumpJumps() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
     CameraState camera;
@@ -313,7 +313,7 @@ class HapticSessionTest : public QObject {
     QSettings().setValue("haptics/simulated/axes", "+0+0+2");
     QSettings().setValue("haptics/simulated/scale", "nan");
     QSettings().setValue("haptics/simulated/force_gain", -1);
-    HapticSessionBench b;
+    HapticSessionFixture b;
     b.session->choose("simulated", "hand");
     QVERIFY(b.waitForOpen());
     QVERIFY(b.session->mapping().viewFromDevice() == Eigen::Matrix3d::Identity());
@@ -323,7 +323,7 @@ class HapticSessionTest : public QObject {
 
   // Nobody looks at the list: the session looks itself until the device is back, at another port.
   void pluggedInAgainItIsOpenedAgain() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     auto isGone = std::make_shared<std::atomic<bool>>(false);
     b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
       const bool isAway = isGone->load() && log.closes == 0;  // the one that comes back is another
@@ -349,7 +349,7 @@ class HapticSessionTest : public QObject {
 
   // A driver that lists its device always never shows that it came back: the message opens it.
   void whatNeverLeavesTheListIsOpenedByTheMessage() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     auto isGone = std::make_shared<std::atomic<bool>>(false);
     b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
       const bool isAway = isGone->load() && log.closes == 0;
@@ -371,7 +371,7 @@ class HapticSessionTest : public QObject {
   }
 
   void whatIsPluggedInIsFound() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     QCOMPARE(b.session->found().size(), 3);
     QCOMPARE(b.session->found()[0].driver, std::string("simulated"));
     QCOMPARE(b.session->found()[1].address, std::string("turned-hand"));
@@ -389,7 +389,7 @@ class HapticSessionTest : public QObject {
 
   // An unplugged device is reported once, and keeps neither a thread nor the device open.
   void unplugging() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     QSignalSpy recorded(b.session.get(), &HapticSession::recorded);
     auto isGone = std::make_shared<std::atomic<bool>>(false);
     b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
@@ -414,7 +414,7 @@ class HapticSessionTest : public QObject {
 
   // Two seconds of the loop are given to a device to recover.
   void failing() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     auto isFailed = std::make_shared<std::atomic<bool>>(false);
     b.plugged.log->onRead = [isFailed](ScriptedDevice::Log& log) {
       log.state.status = isFailed->load() ? DeviceStatus::Failed : DeviceStatus::Ready;
@@ -435,7 +435,7 @@ class HapticSessionTest : public QObject {
   }
 
   void theForceTestIsGentleAndEnds() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
     Vec3 most = Vec3::Zero();
@@ -457,7 +457,7 @@ class HapticSessionTest : public QObject {
 
   // Else its forces would be compared with the scene before, when the recording is felt again.
   void aRecordingTellsTheForceTestFromScenes() {
-    HapticSessionBench b;
+    HapticSessionFixture b;
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
     Recording recording;

@@ -20,18 +20,18 @@ using namespace handwheel::test;
 namespace {
 
 // A window with a cube in it and the simulated hand open.
-struct RecordBench {
+struct RecordFixture {
   QTemporaryDir folder;
   WindowDriver driver;
   HapticSession& session;
   Recordings& recordings;
   QString stl = folder.filePath(QStringLiteral("cube.stl"));
 
-  RecordBench()
+  RecordFixture()
       : session(*driver.window().findChild<HapticSession*>()), recordings(*driver.window().findChild<Recordings*>()) {
     writeStl(stl, cornersOf(cube()));
   }
-  ~RecordBench() { session.close(); }
+  ~RecordFixture() { session.close(); }
 
   bool begin() {
     if (!driver.open(stl)) return false;
@@ -61,7 +61,7 @@ class RecordingWindowTest : public QObject {
   void init() { QSettings().clear(); }
 
   void withoutADeviceOrADocumentNothingIsRecorded() {
-    RecordBench b;
+    RecordFixture b;
     QVERIFY(!b.action("recordDevice")->isEnabled());
     QVERIFY(b.driver.open(b.stl));
     QVERIFY(!b.action("recordDevice")->isEnabled());
@@ -71,7 +71,7 @@ class RecordingWindowTest : public QObject {
   }
 
   void aRecordingIsKeptWithTheDocument() {
-    RecordBench b;
+    RecordFixture b;
     QVERIFY(b.begin());
     QVERIFY(!b.document().isModified());
     QVERIFY(b.record());
@@ -97,7 +97,7 @@ class RecordingWindowTest : public QObject {
 
   // An STL has no place for it: the program asks for another name, and offers its own format.
   void aForeignFileIsNotEnough() {
-    RecordBench b;
+    RecordFixture b;
     QVERIFY(b.begin());
     QVERIFY(b.record());
     b.driver.choose("saveFile");
@@ -107,7 +107,7 @@ class RecordingWindowTest : public QObject {
   }
 
   void eachIsAStepThatCanBeUndone() {
-    RecordBench b;
+    RecordFixture b;
     QVERIFY(b.begin());
     QVERIFY(b.record() && b.record());
     QCOMPARE(b.list()->rowCount(), 2);
@@ -129,7 +129,7 @@ class RecordingWindowTest : public QObject {
 
   // The cursor follows, also without a device, until the recording is left.
   void theCursorFollowsTheRecording() {
-    RecordBench b;
+    RecordFixture b;
     QVERIFY(b.begin());
     HandPose pose;
     pose.position = Vec3(30, 0, 0);
@@ -154,7 +154,7 @@ class RecordingWindowTest : public QObject {
   }
 
   void whatEndsTheDeviceEndsTheRecording() {
-    RecordBench b;
+    RecordFixture b;
     QVERIFY(b.begin());
     b.driver.choose("recordDevice");
     QTRY_VERIFY(b.session.recorder() && b.session.recorder()->ticks() > 50);
@@ -165,7 +165,7 @@ class RecordingWindowTest : public QObject {
 
   // Another document comes into view: what was recorded belongs to the one in which it began.
   void belongsToTheDocumentInWhichItBegan() {
-    RecordBench b;
+    RecordFixture b;
     QVERIFY(b.begin());
     b.driver.choose("recordDevice");
     QTRY_VERIFY(b.session.recorder() && b.session.recorder()->ticks() > 50);
@@ -180,7 +180,7 @@ class RecordingWindowTest : public QObject {
   }
 
   void isWrittenAsATable() {
-    RecordBench b;
+    RecordFixture b;
     QVERIFY(b.begin());
     QVERIFY(b.record());
     const QString path = b.folder.filePath(QStringLiteral("table.csv"));

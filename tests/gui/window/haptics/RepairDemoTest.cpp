@@ -12,16 +12,16 @@ namespace {
 
 constexpr int kWholeMs = 120000;
 
-struct ShowBench {
+struct ShowFixture {
   WindowDriver driver;
   ScriptedDeviceDemo& show;
   HapticSession& session;
 
-  ShowBench()
+  ShowFixture()
       : show(*driver.window().findChild<ScriptedDeviceDemo*>()), session(*driver.window().findChild<HapticSession*>()) {
     show.setPace(3.0);
   }
-  ~ShowBench() { session.close(); }
+  ~ShowFixture() { session.close(); }
 
   bool waitFor(const QString& caption) {
     return QTest::qWaitFor([&] { return show.caption().startsWith(caption); }, kWholeMs);
@@ -48,7 +48,7 @@ class RepairDemoTest : public QObject {
   // Smoothed, bridged, two parts filled, subdivided, pulled, the seam smoothed: seven steps, and one hole less. The
   // first step is that of opening, which has reversed triangles.
   void aHoleIsRepaired() {
-    ShowBench b;
+    ShowFixture b;
     QSignalSpy ended(&b.show, &ScriptedDeviceDemo::ended);
     b.driver.choose("watchRepair");
     QVERIFY(b.waitFor("1 of 5"));
@@ -69,7 +69,7 @@ class RepairDemoTest : public QObject {
 
   // Stopped in the midst nothing stays in the air, and the device comes back that was in use.
   void itCanBeStopped() {
-    ShowBench b;
+    ShowFixture b;
     b.session.choose("mouse", "pointer");
     QTRY_VERIFY(b.session.mouse());
     QSignalSpy ended(&b.show, &ScriptedDeviceDemo::ended);
@@ -88,7 +88,7 @@ class RepairDemoTest : public QObject {
 
   // Who turns to another device ends it.
   void anotherDeviceEndsIt() {
-    ShowBench b;
+    ShowFixture b;
     b.driver.choose("watchRepair");
     QVERIFY(b.waitFor("1 of 5"));
     b.session.choose("mouse", "pointer");

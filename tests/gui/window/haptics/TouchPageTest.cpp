@@ -17,7 +17,7 @@ using namespace handwheel;
 
 namespace {
 
-struct TouchPageBench {
+struct TouchPageFixture {
   QThreadPool pool;
   JobRunner jobs{JobRunner::Policy::Queue, pool};
   WindowServices services;
@@ -56,14 +56,14 @@ class TouchPageTest : public QObject {
   // The command switches what the page shows, and the next start begins with it.
   void theCommandSwitchesSnapping() {
     {
-      TouchPageBench b;
+      TouchPageFixture b;
       QVERIFY(b.command()->isCheckable() && b.command()->isChecked());
       QVERIFY(!b.command()->shortcut().isEmpty());
       b.command()->trigger();
       QVERIFY(!b.session.touch().isSnapping);
       QVERIFY(!b.command()->isChecked());
     }
-    TouchPageBench again;
+    TouchPageFixture again;
     QVERIFY(!again.session.touch().isSnapping && !again.command()->isChecked());
     again.command()->trigger();
     QVERIFY(again.session.touch().isSnapping);
@@ -71,20 +71,20 @@ class TouchPageTest : public QObject {
 
   void whatIsChosenIsFeltAndKept() {
     {
-      TouchPageBench b;
+      TouchPageFixture b;
       b.choose("snap_profile", 3);
       b.choose("snap_method", 1);
       b.type("snap_stiffness", "0.8");
       QVERIFY(b.session.touch().snapShape == SnapShape::Gaussian);
     }
-    TouchPageBench again;
+    TouchPageFixture again;
     QVERIFY(again.session.touch().snapShape == SnapShape::Gaussian);
     QVERIFY(again.session.touch().snapMethod == SnapMethod::Sum);
     QCOMPARE(again.session.touch().snapStiffness, 0.8);
   }
 
   void tooMuchIsNotTaken() {
-    TouchPageBench b;
+    TouchPageFixture b;
     b.type("snap_stiffness", "1000");
     QCOMPARE(b.session.touch().snapStiffness, TouchSettings().snapStiffness);
   }

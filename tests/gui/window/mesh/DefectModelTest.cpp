@@ -31,10 +31,10 @@ class DefectModelTest : public QObject {
  private slots:
   void isASoundModelWithTenThousandRows() {
     const auto document = scatteredTriangles(10000);
-    Inspection inspection(*document);
+    DefectList defectList(*document);
     DefectModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    model.setInspection(&inspection);
+    model.setDefectList(&defectList);
     QCOMPARE(model.rowCount(), kDefectKinds);
     int rows = 0;
     for (DefectKind kind : {DefectKind::Hole, DefectKind::KeptOpen}) rows += model.rowCount(model.groupIndex(kind));
@@ -51,9 +51,9 @@ class DefectModelTest : public QObject {
 
   void placesAreWhereTheDefectsAre() {
     const auto document = scatteredTriangles(3);
-    Inspection inspection(*document);
+    DefectList defectList(*document);
     DefectModel model;
-    model.setInspection(&inspection);
+    model.setDefectList(&defectList);
     const auto [box, outward] = model.placeOf(model.loopIndex(1));
     QCOMPARE(box.min().x(), 3.0);
     QCOMPARE(box.max().y(), 2.0);
@@ -66,22 +66,22 @@ class DefectModelTest : public QObject {
     soup.points = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {0.5, 0, 1}};
     soup.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
     const auto document = test::meshDocument(soup);
-    Inspection inspection(*document);
+    DefectList defectList(*document);
     std::size_t open = 0;
     for (const BoundaryLoop& loop : document->defects().loops) {
       open += loop.borderEdges;
       const QString edges = QLocale().toString(qulonglong(loop.borderEdges)) + " edge";
-      QVERIFY2(inspection.loopDetail(loop.id).startsWith(edges), qPrintable(inspection.loopDetail(loop.id)));
+      QVERIFY2(defectList.loopDetail(loop.id).startsWith(edges), qPrintable(defectList.loopDetail(loop.id)));
     }
     QCOMPARE(open, std::size_t{6});
   }
 
   void aRowHasTheFacesOfItsDefect() {
     const auto document = scatteredTriangles(3);
-    Inspection inspection(*document);
-    inspection.setSelfIntersections(document->revision(), {{0, 1}, {1, 2}});
+    DefectList defectList(*document);
+    defectList.setSelfIntersections(document->revision(), {{0, 1}, {1, 2}});
     DefectModel model;
-    model.setInspection(&inspection);
+    model.setDefectList(&defectList);
     const QModelIndex group = model.groupIndex(DefectKind::SelfIntersection);
     QCOMPARE(model.facesOf(model.index(1, 0, group)), (std::vector<Face>{1, 2}));
     QVERIFY(model.facesOf(group).empty());

@@ -17,7 +17,7 @@ class HolePickingTest : public QObject {
 
  private:
   std::unique_ptr<MeshDocument> m_document;
-  std::unique_ptr<Inspection> m_inspection;
+  std::unique_ptr<DefectList> m_defectList;
 
  private slots:
   void initTestCase() {
@@ -28,31 +28,31 @@ class HolePickingTest : public QObject {
       soup.triangles.push_back({first, first + 1, first + 2});
     }
     m_document = test::meshDocument(soup);
-    m_inspection = std::make_unique<Inspection>(*m_document);
-    QCOMPARE(m_inspection->loopCount(), 2);
+    m_defectList = std::make_unique<DefectList>(*m_document);
+    QCOMPARE(m_defectList->loopCount(), 2);
   }
 
   void pointingThroughAHolePicksIt() {
     const CameraState fromAbove;  // x right, y up
-    const int top = m_inspection->loop(0).centre.z() > 0 ? 0 : 1;
-    const Vec3 middle = m_inspection->loop(top).centre;
+    const int top = m_defectList->loop(0).centre.z() > 0 ? 0 : 1;
+    const Vec3 middle = m_defectList->loop(top).centre;
     const Vec3 inside(middle.x(), middle.y(), -10.0);  // the far wall, seen through the hole
-    QCOMPARE(loopAround(*m_inspection, fromAbove, inside, inside), top);
-    QCOMPARE(loopAround(*m_inspection, fromAbove, inside, std::nullopt), top);
+    QCOMPARE(loopAround(*m_defectList, fromAbove, inside, inside), top);
+    QCOMPARE(loopAround(*m_defectList, fromAbove, inside, std::nullopt), top);
   }
 
   void pointingBesideOrInFrontPicksNothing() {
     const CameraState fromAbove;
-    const int top = m_inspection->loop(0).centre.z() > 0 ? 0 : 1;
-    const Vec3 middle = m_inspection->loop(top).centre;
+    const int top = m_defectList->loop(0).centre.z() > 0 ? 0 : 1;
+    const Vec3 middle = m_defectList->loop(top).centre;
     const Vec3 beside = middle + Vec3(0, 8, 0);
-    QCOMPARE(loopAround(*m_inspection, fromAbove, beside, beside), -1);
+    QCOMPARE(loopAround(*m_defectList, fromAbove, beside, beside), -1);
     const Vec3 before = middle + Vec3(0, 0, 1);
-    QCOMPARE(loopAround(*m_inspection, fromAbove, before, before), -1);
+    QCOMPARE(loopAround(*m_defectList, fromAbove, before, before), -1);
     // The lower hole is behind the upper side of the torus.
-    const Vec3 below = m_inspection->loop(1 - top).centre;
+    const Vec3 below = m_defectList->loop(1 - top).centre;
     const Vec3 upperSide(below.x(), below.y(), 10.0);
-    QCOMPARE(loopAround(*m_inspection, fromAbove, upperSide, upperSide), -1);
+    QCOMPARE(loopAround(*m_defectList, fromAbove, upperSide, upperSide), -1);
   }
 };
 

@@ -105,12 +105,12 @@ class RepairJobsTest : public QObject {
     soup.triangles.pop_back();
     tabs.add(ui.open(test::meshDocument(soup)));
     auto* document = static_cast<MeshTab*>(tabs.current());
-    const int hole = document->inspection.holes().at(0);
-    const Vertex key = document->inspection.keyOf(hole);
+    const int hole = document->defectList.holes().at(0);
+    const Vertex key = document->defectList.keyOf(hole);
     const auto isReady = [&] { return preview.state().kind == PreviewState::Kind::Ready; };
     preview.request(document, hole);
     QTRY_VERIFY(isReady());
-    QVERIFY(preview.take(key).bench != nullptr);  // nobody uses it
+    QVERIFY(preview.take(key).cache != nullptr);  // nobody uses it
 
     preview.request(document, hole);
     QTRY_VERIFY(isReady());
@@ -119,11 +119,11 @@ class RepairJobsTest : public QObject {
     preview.compare();
     PreparedFill taken = preview.take(key);
     gate.release();
-    QVERIFY(!taken.bench);
+    QVERIFY(!taken.cache);
     QVERIFY(taken.attempt && !taken.attempt->patch.triangles.empty());
     jobs.fill(document, hole, std::move(taken));
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
-    QVERIFY(document->inspection.holes().empty());
+    QVERIFY(document->defectList.holes().empty());
   }
 
   // Message, log and list have the same figures of a fix, and log and list those of a repair.
@@ -142,10 +142,10 @@ class RepairJobsTest : public QObject {
     soup.triangles.pop_back();
     tabs.add(ui.open(test::meshDocument(soup)));
     auto* document = static_cast<MeshTab*>(tabs.current());
-    Inspection& inspection = document->inspection;
+    DefectList& defectList = document->defectList;
     const auto pairs = findSelfIntersections(document->document.mesh());
     QVERIFY(pairs && !pairs->empty());
-    inspection.setSelfIntersections(document->document.revision(), *pairs);
+    defectList.setSelfIntersections(document->document.revision(), *pairs);
     const auto isLogged = [&](const QString& text) {
       for (int row = 0; row < log.rowCount({}); ++row)
         if (log.index(row, 1).data().toString().contains(text)) return true;
@@ -154,9 +154,9 @@ class RepairJobsTest : public QObject {
 
     jobs.change(document, intersectionFix(document->document.fileNumbers(), *pairs));
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
-    QCOMPARE(inspection.count(DefectKind::SelfIntersection), std::size_t{0});
-    QCOMPARE(*inspection.countBefore(DefectKind::SelfIntersection), pairs->size());
-    const QString summary = defectSummary(inspection).join(", ");
+    QCOMPARE(defectList.count(DefectKind::SelfIntersection), std::size_t{0});
+    QCOMPARE(*defectList.countBefore(DefectKind::SelfIntersection), pairs->size());
+    const QString summary = defectSummary(defectList).join(", ");
     QVERIFY2(summary.contains(QString("%1 of %1").arg(pairs->size())), qPrintable(summary));
     QCOMPARE(messages.size(), 1);
     QVERIFY2(messages[0].detail.contains(summary), qPrintable(messages[0].detail));
@@ -164,8 +164,8 @@ class RepairJobsTest : public QObject {
 
     jobs.repairAll(document);
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
-    QCOMPARE(inspection.count(DefectKind::Hole), std::size_t{0});
-    const QString repaired = defectSummary(inspection).join(", ");
+    QCOMPARE(defectList.count(DefectKind::Hole), std::size_t{0});
+    const QString repaired = defectSummary(defectList).join(", ");
     QVERIFY2(repaired.startsWith("1 of 1"), qPrintable(repaired));
     QVERIFY(isLogged(repaired));
 
@@ -173,7 +173,7 @@ class RepairJobsTest : public QObject {
     const int lines = log.rowCount({});
     jobs.repairAll(document);
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
-    QVERIFY(defectSummary(inspection).isEmpty());
+    QVERIFY(defectSummary(defectList).isEmpty());
     QCOMPARE(log.rowCount({}), lines + 1);
     int said = 0;
     for (int row = 0; row < log.rowCount({}); ++row) said += log.index(row, 1).data().toString().contains(repaired);
@@ -192,9 +192,9 @@ class RepairJobsTest : public QObject {
     RepairJobs jobs(tabs, runner, log, fidelity);
     tabs.add(ui.open(test::meshDocument(test::disc(12, 3))));
     auto* document = static_cast<MeshTab*>(tabs.current());
-    jobs.change(document, thickenFix({document->inspection.keyOf(0)}, {}, 0.125));
+    jobs.change(document, thickenFix({document->defectList.keyOf(0)}, {}, 0.125));
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
-    const QString summary = defectSummary(document->inspection).join(", ");
+    const QString summary = defectSummary(document->defectList).join(", ");
     QVERIFY(summary.contains("1 of 1"));
     const QString logged = log.index(0, 1).data().toString();
     QVERIFY2(logged.contains("0.125 mm") && logged.contains(summary), qPrintable(logged));
@@ -269,9 +269,9 @@ class RepairJobsTest : public QObject {
     jobs.repairAll(document);
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
     QCOMPARE(why.size(), 1);
-    QVERIFY2(document->inspection.reason(DefectKind::Duplicate, 0).contains("two sides of a plate"),
-             qPrintable(document->inspection.reason(DefectKind::Duplicate, 0)));
-    QVERIFY(document->inspection.reason(DefectKind::NonManifoldEdge, 0).isEmpty());
+    QVERIFY2(document->defectList.reason(DefectKind::Duplicate, 0).contains("two sides of a plate"),
+             qPrintable(document->defectList.reason(DefectKind::Duplicate, 0)));
+    QVERIFY(document->defectList.reason(DefectKind::NonManifoldEdge, 0).isEmpty());
   }
 
   // Merging near vertices closes one hole and splits the other: there are two before and two after.
@@ -287,13 +287,13 @@ class RepairJobsTest : public QObject {
     connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { told << message; });
     tabs.add(ui.open(test::meshDocument(test::torusWithSlits(1e-5), "/scans/part.stl", NumberType::Float64)));
     auto* document = static_cast<MeshTab*>(tabs.current());
-    Inspection& inspection = document->inspection;
-    QCOMPARE(inspection.count(DefectKind::Hole), std::size_t{2});
-    QCOMPARE(inspection.count(DefectKind::NearVertex), std::size_t{3});
+    DefectList& defectList = document->defectList;
+    QCOMPARE(defectList.count(DefectKind::Hole), std::size_t{2});
+    QCOMPARE(defectList.count(DefectKind::NearVertex), std::size_t{3});
     jobs.change(document, nearVertexFix(tolerance::kNearWeld), DefectRow{DefectKind::NearVertex, -1});
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
-    QCOMPARE(inspection.count(DefectKind::Hole), std::size_t{2});
-    const QString summary = defectSummary(inspection).join(", ");
+    QCOMPARE(defectList.count(DefectKind::Hole), std::size_t{2});
+    const QString summary = defectSummary(defectList).join(", ");
     QCOMPARE(summary, QString("1 of 2 holes filled, 3 of 3 pairs of near vertices removed"));
     QCOMPARE(told.size(), 1);
     QCOMPARE(told[0].detail, summary + '.');
@@ -314,20 +314,20 @@ class RepairJobsTest : public QObject {
     test::append(soup, test::moved(TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, {3, 0, 0}));
     tabs.add(ui.open(test::meshDocument(soup)));
     auto* document = static_cast<MeshTab*>(tabs.current());
-    const Inspection& inspection = document->inspection;
+    const DefectList& defectList = document->defectList;
     const std::vector<Face> faces = document->document.defects().duplicateFaces;
     QCOMPARE(faces.size(), std::size_t{2});
-    QSignalSpy noted(&inspection, &Inspection::reasonsChanged);
+    QSignalSpy noted(&defectList, &DefectList::reasonsChanged);
     jobs.change(document, duplicateFix({faces[1]}), DefectRow{DefectKind::Duplicate, 1});
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
     QCOMPARE(noted.size(), 1);
-    QVERIFY(inspection.reason(DefectKind::Duplicate, 1).contains("two sides of a plate"));
-    QVERIFY(inspection.reason(DefectKind::Duplicate, 0).isEmpty());
+    QVERIFY(defectList.reason(DefectKind::Duplicate, 1).contains("two sides of a plate"));
+    QVERIFY(defectList.reason(DefectKind::Duplicate, 0).isEmpty());
     // The other one goes, and with it the row.
     jobs.change(document, duplicateFix({faces[0]}), DefectRow{DefectKind::Duplicate, 0});
     QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
-    QCOMPARE(inspection.count(DefectKind::Duplicate), std::size_t{1});
-    QVERIFY(inspection.reason(DefectKind::Duplicate, 0).isEmpty());
+    QCOMPARE(defectList.count(DefectKind::Duplicate), std::size_t{1});
+    QVERIFY(defectList.reason(DefectKind::Duplicate, 0).isEmpty());
   }
 };
 

@@ -69,7 +69,7 @@ DeviceCapabilities kind() {
   return all;
 }
 
-struct Bench {
+struct Fixture {
   std::shared_ptr<FakeGuard> process = std::make_shared<FakeGuard>();
   std::shared_ptr<FakeClock> clock = std::make_shared<FakeClock>();
   OutOfProcessSession session{[this]() -> Result<std::unique_ptr<ByteStream>> {
@@ -91,7 +91,7 @@ class OutOfProcessSessionTest : public QObject {
 
  private slots:
   void asksTheDeviceItself() {
-    Bench b;
+    Fixture b;
     QCOMPARE(b.session.capabilities().maxForce, 5.0);  // of its kind
     QCOMPARE(b.session.exchange({}).status, DeviceStatus::Absent);
     QVERIFY(b.session.open({}).hasValue());
@@ -104,26 +104,26 @@ class OutOfProcessSessionTest : public QObject {
   }
 
   void whyItIsNotOpenIsTold() {
-    Bench refused;
+    Fixture refused;
     refused.process->refusal = Error{ErrorCode::ReferenceMissing, {"the firmware file", "falcon.bin"}, {}, "x"};
     QCOMPARE(refused.whyNot(), ErrorCode::ReferenceMissing);
-    Bench mute;
+    Fixture mute;
     mute.process->isMute = true;
     QCOMPARE(mute.whyNot(), DeviceError::Unreachable);
-    Bench nonsense;
+    Fixture nonsense;
     nonsense.process->speaksNonsense = true;
     QCOMPARE(nonsense.whyNot(), DeviceError::Unreachable);
-    Bench dead;
+    Fixture dead;
     dead.process->gone = true;
     QCOMPARE(dead.whyNot(), DeviceError::Unreachable);
   }
 
   void openingTellsHowFarItIsAndCanBeCancelled() {
-    Bench b;
+    Fixture b;
     JobState job;
     QVERIFY(b.session.open(Progress(job)).hasValue());
     QCOMPARE(job.fraction.load(), 0.25);
-    Bench busy;
+    Fixture busy;
     busy.process->isBusy = true;
     job.cancelled = true;
     QCOMPARE(busy.whyNot(Progress(job)), ErrorCode::Cancelled);
@@ -133,7 +133,7 @@ class OutOfProcessSessionTest : public QObject {
 
   // The watchdog of this side: it waits for each answer 20 ms at most, and gives it up after 100 ms.
   void aGuardThatHangsHasFailed() {
-    Bench b;
+    Fixture b;
     QVERIFY(b.session.open({}).hasValue());
     QCOMPARE(b.session.exchange({}).status, DeviceStatus::Ready);
     b.process->isMute = true;
@@ -148,7 +148,7 @@ class OutOfProcessSessionTest : public QObject {
 
   // An answer to an older force is not taken for the one to this; it is news all the same.
   void whatComesLateIsNotTakenForTheNext() {
-    Bench b;
+    Fixture b;
     QVERIFY(b.session.open({}).hasValue());
     b.process->answersOld = true;
     const double begun = b.clock->now();
@@ -157,7 +157,7 @@ class OutOfProcessSessionTest : public QObject {
   }
 
   void aGuardThatDiesIsADeviceThatIsGone() {
-    Bench b;
+    Fixture b;
     QVERIFY(b.session.open({}).hasValue());
     b.process->gone = true;
     QCOMPARE(b.session.exchange({}).status, DeviceStatus::Absent);
@@ -166,7 +166,7 @@ class OutOfProcessSessionTest : public QObject {
   }
 
   void closingWaitsUntilTheGuardHasGone() {
-    Bench b;
+    Fixture b;
     QVERIFY(b.session.open({}).hasValue());
     b.session.close();
     QVERIFY(b.process->gone);

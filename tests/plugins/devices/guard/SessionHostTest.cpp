@@ -136,7 +136,7 @@ DeviceForce push(double newtons = 2.0) {
   return {Vec3(0.0, 0.0, newtons), Vec3::Zero(), 0.0};
 }
 
-struct SessionHostBench {
+struct SessionHostFixture {
   std::shared_ptr<FakeClock> clock = std::make_shared<FakeClock>();
   Motors motors{clock};
   ScriptedProgram program{clock};
@@ -152,7 +152,7 @@ class SessionHostTest : public QObject {
 
  private slots:
   void passesForcesAndPlacesOn() {
-    SessionHostBench b;
+    SessionHostFixture b;
     for (std::uint32_t i = 1; i <= 5; ++i) b.program.say(0.001, guard::Force{i, push(i)});
     b.serve();
     QCOMPARE(b.program.lastHeard<guard::Opened>()->capabilities.maxForce, 4.5);
@@ -164,7 +164,7 @@ class SessionHostTest : public QObject {
   // However it goes: killed, leaving, speaking nonsense, asked to stop.
   void theEndIsZeroForce() {
     for (const char* how : {"gone", "close", "nonsense", "stop"}) {
-      SessionHostBench b;
+      SessionHostFixture b;
       b.program.say(0.001, guard::Force{1, push()});
       b.program.say(0.001, guard::Force{2, push()});
       const std::string way = how;
@@ -180,7 +180,7 @@ class SessionHostTest : public QObject {
   }
 
   void silenceIsZeroForceUntilZeroWasAskedFor() {
-    SessionHostBench b;
+    SessionHostFixture b;
     b.program.say(0.001, guard::Force{1, push()});
     b.program.silenceAtTheEnd = 0.2;
     b.program.say(0.2, guard::Force{2, push()});
@@ -205,7 +205,7 @@ class SessionHostTest : public QObject {
   // Whenever the program says what: 50 ms later nothing is held any more.
   void noForceIsOlderThanFiftyMilliseconds() {
     QVERIFY(rc::check([] {
-      SessionHostBench b;
+      SessionHostFixture b;
       for (int i = *rc::gen::inRange(1, 30); i > 0; --i) {
         const double pause = *rc::gen::element(0.0005, 0.001, 0.003, 0.03, 0.045, 0.09, 0.3);
         b.program.say(pause, guard::Force{1, *rc::gen::arbitrary<bool>() ? push() : DeviceForce()});
@@ -222,7 +222,7 @@ class SessionHostTest : public QObject {
   }
 
   void aRefusalIsPassedOn() {
-    SessionHostBench b;
+    SessionHostFixture b;
     b.motors.result = Error{ErrorCode::ReferenceMissing, {"the firmware file", "falcon.bin"}, {}, "here"};
     b.serve();
     const auto* refused = b.program.lastHeard<guard::Refused>();
@@ -232,7 +232,7 @@ class SessionHostTest : public QObject {
   }
 
   void anotherVersionIsRefused() {
-    SessionHostBench b;
+    SessionHostFixture b;
     b.program.words.clear();
     b.program.say(0.0, guard::Open{guard::kVersion + 1});
     b.serve();
@@ -241,7 +241,7 @@ class SessionHostTest : public QObject {
   }
 
   void whoLeavesWhileItOpensCancels() {
-    SessionHostBench b;
+    SessionHostFixture b;
     b.motors.waitsForCancel = true;
     b.motors.result = Error{ErrorCode::Cancelled, {}, {}, {}};
     b.program.isHasty = true;
@@ -252,7 +252,7 @@ class SessionHostTest : public QObject {
   }
 
   void whoNeverAsksIsLeft() {
-    SessionHostBench b;
+    SessionHostFixture b;
     b.program.words.clear();
     b.program.silenceAtTheEnd = 1e9;  // and never a word
     b.serve();

@@ -23,9 +23,9 @@ JointValues jointValues(std::initializer_list<double> numbers) {
 }
 
 // An IRB 120, alone or with a ball.
-class BlendBench {
+class BlendFixture {
  public:
-  explicit BlendBench(const std::optional<std::pair<Vec3, double>>& ball = {}, bool hasPen = false) {
+  explicit BlendFixture(const std::optional<std::pair<Vec3, double>>& ball = {}, bool hasPen = false) {
     auto cell = std::make_shared<RobotCellSnapshot>(*cellOf(*libraryTable("irb120")));
     if (ball) {
       Body body{.id = 1, .name = "ball", .geometry = *PrimitiveGeometry::make(Primitive::Sphere, {ball->second})};
@@ -75,9 +75,9 @@ class PathBlendsTest : public QObject {
   }
   void inTheOpen() {
     QFETCH(const bool, hasPen);
-    const BlendBench bench({}, hasPen);
-    const JointValues a = jointValues({0.2, 0.3, 0.1, 0.1, 0.8, 0.0}), b = bench.moved(a, {0.0, -80.0, 0.0}),
-                      c = bench.moved(b, {0.0, 0.0, 60.0});
+    const BlendFixture fixture({}, hasPen);
+    const JointValues a = jointValues({0.2, 0.3, 0.1, 0.1, 0.8, 0.0}), b = fixture.moved(a, {0.0, -80.0, 0.0}),
+                      c = fixture.moved(b, {0.0, 0.0, 60.0});
     for (const bool isLine : {false, true}) {
       for (const bool isNextLine : {false, true}) {
         const auto kind = [](bool line) { return line ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint; };
@@ -85,7 +85,7 @@ class PathBlendsTest : public QObject {
                              {{.joints = a},
                               {.joints = b, .motion = kind(isLine), .blend = 5.0},
                               {.joints = c, .motion = kind(isNextLine)}}};
-        const auto blends = bench.blends(path);
+        const auto blends = fixture.blends(path);
         QCOMPARE(blends[0], 0.0);
         QVERIFY2(blends[1] > 1.0 && blends[1] <= 5.0, qPrintable(QString::number(blends[1])));
         QCOMPARE(blends[2], 0.0);
@@ -95,31 +95,31 @@ class PathBlendsTest : public QObject {
 
   // A corner in the plane of the arm: the joints that stand still there do not make it an exact stop.
   void inThePlaneOfTheArm() {
-    const BlendBench bench;
-    const JointValues a = jointValues({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), b = bench.moved(a, {-40.0, 0.0, 0.0}),
-                      c = bench.moved(b, {0.0, 0.0, -40.0});
+    const BlendFixture fixture;
+    const JointValues a = jointValues({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), b = fixture.moved(a, {-40.0, 0.0, 0.0}),
+                      c = fixture.moved(b, {0.0, 0.0, -40.0});
     const auto line = ProgramMotion::Kind::Linear;
     const RobotPath path{"p",
                          {{.joints = a}, {.joints = b, .motion = line, .blend = 3.0}, {.joints = c, .motion = line}}};
-    QVERIFY(bench.blends(path)[1] > 0.5);
+    QVERIFY(fixture.blends(path)[1] > 0.5);
   }
 
   // A ball so near to the flange at the place that the way across the zone may meet it: the zone is as small as that.
   void besideABall() {
     const JointValues a = jointValues({-1.5, 0.6, 0.0, 0.0, 0.5, 0.0}), b = jointValues({0.0, 0.6, 0.0, 0.0, 0.5, 0.0}),
                       c = jointValues({0.0, -0.6, 0.0, 0.0, 0.5, 0.0});
-    const BlendBench open;
+    const BlendFixture open;
     const Vec3 flange = open.scene().arm.tipPose(open.scene().planned(b)).translation();
     const RobotPath path{"p", {{.joints = a}, {.joints = b, .blend = 5.0}, {.joints = c}}};
     int near = 0;
     for (const double away : {120.0, 90.0, 75.0, 66.0, 62.0}) {
-      const BlendBench bench(std::pair{Vec3(flange + Vec3(0.6 * away, 0.0, -0.8 * away)), 30.0});
-      const double distance = bench.scene().scene.nearestObstacle(bench.scene().planned(b), 1e3).distance;
+      const BlendFixture fixture(std::pair{Vec3(flange + Vec3(0.6 * away, 0.0, -0.8 * away)), 30.0});
+      const double distance = fixture.scene().scene.nearestObstacle(fixture.scene().planned(b), 1e3).distance;
       if (distance <= 0.0) continue;
-      const double blend = bench.blends(path)[1];
+      const double blend = fixture.blends(path)[1];
       // The flange moves by the blend at least on each side.
       QVERIFY2(blend < distance, qPrintable(QString("%1 of %2").arg(blend).arg(distance)));
-      QCOMPARE(bench.blends(path, distance)[1], 0.0);
+      QCOMPARE(fixture.blends(path, distance)[1], 0.0);
       ++near;
     }
     QVERIFY(near >= 3);
@@ -151,21 +151,22 @@ class PathBlendsTest : public QObject {
       };
       const JointValues b = jointValues({number(-0.5, 0.5), number(0.0, 0.5), number(-0.3, 0.3), number(-1.0, 1.0),
                                          number(0.4, 1.2), number(-1.0, 1.0)});
-      const BlendBench open;
+      const BlendFixture open;
       const Pose tip = open.scene().arm.tipPose(open.scene().planned(b));
       const Vec3 way(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0));
       if (way.norm() < 0.1) return;
-      const BlendBench bench(std::pair{Vec3(tip.translation() + (50.0 + number(2.0, 100.0)) * way.normalized()), 20.0});
-      const JointValues a = bench.moved(b, {number(-40.0, 40.0), number(-40.0, 40.0), number(10.0, 40.0)});
-      const JointValues c = bench.moved(b, {number(-40.0, 40.0), number(10.0, 40.0), number(-40.0, 40.0)});
+      const BlendFixture fixture(
+          std::pair{Vec3(tip.translation() + (50.0 + number(2.0, 100.0)) * way.normalized()), 20.0});
+      const JointValues a = fixture.moved(b, {number(-40.0, 40.0), number(-40.0, 40.0), number(10.0, 40.0)});
+      const JointValues c = fixture.moved(b, {number(-40.0, 40.0), number(10.0, 40.0), number(-40.0, 40.0)});
       const bool isLine = *rc::gen::arbitrary<bool>();
       const auto kind = isLine ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
       const RobotPath path{"p",
                            {{.joints = a}, {.joints = b, .motion = kind, .blend = 8.0}, {.joints = c, .motion = kind}}};
-      const double blend = bench.blends(path)[1];
+      const double blend = fixture.blends(path)[1];
       if (blend == 0.0) return;
       ++zones;
-      const CellScene& scene = bench.scene();
+      const CellScene& scene = fixture.scene();
       const ArmValues in = scene.planned(a), at = scene.planned(b), out = scene.planned(c);
       const auto within = [&](const ArmValues& end) {
         ArmValues last = at;

@@ -36,11 +36,11 @@ struct DefectReasons {
 // The defects of a mesh document as the window shows them. Adds to the document which loops count as holes, the loop
 // names, the self-intersections (found later, by a job) and why a hole could not be filled. Follows changes of the
 // document; window thread.
-class Inspection : public QObject {
+class DefectList : public QObject {
   Q_OBJECT
 
  public:
-  explicit Inspection(MeshDocument& document, QObject* parent = nullptr);
+  explicit DefectList(MeshDocument& document, QObject* parent = nullptr);
 
   const MeshDocument& document() const { return m_document; }
   const BoundaryLoop& loop(int id) const { return m_document.defects().loops[static_cast<std::size_t>(id)]; }

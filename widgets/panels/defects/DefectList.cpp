@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panels/defects/Inspection.h"
+#include "panels/defects/DefectList.h"
 
 #include "text/RepairText.h"
 
@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-Inspection::Inspection(MeshDocument& document, QObject* parent) : QObject(parent), m_document(document) {
+DefectList::DefectList(MeshDocument& document, QObject* parent) : QObject(parent), m_document(document) {
   connect(&document, &MeshDocument::meshChanged, this, [this] { documentChanged(); });
   connect(&document, &MeshDocument::keptOpenChanged, this, [this] {
     sortLoops();
@@ -30,7 +30,7 @@ Inspection::Inspection(MeshDocument& document, QObject* parent) : QObject(parent
   sortLoops();
 }
 
-void Inspection::documentChanged() {
+void DefectList::documentChanged() {
   m_selfIntersections.reset();
   m_before.clear();
   m_loopOutcomes = {};
@@ -44,7 +44,7 @@ void Inspection::documentChanged() {
   emit changed();
 }
 
-void Inspection::nameLoops() {
+void DefectList::nameLoops() {
   m_keys.clear();
   for (const BoundaryLoop& each : m_document.defects().loops) {
     m_keys.push_back(handwheel::keyOf(m_document.mesh(), each));
@@ -53,7 +53,7 @@ void Inspection::nameLoops() {
   }
 }
 
-void Inspection::sortLoops() {
+void DefectList::sortLoops() {
   m_holes.clear();
   m_keptOpen.clear();
   m_debris.clear();
@@ -69,26 +69,26 @@ void Inspection::sortLoops() {
   }
 }
 
-void Inspection::keepPieces(const std::set<PointKey>& corners) {
+void DefectList::keepPieces(const std::set<PointKey>& corners) {
   if (corners.empty()) return;
   m_keptPieces.insert(corners.begin(), corners.end());
   sortLoops();
   emit changed();
 }
 
-std::size_t Inspection::sheetCount() const {
+std::size_t DefectList::sheetCount() const {
   return static_cast<std::size_t>(
       std::count_if(m_keptOpen.begin(), m_keptOpen.end(), [this](int id) { return loop(id).isSheetBoundary; }));
 }
 
-void Inspection::setSelfIntersections(std::uint64_t revision, FacePairs pairs) {
+void DefectList::setSelfIntersections(std::uint64_t revision, FacePairs pairs) {
   if (revision != m_document.revision()) return;
   m_selfIntersections = std::move(pairs);
   std::erase_if(m_reasons.ofRow, [](const auto& of) { return of.first.first == DefectKind::SelfIntersection; });
   emit changed();
 }
 
-std::size_t Inspection::count(DefectKind kind) const {
+std::size_t DefectList::count(DefectKind kind) const {
   const Defects& defects = m_document.defects();
   switch (kind) {
     case DefectKind::Hole:
@@ -121,7 +121,7 @@ std::size_t Inspection::count(DefectKind kind) const {
   return 0;
 }
 
-std::map<DefectKind, std::size_t> Inspection::counts() const {
+std::map<DefectKind, std::size_t> DefectList::counts() const {
   std::map<DefectKind, std::size_t> counts;
   for (int i = 0; i < kDefectKinds; ++i) {
     const auto kind = static_cast<DefectKind>(i);
@@ -130,40 +130,40 @@ std::map<DefectKind, std::size_t> Inspection::counts() const {
   return counts;
 }
 
-void Inspection::setBefore(std::map<DefectKind, std::size_t> counts, LoopCounts loops, QStringList doneBesides) {
+void DefectList::setBefore(std::map<DefectKind, std::size_t> counts, LoopCounts loops, QStringList doneBesides) {
   m_before = std::move(counts);
   m_loopOutcomes = loops;
   m_doneBesides = std::move(doneBesides);
   emit changed();
 }
 
-void Inspection::setHopeless(DefectKind kind) {
+void DefectList::setHopeless(DefectKind kind) {
   if (m_hopeless.insert(kind).second) emit changed();
 }
 
-void Inspection::setPatchWarnings(QStringList warnings) {
+void DefectList::setPatchWarnings(QStringList warnings) {
   m_patchWarnings = std::move(warnings);
   emit changed();
 }
 
-void Inspection::setRemovalWarning(QString warning) {
+void DefectList::setRemovalWarning(QString warning) {
   m_removalWarning = std::move(warning);
   emit changed();
 }
 
-QString Inspection::reason(DefectKind kind, int row) const {
+QString DefectList::reason(DefectKind kind, int row) const {
   const auto own = m_reasons.ofRow.find({kind, row});
   if (own != m_reasons.ofRow.end()) return own->second;
   const auto common = m_reasons.ofKind.find(kind);
   return common == m_reasons.ofKind.end() ? QString() : common->second;
 }
 
-void Inspection::setReasons(DefectReasons reasons) {
+void DefectList::setReasons(DefectReasons reasons) {
   m_reasons = std::move(reasons);
   emit changed();
 }
 
-void Inspection::setReason(DefectKind kind, int row, const QString& reason) {
+void DefectList::setReason(DefectKind kind, int row, const QString& reason) {
   if (row >= 0)
     m_reasons.ofRow[{kind, row}] = reason;
   else
@@ -171,18 +171,18 @@ void Inspection::setReason(DefectKind kind, int row, const QString& reason) {
   emit reasonsChanged(kind);
 }
 
-std::optional<std::size_t> Inspection::countBefore(DefectKind kind) const {
+std::optional<std::size_t> DefectList::countBefore(DefectKind kind) const {
   const auto found = m_before.find(kind);
   const bool isSearching = kind == DefectKind::SelfIntersection && !m_selfIntersections;
   if (found == m_before.end() || isSearching || found->second == count(kind)) return std::nullopt;
   return found->second;
 }
 
-MeshState Inspection::state() const {
+MeshState DefectList::state() const {
   return m_document.defects().state(m_selfIntersections ? std::optional(m_selfIntersections->size()) : std::nullopt);
 }
 
-bool Inspection::isClean() const {
+bool DefectList::isClean() const {
   const bool hasIntersections = count(DefectKind::SelfIntersection) > 0 && !isHopeless(DefectKind::SelfIntersection);
   return !hasIntersections && m_holes.empty() && count(DefectKind::NonManifoldEdge) == 0 &&
          count(DefectKind::NonManifoldVertex) == 0 && count(DefectKind::OneSided) == 0 &&
@@ -190,23 +190,23 @@ bool Inspection::isClean() const {
          count(DefectKind::NearVertex) == 0 && count(DefectKind::Degenerate) == 0 && count(DefectKind::Duplicate) == 0;
 }
 
-int Inspection::loopNumber(int id) const {
+int DefectList::loopNumber(int id) const {
   return m_numbers.at({loop(id).isSheetBoundary, keyOf(id)});
 }
 
-QString Inspection::loopName(int id) const {
+QString DefectList::loopName(int id) const {
   return boundaryLoopName(loop(id).isSheetBoundary, loopNumber(id));
 }
 
-QString Inspection::loopLength(int id) const {
+QString DefectList::loopLength(int id) const {
   return lengthText(loop(id).length, m_document.displayUnit());
 }
 
-QString Inspection::loopDetail(int id) const {
+QString DefectList::loopDetail(int id) const {
   return tr("%Ln edge(s), %1", nullptr, static_cast<int>(loop(id).borderEdges)).arg(loopLength(id));
 }
 
-QString Inspection::loopMeasures(int id) const {
+QString DefectList::loopMeasures(int id) const {
   const BoundaryLoop& l = loop(id);
   const LengthUnit unit = m_document.displayUnit();
   QStringList parts{tr("Area %1.").arg(areaText(l.area, unit)),
@@ -217,31 +217,31 @@ QString Inspection::loopMeasures(int id) const {
   return parts.join(QLatin1Char(' '));
 }
 
-QString Inspection::loopTitle(int id) const {
+QString DefectList::loopTitle(int id) const {
   return tr("%1 — %2").arg(loopName(id), loopDetail(id));
 }
 
-FillFailure Inspection::failure(int id) const {
+FillFailure DefectList::failure(int id) const {
   const auto found = m_failures.find(keyOf(id));
   return found == m_failures.end() ? FillFailure::None : found->second;
 }
 
-void Inspection::setFailure(int id, FillFailure failure) {
+void DefectList::setFailure(int id, FillFailure failure) {
   if (this->failure(id) == failure) return;
   m_failures[keyOf(id)] = failure;
   emit changed();
 }
 
-void Inspection::setFailures(const std::map<Vertex, FillFailure>& failures) {
+void DefectList::setFailures(const std::map<Vertex, FillFailure>& failures) {
   for (const auto& [key, failure] : failures) m_failures[key] = failure;
   if (!failures.empty()) emit changed();
 }
 
-Vertex Inspection::keyOf(int id) const {
+Vertex DefectList::keyOf(int id) const {
   return m_keys[static_cast<std::size_t>(id)];
 }
 
-int Inspection::loopWithKey(Vertex key) const {
+int DefectList::loopWithKey(Vertex key) const {
   const auto found = std::find(m_keys.begin(), m_keys.end(), key);
   return found == m_keys.end() ? -1 : static_cast<int>(found - m_keys.begin());
 }

@@ -12,7 +12,7 @@
 namespace handwheel::test {
 
 // A ball of clay of 20 mm and the tool on it, seen from above.
-struct ClayBench {
+struct ClayFixture {
   VolumeKind kind;
   std::unique_ptr<Document> made = kind.make(DocumentKinds::blank(kind));
   VolumeDocument& document = static_cast<VolumeDocument&>(*made);
@@ -21,7 +21,7 @@ struct ClayBench {
   ToolRunner runner;
   ClayTool* tool = nullptr;
 
-  ClayBench() {
+  ClayFixture() {
     auto started = std::make_unique<ClayTool>(document, SimulationServices{clock, simulation});
     tool = started.get();
     runner.start(std::move(started), document);
