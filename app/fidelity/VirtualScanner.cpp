@@ -42,9 +42,9 @@ class Grid {
 
 // One vertex in each cell that the surface passes, the mean of where it crosses the cell's edges; one quadrangle around
 // each edge that it crosses.
-class SurfaceNet {
+class SurfaceNurbs {
  public:
-  explicit SurfaceNet(const Grid& grid) : m_grid(grid) {
+  explicit SurfaceNurbs(const Grid& grid) : m_grid(grid) {
     for (int i = 1; i + 1 < grid.size()[0]; ++i)
       for (int j = 1; j + 1 < grid.size()[1]; ++j)
         for (int k = 1; k + 1 < grid.size()[2]; ++k)
@@ -107,7 +107,7 @@ double normalNumber(Random& random) {
 }  // namespace
 
 TriangleSoup scanOf(const ExactPart& part, const ScanOptions& options) {
-  TriangleSoup scan = SurfaceNet(Grid(part, options.pitch)).take();
+  TriangleSoup scan = SurfaceNurbs(Grid(part, options.pitch)).take();
   Random random(options.seed);
   const double step = 1e-3 * options.pitch;
   for (Vec3& p : scan.points) {

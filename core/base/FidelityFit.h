@@ -38,7 +38,7 @@ struct FitShare {
   double limit = 0.0;
 };
 
-// The result of chooseWithinBudgets().
+// The settings that fit the time budgets of a machine.
 struct FidelityFit {
   FidelityValues values{FidelityPreset::Balanced};  // for what has no budget or no curve
   std::vector<FittedSetting> settings;

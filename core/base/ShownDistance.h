@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The decimals with which a distance is shown that is known to be kept; mm.
+// The number of decimals to display for a guaranteed distance (mm).
 inline int decimalsOfDistance(double distance) {
   return std::abs(distance) < 1.0 ? 3 : 1;
 }

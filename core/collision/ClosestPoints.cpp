@@ -3,7 +3,7 @@
 #include "collision/ClosestPoints.h"
 
 #include "collision/PairTraversal.h"
-#include "collision/PieceDepth.h"
+#include "collision/Penetration.h"
 
 namespace handwheel {
 
@@ -116,15 +116,15 @@ class PiecePair {
     return inWorld(found.distance, found.first - m_a.margin() * normal, found.second + m_b.margin() * normal, normal);
   }
 
-  MeetingShapes shapesOf(const PairTraversal::Leaves& leaves) const {
+  IntersectingShapes shapesOf(const PairTraversal::Leaves& leaves) const {
     return {m_a.shape(leaves.first, Pose::Identity()), m_b.shape(leaves.second, m_pose)};
   }
 
   // Of two leaves that meet. A little further out than they come apart they are closest where they touch last; there,
   // unlike at the deepest corner, both of them are.
   ClosestPoints lastTouch(const PairTraversal::Leaves& leaves) const {
-    const MeetingShapes shapes = shapesOf(leaves);
-    const WayOut way = leastWayOut({shapes}, Vec3::Zero(), isClosedMesh(m_first), isClosedMesh(m_second));
+    const IntersectingShapes shapes = shapesOf(leaves);
+    const Penetration way = minimumPenetration({shapes}, Vec3::Zero(), isClosedMesh(m_first), isClosedMesh(m_second));
     const double depth = std::max(0.0, way.depth), whole = depth + m_a.margin() + m_b.margin();
     constexpr double kShare = 0.01, kLeast = 1e-3;  // mm
     const Vec3 moved = (depth + std::max(kShare * depth, kLeast)) * way.normal;
@@ -140,11 +140,11 @@ class PiecePair {
 
   // Of leaves that meet.
   ClosestPoints apart(const std::vector<PairTraversal::Leaves>& meeting, const PairHint& hint) {
-    std::vector<MeetingShapes> shapes;
+    std::vector<IntersectingShapes> shapes;
     shapes.reserve(meeting.size());
     for (const PairTraversal::Leaves& leaves : meeting) shapes.push_back(shapesOf(leaves));
     const Vec3 last = m_world.linear().transpose() * hint.normal;
-    const WayOut way = leastWayOut(shapes, last, isClosedMesh(m_first), isClosedMesh(m_second));
+    const Penetration way = minimumPenetration(shapes, last, isClosedMesh(m_first), isClosedMesh(m_second));
     const double depth = std::max(0.0, way.depth) + m_a.margin() + m_b.margin();
     const Vec3 deepest = way.deepest - m_a.margin() * way.normal;
     return inWorld(-depth, deepest, deepest + depth * way.normal, way.normal);

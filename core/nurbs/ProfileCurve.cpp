@@ -12,20 +12,20 @@ namespace handwheel {
 
 namespace {
 
-bool arePolesSound(const ProfileNet& net) {
+bool arePolesSound(const ProfileNurbs& net) {
   constexpr double most = ProfileCurve::kLargestCoordinate;
   return std::all_of(net.poles.begin(), net.poles.end(), [](const ProfilePoint& p) {
     return p.x() >= 0.0 && p.x() <= most && std::abs(p.y()) <= most;  // false for NaN
   });
 }
 
-bool areWeightsSound(const ProfileNet& net) {
+bool areWeightsSound(const ProfileNurbs& net) {
   constexpr double most = ProfileCurve::kLargestWeight;
   return net.weights.size() == net.poles.size() &&
          std::all_of(net.weights.begin(), net.weights.end(), [](double w) { return w >= 1.0 / most && w <= most; });
 }
 
-bool areKnotsSound(const ProfileNet& net) {
+bool areKnotsSound(const ProfileNurbs& net) {
   const auto& knots = net.knots;
   const std::size_t degree = static_cast<std::size_t>(net.degree), count = net.poles.size();
   constexpr double most = ProfileCurve::kLargestCoordinate;
@@ -57,7 +57,7 @@ Eigen::Vector3d blossom(std::array<Eigen::Vector3d, kHighestDegree + 1> poles, i
   return poles[degree];
 }
 
-BezierArc arcOf(const ProfileNet& net, std::size_t k) {
+BezierArc arcOf(const ProfileNurbs& net, std::size_t k) {
   BezierArc arc;
   arc.degree = net.degree;
   const std::size_t first = k - static_cast<std::size_t>(net.degree);
@@ -108,7 +108,7 @@ double sweep(const BezierArc& arc, double whole, double error, int depth) {
 
 }  // namespace
 
-Result<ProfileCurve> ProfileCurve::make(ProfileNet net) {
+Result<ProfileCurve> ProfileCurve::make(ProfileNurbs net) {
   const auto malformed = [](const char* what) { return Error{ErrorCode::ElementMalformed, {"profile", what}, {}, {}}; };
   if (net.degree < 1 || net.degree > kHighestDegree) return malformed("its degree must be 1, 2 or 3");
   if (net.poles.size() > kMostPoles) {
@@ -132,7 +132,7 @@ Result<ProfileCurve> ProfileCurve::make(ProfileNet net) {
 }
 
 Result<ProfileCurve> ProfileCurve::polyline(std::vector<ProfilePoint> points) {
-  ProfileNet net;
+  ProfileNurbs net;
   net.weights.assign(points.size(), 1.0);
   net.knots.push_back(0.0);
   for (std::size_t i = 0; i < points.size(); ++i) net.knots.push_back(static_cast<double>(i));

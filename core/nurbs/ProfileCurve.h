@@ -14,7 +14,7 @@ namespace handwheel {
 // with their weights, and n + degree + 1 knots in rising order. The first and the last knot have multiplicity degree +
 // 1, so the curve begins and ends in a pole; an inner knot has at most degree, where the curve then has a corner in a
 // pole.
-struct ProfileNet {
+struct ProfileNurbs {
   int degree = 1;
   std::vector<double> knots;
   std::vector<ProfilePoint> poles;  // mm
@@ -32,11 +32,11 @@ class ProfileCurve {
   static constexpr double kLargestWeight = 1e6;      // and the least is 1 over it
 
   // O(poles). Errors: FileTooLarge {poles, count, limit}, ElementMalformed {"profile", what is wrong}.
-  static Result<ProfileCurve> make(ProfileNet net);
+  static Result<ProfileCurve> make(ProfileNurbs net);
   // Straight lines through at least two points; one unit of the parameter for each.
   static Result<ProfileCurve> polyline(std::vector<ProfilePoint> points);
 
-  const ProfileNet& net() const { return m_net; }
+  const ProfileNurbs& net() const { return m_net; }
   double from() const { return m_net.knots.front(); }
   double to() const { return m_net.knots.back(); }
 
@@ -64,7 +64,7 @@ class ProfileCurve {
   ProfileCurve() = default;
   Location locate(double u) const;
 
-  ProfileNet m_net;
+  ProfileNurbs m_net;
   std::vector<BezierArc> m_arcs;
   std::vector<double> m_breaks;  // different knots: one more than arcs
 };

@@ -19,11 +19,11 @@ RevolutionPoint SurfaceOfRevolution::at(double u, double v) const {
   return result;
 }
 
-SurfaceNet SurfaceOfRevolution::net() const {
-  const ProfileNet& profile = m_profile.net();
+SurfaceNurbs SurfaceOfRevolution::net() const {
+  const ProfileNurbs& profile = m_profile.net();
   const auto circle = unit_circle::poles();
   const auto circleWeights = unit_circle::weights();
-  SurfaceNet net;
+  SurfaceNurbs net;
   net.profileDegree = profile.degree;
   net.circleKnots = unit_circle::knots();
   net.profileKnots = profile.knots;

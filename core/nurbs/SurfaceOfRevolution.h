@@ -17,7 +17,7 @@ struct RevolutionPoint {
 
 // The control net of a tensor-product surface of revolution. Its degree is 2 along the circle with nine columns, the
 // profile's degree along the profile. poles[i][j] and weights[i][j]: i along the circle, j along the profile.
-struct SurfaceNet {
+struct SurfaceNurbs {
   int profileDegree = 1;
   std::vector<double> circleKnots, profileKnots;
   std::array<std::vector<Vec3>, 9> poles;
@@ -34,7 +34,7 @@ class SurfaceOfRevolution {
   // u: 0…1 round the axis, from +x over +y; v: the parameter of the profile. O(log poles).
   RevolutionPoint at(double u, double v) const;
 
-  SurfaceNet net() const;
+  SurfaceNurbs net() const;
 
  private:
   ProfileCurve m_profile;

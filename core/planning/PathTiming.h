@@ -29,7 +29,7 @@ class RestToRest {
 // How fast the joints of a robot may be.
 struct PathTimingSettings {
   double speed = 1.0;         // share of the largest velocities, 0…1
-  double turning = M_PI;      // rad/s of hinges whose velocity is not known, or 0
+  double turning = M_PI;      // rad/s of revolute joints whose velocity is not known, or 0
   double sliding = 500.0;     // mm/s of slides
   double timeToSpeed = 0.25;  // s from rest to the largest velocity, which gives the acceleration, whatever the speed
   double timeToRamp = 0.1;    // s until the acceleration is there: gives the jerk

@@ -12,7 +12,7 @@ namespace handwheel {
 struct TeleoperationSettings {
   MotionCheckSettings check;
   double tolerance = 1e-5;    // that the joints reach what is wanted to within, metres and rad: setting ik.tolerance
-  double turning = M_PI;      // rad/s of hinges whose velocity is not known
+  double turning = M_PI;      // rad/s of revolute joints whose velocity is not known
   double sliding = 500.0;     // mm/s of slides
   double stiffness = 0.2;     // N/mm: how hard the hand is pulled to where the tool is
   double largestForce = 5.0;  // N

@@ -26,8 +26,8 @@ enum class JointKind {
 // No joint goes further than this, whatever its limits, so that what follows it stays finite; rad, mm.
 inline constexpr double kFarthestTravel = 1e9;
 
-// No hinge of a path turns further than this from 0, whatever its limits (150 turns), so that a motion stays so short
-// that it can be proven; rad.
+// No revolute joint of a path turns further than this from 0, whatever its limits (150 turns), so that a motion stays
+// so short that it can be proven; rad.
 inline constexpr double kMostTurn = 1e3;
 
 // The limits of a joint's position, velocity and effort.
@@ -54,8 +54,8 @@ struct Joint {
   double factor = 1.0;        // from the unit of the degree of freedom to the joint's
   double offset = 0.0;        // rad, mm
 
-  // The nearest allowed value: none beyond kFarthestTravel, of a hinge with limits none beyond kMostTurn. The reader
-  // lets only joints through that have one.
+  // The nearest allowed value: none beyond kFarthestTravel, of a revolute joint with limits none beyond kMostTurn. The
+  // reader lets only joints through that have one.
   double nearest(double value) const {
     const double most = kind == JointKind::Revolute ? kMostTurn : kFarthestTravel;
     return std::min(std::max({std::min(value, limits.upper), limits.lower, -most}), most);
@@ -102,8 +102,8 @@ struct Link {
   std::vector<PlacedShape> collisions;
 };
 
-// A robot: a tree of links connected by joints. Names of links are unique, so are those of joints. Immutable once read;
-// any thread.
+// A robot, or several of a cell (RobotArms.h): a tree of links connected by joints. Names of links are unique, so are
+// those of joints. Immutable once read; any thread.
 struct RobotModel {
   std::string name;
   std::vector<Link> links;
@@ -130,10 +130,9 @@ std::uint32_t toolLink(const RobotModel& robot);
 // Finds the degree of freedom nearest to a link in its chain of joints. kNone for links that cannot move.
 std::uint32_t dofMoving(const RobotModel& robot, std::uint32_t link);
 
-// Clamps joint values to their limits, hinges to ±kMostTurn, too: what paths and their files take. Continuous joints
-// keep their turns, as a path may be wound up; those that no other follows lose them beyond kMostTurn, which leaves
-// them within -π…π.
-// Values must be finite. O(joints).
+// Clamps joint values to their limits, revolute joints to ±kMostTurn, too: what paths and their files take. Continuous
+// joints keep their turns, as a path may be wound up; those that no other follows lose them beyond kMostTurn, which
+// leaves them within -π…π. Values must be finite. O(joints).
 JointValues withinLimits(const RobotModel& robot, JointValues values);
 
 // The values reached from others by the shortest turn: of continuous joints that no other follows, whole turns are left

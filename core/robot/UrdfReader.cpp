@@ -19,7 +19,7 @@ bool isOfXacro(const XmlElement& element) {
   return element.name.starts_with("xacro:");
 }
 
-Status readLinks(const XmlElement& root, ReadRobot& read, UrdfShapes& shapes,
+Status readLinks(const XmlElement& root, ImportedRobot& read, UrdfShapes& shapes,
                  std::map<std::string, std::uint32_t>& numbers, std::vector<InputPosition>& places) {
   for (const XmlElement& element : root.children) {
     if (isOfXacro(element)) {
@@ -40,8 +40,8 @@ Status readLinks(const XmlElement& root, ReadRobot& read, UrdfShapes& shapes,
   return Done{};
 }
 
-Result<ReadRobot> readRobot(const XmlElement& root) {
-  ReadRobot read;
+Result<ImportedRobot> readRobot(const XmlElement& root) {
+  ImportedRobot read;
   if (const std::string* name = root.attribute("name")) read.robot.name = *name;
   UrdfShapes shapes(read);
   shapes.collectMaterials(root);
@@ -60,7 +60,7 @@ Result<ReadRobot> readRobot(const XmlElement& root) {
 
 }  // namespace
 
-Result<ReadRobot> readUrdf(std::string_view bytes, Progress progress) {
+Result<ImportedRobot> readUrdf(std::string_view bytes, Progress progress) {
   try {
     const Result<XmlElement> root = readXml(bytes, kLimits, progress);
     if (!root) return root.error();

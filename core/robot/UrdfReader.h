@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // A robot with the damage found in its description.
-struct ReadRobot {
+struct ImportedRobot {
   RobotModel robot;
   std::vector<Error> damage;       // shapes and numbers that could not be understood and were left out
   std::size_t unlistedDamage = 0;  // further damage beyond the first thousand entries
@@ -22,7 +22,7 @@ struct ReadRobot {
 // listed, and the robot opens without that part. Floating and planar joints are held still, and listed. Mesh files are
 // not read. O(bytes). Errors: ElementMalformed, ReferenceMissing, NumberMalformed, NumberNotFinite, CountMismatch,
 // ValueOutOfRange, Unsupported (xacro), FileTooLarge, OutOfMemory, Cancelled; with the line.
-Result<ReadRobot> readUrdf(std::string_view bytes, Progress progress = {});
+Result<ImportedRobot> readUrdf(std::string_view bytes, Progress progress = {});
 
 // Whether a file is a robot description, by its first bytes.
 bool looksLikeUrdf(std::string_view head);

@@ -15,7 +15,7 @@ namespace handwheel {
 // and left out.
 class UrdfShapes {
  public:
-  explicit UrdfShapes(ReadRobot& read) : m_read(read) {}
+  explicit UrdfShapes(ImportedRobot& read) : m_read(read) {}
 
   // The colours of all materials of the description: a link may name one that another link defines.
   void collectMaterials(const XmlElement& robot);
@@ -31,7 +31,7 @@ class UrdfShapes {
   Result<Shape> readMesh(const XmlElement& mesh) const;
   std::uint32_t numberOf(const Shape& shape);
 
-  ReadRobot& m_read;
+  ImportedRobot& m_read;
   std::map<std::string, ShapeColour> m_materials;
   std::map<std::pair<std::string, std::array<double, 3>>, std::uint32_t> m_meshes;  // by file and scale
 };

@@ -18,7 +18,7 @@ Result<std::shared_ptr<const RevolvedGeometry>> RevolvedGeometry::make(ProfileCu
 }
 
 std::size_t RevolvedGeometry::bytes() const {
-  const ProfileNet& net = m_profile.net();
+  const ProfileNurbs& net = m_profile.net();
   return net.poles.size() * sizeof(ProfilePoint) + (net.weights.size() + net.knots.size()) * sizeof(double) +
          m_profile.arcs().size_bytes();
 }

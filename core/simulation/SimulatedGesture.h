@@ -28,7 +28,7 @@ class SimulatedGesture {
 
   bool isOn() const { return m_isOn; }
   // Whether one is on that this source makes: a device, whose inputs come from the servo loop, or the mouse.
-  bool isOnBy(bool isDevice) const { return m_isOn && m_isOfDevice == isDevice; }
+  bool isOnFrom(bool isDevice) const { return m_isOn && m_isOfDevice == isDevice; }
 
   // Throws what the simulation has thrown: to be called with each event, so that the tool ends.
   void rethrow() const { m_loop.rethrow(); }

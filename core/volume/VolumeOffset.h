@@ -16,7 +16,7 @@ namespace handwheel {
 // Errors: ValueOutOfRange (of a distance), VolumeErrors::TooFine (too many voxels along an axis), TooLarge (for the
 // memory that is left); Cancelled.
 
-// Outwards, and inwards with a distance below 0.
+// Offsets the surface of a volume outwards; inwards with a distance below 0.
 Result<SparseVolume> movedSurface(const SparseVolume& volume, double distance, Progress progress = {});
 
 // Where the wall of a shell is: within the material, around it, or half and half.

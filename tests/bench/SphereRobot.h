@@ -22,7 +22,7 @@ class SphereRobot {
     const char* const data = std::getenv("HANDWHEEL_DATA");
     if (!data) return std::nullopt;
     const std::filesystem::path folder = std::filesystem::path(data) / "planning" / "motionbenchmaker-ur5";
-    const Result<ReadRobot> urdf = readUrdf(textOf(folder / "robot" / "ur5_spherized.urdf"));
+    const Result<ImportedRobot> urdf = readUrdf(textOf(folder / "robot" / "ur5_spherized.urdf"));
     if (!urdf) return std::nullopt;
     const Result<RobotSemantics> semantics = readSrdf(textOf(folder / "robot" / "ur5.srdf"), urdf->robot);
     SphereRobot made(urdf->robot);

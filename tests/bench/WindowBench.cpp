@@ -3,7 +3,7 @@
 
 // How long the window's thread is kept from its events while a person works on a million triangles. The bar is on its
 // CPU time, which other programs do not move; the time by the clock stands beside it, and that of drawing.
-#include "bench/WindowPerson.h"
+#include "bench/SimulatedUser.h"
 #include "gui/window/StlFiles.h"
 #include "theme/Theme.h"
 #include "window/mesh/deviation/DeviationPanel.h"

@@ -29,17 +29,17 @@ class HandWorkExtremesTest : public QObject {
 namespace {
 
 constexpr std::size_t kMostFaces = 500;  // all pairs of faces are looked at
-constexpr int kDeeds = 15;
+constexpr int kChanges = 15;
 
-// One deed at a place that the numbers choose; true when it changed something.
-bool work(HalfEdgeMesh& mesh, int deed, std::mt19937& random) {
+// One change by hand at a place that the numbers choose; true when it changed something.
+bool work(HalfEdgeMesh& mesh, int change, std::mt19937& random) {
   const auto loops = findBoundaryLoops(mesh);
   if (loops.empty()) return false;
   const BoundaryLoop& loop = loops[random() % loops.size()];
   const auto near = std::make_shared<const FaceLocator>(mesh, std::make_shared<FaceHierarchy>(mesh));
   const std::size_t n = loop.halfEdges.size(), at = random() % n;
   const BoundaryPair ends{loop.halfEdges[at], loop.halfEdges[(at + 1 + random() % 4) % n]};
-  switch (deed % 5) {
+  switch (change % 5) {
     case 0:
       return moveVertices(mesh, smoothBoundary(*near, loop).moves);
     case 1: {
@@ -48,7 +48,7 @@ bool work(HalfEdgeMesh& mesh, int deed, std::mt19937& random) {
       return pull.apply(mesh, pull.towards(target).point);
     }
     case 2: {
-      Weld weld = weldBoundary(*near, ends);
+      BoundaryWeld weld = weldBoundary(*near, ends);
       if (weld.problem != JoinProblem::None) return false;
       mesh = std::move(weld.mesh);
       return true;
@@ -82,9 +82,9 @@ void HandWorkExtremesTest::neverWorse() {
   const bool isSmall = mesh.faceSlots() <= kMostFaces;
   std::size_t crossings = isSmall ? test::meetingPairs(mesh) : 0;
   test::Edges was = test::countEdges(mesh);
-  for (int deed = 0; deed < kDeeds; ++deed) {
+  for (int change = 0; change < kChanges; ++change) {
     const HalfEdgeMesh before = mesh;
-    if (!work(mesh, deed, random)) {
+    if (!work(mesh, change, random)) {
       QVERIFY(test::sameMesh(mesh, before));
       continue;
     }
@@ -95,7 +95,7 @@ void HandWorkExtremesTest::neverWorse() {
     was = is;
     if (!isSmall) continue;
     const std::size_t now = test::meetingPairs(mesh);
-    QVERIFY2(now <= crossings, qPrintable(QString("deed %1: %2 after %3").arg(deed).arg(now).arg(crossings)));
+    QVERIFY2(now <= crossings, qPrintable(QString("change %1: %2 after %3").arg(change).arg(now).arg(crossings)));
     crossings = now;
   }
 }

@@ -28,7 +28,7 @@ void judgePrograms(std::string_view text, const RobotProgram& frame) {
     const auto motions = post->read(text, frame);
     if (!motions) continue;
     require(motions->size() <= PostProcessor::kMostMotions, "too many motions");
-    for (const ReadMotion& motion : *motions) {
+    for (const ParsedMotion& motion : *motions) {
       require(motion.joints.has_value() != motion.pose.has_value(), "neither joints nor a pose, or both");
       if (motion.joints) require(motion.joints->size() == frame.arm.size(), "another number of joints");
     }

@@ -14,14 +14,14 @@
 #include "document/FileBytes.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/PlansEdit.h"
-#include "document/cell/path/Outdating.h"
+#include "document/cell/path/OutdatedReasons.h"
 #include "document/scene/BodyChanges.h"
 #include "document/scene/BodyErrors.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/ConfigurationOperation.h"
 #include "tools/cell/ConfigurationPoses.h"
+#include "tools/cell/path/DefaultClearance.h"
 #include "tools/cell/path/IkSolutionText.h"
-#include "tools/cell/path/OfferedClearance.h"
 #include "tools/cell/path/PathExport.h"
 #include "tools/cell/path/ProgramFrames.h"
 #include "tools/cell/path/ProgramRemarks.h"
@@ -71,7 +71,7 @@ Result<OpenedPath> openPath(const Arguments& arguments, RobotCellSnapshot& cell,
   CellPlans plans = *cell.plans;
   if (arguments.has("name")) std::erase_if(plans.paths, [&](const RobotPath& path) { return path.name == name; });
   read->path.name = plans.freePathName(isBodyName(name) ? name : "path");
-  const double offered = offeredClearance(*cell.robot, plans);
+  const double offered = defaultClearance(*cell.robot, plans);
   read->path.clearance = plans.ownClearance(read->path.clearance.value_or(offered));
   plans.paths.push_back(std::move(read->path));
   opened.frames = takeFrames(read->frames, {*cell.plans, cell.bodies, cell.robot->model, cell.joints}, plans);

@@ -98,7 +98,7 @@ Result<SerialArm> armCalled(const Arguments& arguments, const std::string& tip, 
   if (!bytes) return withSubject(bytes.error(), name);
   if (looksLikeContainer(*bytes)) return armOfCell(arguments, tip, kinds);
   if (looksLikeUrdf(*bytes)) {
-    const Result<ReadRobot> read = readUrdf(*bytes);
+    const Result<ImportedRobot> read = readUrdf(*bytes);
     return read ? armTo(read->robot, tip, toolLink(read->robot), name) : withSubject(read.error(), name);
   }
   const std::size_t begin = bytes->find_first_not_of(" \t\r\n");

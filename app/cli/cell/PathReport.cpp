@@ -59,17 +59,17 @@ std::string share(double value) {
 
 }  // namespace
 
-std::vector<std::string> reasonsOf(const Outdating& outdating) {
+std::vector<std::string> reasonsOf(const OutdatedReasons& outdated) {
   std::vector<std::string> reasons;
-  if (!outdating.part.empty())
-    reasons.push_back("the part " + outdating.part + " has moved since the path was planned along it");
-  if (outdating.isBaseOther)
+  if (!outdated.part.empty())
+    reasons.push_back("the part " + outdated.part + " has moved since the path was planned along it");
+  if (outdated.isBaseOther)
     reasons.emplace_back("the base of its robot has moved since the path was planned along its curve");
-  if (outdating.isToolOther)
+  if (outdated.isToolOther)
     reasons.emplace_back("the tool centre point was changed since the path was planned along its curve");
-  for (const std::string& target : outdating.targets)
+  for (const std::string& target : outdated.targets)
     reasons.push_back("the tool does not come to the target " + target + " any more: that, or the tool, has moved");
-  for (const std::string& configuration : outdating.configurations)
+  for (const std::string& configuration : outdated.configurations)
     reasons.push_back("the configuration " + configuration + " was changed since the path was planned through it");
   return reasons;
 }
@@ -84,13 +84,13 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
       {"manipulability", metrics.manipulability}, {"security_mm", metrics.security},
       {"limit_margin", metrics.leastMargin},      {"cycle_s", checked.seconds},
       {"robots_moved", checked.robotsMoved},      {"collisions", collisions}};
-  const Outdating& outdating = checked.outdating;
-  json["outdated"] = outdating.isAny();
-  if (!outdating.part.empty()) json["part_moved"] = outdating.part;
-  if (outdating.isBaseOther) json["base_moved"] = true;
-  if (outdating.isToolOther) json["tool_changed"] = true;
-  if (!outdating.targets.empty()) json["targets_moved"] = outdating.targets;
-  if (!outdating.configurations.empty()) json["configurations_changed"] = outdating.configurations;
+  const OutdatedReasons& outdated = checked.outdated;
+  json["outdated"] = outdated.isAny();
+  if (!outdated.part.empty()) json["part_moved"] = outdated.part;
+  if (outdated.isBaseOther) json["base_moved"] = true;
+  if (outdated.isToolOther) json["tool_changed"] = true;
+  if (!outdated.targets.empty()) json["targets_moved"] = outdated.targets;
+  if (!outdated.configurations.empty()) json["configurations_changed"] = outdated.configurations;
   json["not_checked"] = checked.notChecked;
   if (checked.way.stopsAt) json["stops_at"] = {{"place", *checked.way.stopsAt}, {"share", checked.way.reached}};
   return json;
@@ -113,7 +113,7 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
   }
   for (const std::string& robot : checked.robotsMoved)
     text += "the robot " + robot + " has moved since the path was made; the figures hold for its present position\n";
-  for (const std::string& reason : reasonsOf(checked.outdating)) text += reason + ": plan it again\n";
+  for (const std::string& reason : reasonsOf(checked.outdated)) text += reason + ": plan it again\n";
   for (const PathStretch& each : stretchesOf(checked, scene)) {
     const auto [link, other] = scene.namesOf(each.deepest);
     text += "motion to place " + std::to_string(each.place + 1) + ", " + share(each.from) + " to " + share(each.to) +

@@ -15,7 +15,7 @@ namespace handwheel {
 nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 // Why a path does not lead to what it was planned for any more: phrases.
-std::vector<std::string> reasonsOf(const Outdating& outdating);
+std::vector<std::string> reasonsOf(const OutdatedReasons& outdated);
 // Says on stderr what a proof rests on: links without meshes, simplified shapes.
 void warnOfShapes(const CellScene& scene);
 

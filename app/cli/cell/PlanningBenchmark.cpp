@@ -131,7 +131,7 @@ Result<BenchmarkRobot> readRobot(const OperationValues& values, const PlanningSe
   const std::string file = values.text("robot");
   const Result<std::string> bytes = readFileBytes(file);
   if (!bytes) return subject(bytes.error(), file);
-  Result<ReadRobot> read = readUrdf(*bytes);
+  Result<ImportedRobot> read = readUrdf(*bytes);
   if (!read) return subject(read.error(), file);
   BenchmarkRobot robot{std::move(read->robot), {}, {}, {}};
   robot.allowed = neighbours(robot.model);

@@ -65,7 +65,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
     complain(std::string("warning: ") + post->title() + " is not the language of the controller of this robot, " +
              written->otherRobot);
   }
-  for (const std::string& reason : reasonsOf(checked->outdating)) complain("warning: " + reason);
+  for (const std::string& reason : reasonsOf(checked->outdated)) complain("warning: " + reason);
   for (const auto& [one, other] : checked->notChecked)
     complain("warning: " + one + " with " + other + " was not checked, as they may touch");
   for (const SmallerBlend& each : written->smaller) {
@@ -83,7 +83,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
                          {"clearance_mm", checked->clearance},
                          {"not_checked", checked->notChecked},
                          {"other_robot", !written->otherRobot.empty()},
-                         {"outdated", checked->outdating.isAny()},
+                         {"outdated", checked->outdated.isAny()},
                          {"frame", written->frame.empty() ? nlohmann::json() : nlohmann::json(written->frame)},
                          {"certified", true}}));
   }

@@ -5,7 +5,7 @@
 #include "cli/Messages.h"
 #include "document/ShapeDigest.h"
 #include "haptics/contact/TouchableSurface.h"
-#include "tools/mesh/MeshSurface.h"
+#include "tools/mesh/MeshContactSurface.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

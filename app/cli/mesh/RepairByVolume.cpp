@@ -129,7 +129,7 @@ Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRep
   const Result<TriangleSoup> soup = surfaceIn(input, request);
   if (!soup) return soup.error();
   RepairedByVolume done;
-  const VolumeRepairWish wish{request.voxel.value_or(0.0), request.gaps, request.wall};
+  const VolumeRepairParameters wish{request.voxel.value_or(0.0), request.gaps, request.wall};
   done.voxel = voxelFor(wish, usualVoxel(*soup, request.values.of(volumeVoxelsSetting())));
   const TriangleSoup solid = request.wall > 0.0 ? wallsOf(*soup, request.wall) : *soup;
   const VolumeRepairOptions options{

@@ -16,7 +16,7 @@ namespace {
 constexpr double kBallRadius = 25.0;  // mm
 
 // From pole to pole: a half circle of two exact arcs.
-ProfileNet halfCircle() {
+ProfileNurbs halfCircle() {
   const double r = kBallRadius, w = std::sqrt(0.5);
   return {2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, -r}, {r, -r}, {r, 0}, {r, r}, {0, r}}, {1, w, 1, w, 1}};
 }

@@ -357,7 +357,7 @@ void CellBodies::read(const OperationValues& values) {
   job.failed = [this, &tab](const Error& error) { report(tab.document, error); };
   job.work = [this, &tab, &kinds = m_parts.kinds, values, bodies = cell().bodies(),
               folder = folderOf(tab.document)](Progress progress) -> Job::Finish {
-    auto body = std::make_shared<Result<ReadBody>>(bodyFrom(values, bodies, kinds, folder, progress));
+    auto body = std::make_shared<Result<ImportedBody>>(bodyFrom(values, bodies, kinds, folder, progress));
     return [this, &tab, placed = values, body]() mutable {
       if (!*body) return report(tab.document, body->error());
       const auto& now = static_cast<const RobotCellDocument&>(tab.document);

@@ -45,7 +45,7 @@ std::shared_ptr<const CellScene> CellCollisions::scene() const {
 std::shared_ptr<const CellScene> CellCollisions::sceneFor(std::size_t arm) const {
   if (arm == activeArmNumber(cell().robot(), *cell().plans())) return scene();
   const auto found = std::find_if(m_others.begin(), m_others.end(), [&](const auto& other) {
-    return other && other->armNumber == arm && other->standsAs(cell().joints());
+    return other && other->armNumber == arm && other->areUnplannedJointsAt(cell().joints());
   });
   return isReady() && found != m_others.end() ? *found : nullptr;
 }
@@ -58,7 +58,7 @@ bool CellCollisions::isPrepared() const {
 bool CellCollisions::areOthersPrepared() const {
   return m_others.size() + 1 == cell().robot().arms.size() &&
          std::all_of(m_others.begin(), m_others.end(),
-                     [&](const auto& scene) { return !scene || scene->standsAs(cell().joints()); });
+                     [&](const auto& scene) { return !scene || scene->areUnplannedJointsAt(cell().joints()); });
 }
 
 // The other robots stand elsewhere for each other whenever one has moved, which does not change the scene of the one
@@ -108,9 +108,9 @@ void CellCollisions::prepareIfIdle() {
 
 // One of another robot, if only that is where it was not.
 std::shared_ptr<const CellScene> CellCollisions::sceneMoving(const JointValues& joints) const {
-  const auto isMoving = [&](const auto& scene) { return scene && scene->standsAs(joints); };
+  const auto isMoving = [&](const auto& scene) { return scene && scene->areUnplannedJointsAt(joints); };
   const auto found = std::find_if(m_others.begin(), m_others.end(), isMoving);
-  return m_scene->standsAs(joints) || found == m_others.end() ? m_scene : *found;
+  return m_scene->areUnplannedJointsAt(joints) || found == m_others.end() ? m_scene : *found;
 }
 
 std::vector<CellCollision> CellCollisions::mark(DisplayModel& shown, const JointValues& joints,
@@ -138,7 +138,7 @@ std::vector<CellCollision> CellCollisions::mark(DisplayModel& shown, const Joint
   const std::shared_ptr<const CellScene> first = moved ? m_scene : sceneMoving(joints);
   markOf(first);
   for (const auto& other : m_others) {
-    if (other && other != first && other->standsAs(joints)) markOf(other);
+    if (other && other != first && other->areUnplannedJointsAt(joints)) markOf(other);
   }
   return found;
 }

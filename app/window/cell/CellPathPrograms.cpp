@@ -3,7 +3,7 @@
 
 // The actions that read and write programs of controllers.
 #include "document/cell/RobotCellDocument.h"
-#include "tools/cell/path/OfferedClearance.h"
+#include "tools/cell/path/DefaultClearance.h"
 #include "tools/cell/path/ProgramRemarks.h"
 #include "window/JobRunner.h"
 #include "window/cell/CellPaths.h"
@@ -70,7 +70,7 @@ void CellPaths::requestProgram() {
     if (!now) return true;
     if (document != m_document) return false;  // its state is looked at while it is shown
     const auto found = m_checks.of(*now);
-    return found && (!isKnown || !found->outdating.isAny());
+    return found && (!isKnown || !found->outdated.isAny());
   };
   if (!known) {
     const PathStatus status = pathStatusOf(m_checks.stateOf(*present), *present, cell().displayUnit(), QLocale());
@@ -79,8 +79,8 @@ void CellPaths::requestProgram() {
     asked.advice = tr("Only what is proven free of collisions is exported.");
     asked.actionText = m_verify.text();
     asked.action = answer([this] { m_verify.trigger(); });
-  } else if (known->outdating.isAny()) {
-    asked.detail = outdatingReasons(known->outdating).join(QLatin1Char(' '));
+  } else if (known->outdated.isAny()) {
+    asked.detail = outdatingReasons(known->outdated).join(QLatin1Char(' '));
     asked.actionText = tr("Plan it again");
     asked.action = answer([this] { m_again.trigger(); });
     asked.otherText = tr("Export it as it is");
@@ -225,10 +225,10 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
     detail += QLatin1Char(' ') + tr("%1 is not the language of the controller of this robot, %2.")
                                      .arg(QLatin1String(post.title()), QString::fromStdString(written.otherRobot));
   }
-  const Outdating& outdating = checked.outdating;
-  for (const QString& reason : outdatingReasons(outdating)) detail += QLatin1Char(' ') + reason;
-  if (outdating.isAny()) detail += QLatin1Char(' ') + tr("A comment of the program says so.");
-  emit message({isOther || outdating.isAny() ? Message::Weight::Warning : Message::Weight::Info,
+  const OutdatedReasons& outdated = checked.outdated;
+  for (const QString& reason : outdatingReasons(outdated)) detail += QLatin1Char(' ') + reason;
+  if (outdated.isAny()) detail += QLatin1Char(' ') + tr("A comment of the program says so.");
+  emit message({isOther || outdated.isAny() ? Message::Weight::Warning : Message::Weight::Info,
                 tr("%1 was written").arg(QFileInfo(file).fileName()),
                 detail,
                 {},
@@ -258,7 +258,7 @@ void CellPaths::importProgram(const QString& file) {
       const QStringList remarks = programRemarks(*read, content->plans->tool);
       RobotPath& path = read->path;
       path.name = changed.freePathName(QFileInfo(file).completeBaseName().toStdString());
-      const double offered = offeredClearance(cellIn(tab).robot(), changed);
+      const double offered = defaultClearance(cellIn(tab).robot(), changed);
       path.clearance = changed.ownClearance(path.clearance.value_or(offered));
       const PlanTree::Entry entry{PlanTree::Entry::Kind::Path, path.name};
       changed.paths.push_back(std::move(path));

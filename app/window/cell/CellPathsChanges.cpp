@@ -8,7 +8,7 @@
 #include "document/cell/PlansEdit.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/cell/WaypointProperties.h"
-#include "document/cell/path/Outdating.h"
+#include "document/cell/path/OutdatedReasons.h"
 #include "document/scene/BodyChanges.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"

@@ -48,11 +48,11 @@ class Words {
   QString shortly(const PathResult& result) const {
     if (!result.found) return tr("cannot be verified");
     const PathFindings& found = *result.found;
-    const bool isOutdated = found.outdating.isAny();
-    if (isOutdated && (found.stopsAt || !found.isCertified)) return withProblem(found, planAgain(found.outdating));
+    const bool isOutdated = found.outdated.isAny();
+    if (isOutdated && (found.stopsAt || !found.isCertified)) return withProblem(found, planAgain(found.outdated));
     if (found.stopsAt) return tr("line cannot be followed, %1").arg(time(result));
     if (!found.isCertified) return tr("%1, %2").arg(collisions(found), time(result));
-    if (isOutdated) return planAgain(found.outdating);
+    if (isOutdated) return planAgain(found.outdated);
     const QString known = tr("%1, %2").arg(clearanceText(found.leastClearance, m_unit, m_locale), time(result));
     return withRemarks(found, found.hasShapeless ? tr("free, except for links without meshes, %1").arg(known)
                                                  : tr("free, %1").arg(known));
@@ -61,8 +61,8 @@ class Words {
   QString found(const PathResult& result) const {
     if (!result.found) return tr("cannot be verified");
     const PathFindings& found = *result.found;
-    if (found.outdating.isAny() && (found.stopsAt || !found.isCertified))
-      return tr("%1 (%2)").arg(withProblem(found, planAgain(found.outdating)), time(result));
+    if (found.outdated.isAny() && (found.stopsAt || !found.isCertified))
+      return tr("%1 (%2)").arg(withProblem(found, planAgain(found.outdated)), time(result));
     if (found.stopsAt) return tr("line cannot be followed (%1)").arg(time(result));
     if (!found.isCertified) return tr("%1 (%2)").arg(collisions(found), time(result));
     const QString known =
@@ -76,8 +76,8 @@ class Words {
     QStringList lines{tr("Verified at %1.").arg(m_locale.toString(result.at, QLocale::ShortFormat))};
     if (!result.found) return lines + QStringList{result.problem};
     const PathFindings& found = *result.found;
-    lines += outdatingReasons(found.outdating);
-    if (found.outdating.isAny()) lines += tr("Plan it again.");
+    lines += outdatingReasons(found.outdated);
+    if (found.outdated.isAny()) lines += tr("Plan it again.");
     if (found.stopsAt)
       return lines + QStringList{tr("The straight line to place %1 leaves the reach of the arm or the limits of its "
                                     "joints.")
@@ -115,13 +115,13 @@ class Words {
   static QString withProblem(const PathFindings& found, const QString& text) {
     return tr("%1; %2").arg(text, found.stopsAt ? tr("line cannot be followed") : collisions(found));
   }
-  static QString planAgain(const Outdating& outdating) {
-    if (!outdating.part.empty()) return tr("plan again: %1 has moved").arg(QString::fromStdString(outdating.part));
-    if (outdating.isBaseOther) return tr("plan again: its robot has moved");
-    if (outdating.isToolOther) return tr("plan again: the tool centre point was changed");
-    if (!outdating.targets.empty())
-      return tr("plan again: it misses %1").arg(QString::fromStdString(*outdating.targets.begin()));
-    return tr("plan again: %1 was changed").arg(QString::fromStdString(*outdating.configurations.begin()));
+  static QString planAgain(const OutdatedReasons& outdated) {
+    if (!outdated.part.empty()) return tr("plan again: %1 has moved").arg(QString::fromStdString(outdated.part));
+    if (outdated.isBaseOther) return tr("plan again: its robot has moved");
+    if (outdated.isToolOther) return tr("plan again: the tool centre point was changed");
+    if (!outdated.targets.empty())
+      return tr("plan again: it misses %1").arg(QString::fromStdString(*outdated.targets.begin()));
+    return tr("plan again: %1 was changed").arg(QString::fromStdString(*outdated.configurations.begin()));
   }
   static QString withRemarks(const PathFindings& found, QString text) {
     if (const QString pairs = notCheckedText(found.notChecked); !pairs.isEmpty())
@@ -166,22 +166,22 @@ QString linkedDetails(const PathStatus& status) {
   return lines.join(QStringLiteral("<br>"));
 }
 
-QStringList outdatingReasons(const Outdating& outdating) {
+QStringList outdatingReasons(const OutdatedReasons& outdated) {
   QStringList reasons;
-  if (!outdating.part.empty()) {
+  if (!outdated.part.empty()) {
     reasons +=
         Words::tr("It leads along the curve where %1 was when it was planned: the tool does not meet it any more.")
-            .arg(QString::fromStdString(outdating.part));
+            .arg(QString::fromStdString(outdated.part));
   }
-  if (outdating.isBaseOther)
+  if (outdated.isBaseOther)
     reasons += Words::tr("Its robot stood elsewhere when its curve was planned: the tool does not meet that any more.");
-  if (outdating.isToolOther)
+  if (outdated.isToolOther)
     reasons += Words::tr("The tool centre point was another one when its curve was planned: that is not met any more.");
-  for (const std::string& target : outdating.targets) {
+  for (const std::string& target : outdated.targets) {
     reasons += Words::tr("The tool does not come to the target %1 any more: that, or the tool, has moved since.")
                    .arg(QString::fromStdString(target));
   }
-  for (const std::string& configuration : outdating.configurations)
+  for (const std::string& configuration : outdated.configurations)
     reasons += Words::tr("It leads to %1 as that was stored when the path was planned: it was changed since.")
                    .arg(QString::fromStdString(configuration));
   return reasons;
@@ -228,7 +228,7 @@ PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, L
     const QString text = Words::notSince(state.change);
     return plain(text, text + QLatin1Char('\n') + Words::tr("Before: %1").arg(found), "info");
   }
-  const bool isFree = state.last->found && state.last->found->isCertified && !state.last->found->outdating.isAny();
+  const bool isFree = state.last->found && state.last->found->isCertified && !state.last->found->outdated.isAny();
   // Only what was proven in this session is shown as such.
   const bool isStored = isFree && !state.last->checked;
   const QString summary = isStored ? Words::tr("%1, as stored with the cell").arg(found) : found;

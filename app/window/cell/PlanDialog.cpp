@@ -3,7 +3,7 @@
 #include "window/cell/PlanDialog.h"
 
 #include "document/cell/CellArms.h"
-#include "tools/cell/path/OfferedClearance.h"
+#include "tools/cell/path/DefaultClearance.h"
 
 #include <QDialogButtonBox>
 #include <QKeyEvent>
@@ -30,7 +30,7 @@ PlanDialog::PlanDialog(const CellRobot& robot, const CellPlans& plans, const Fid
   for (const NamedConfiguration& each : plans.configurations) m_places.push_back(each.name);
   for (const NamedTarget& each : plans.targets) m_places.push_back(each.name);
   setFidelity(m_values, fidelity);
-  if (const double offered = offeredClearance(robot, plans); offered > m_clearance)
+  if (const double offered = defaultClearance(robot, plans); offered > m_clearance)
     m_values.setValid("clearance", offered);
   for (const Parameter& parameter : planOperation().parameters) {
     const std::string& id = parameter.id();

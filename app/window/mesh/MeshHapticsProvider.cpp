@@ -6,7 +6,7 @@
 #include "haptics/snap/SnapFidelity.h"
 #include "tools/carving/VolumeTool.h"
 #include "tools/mesh/BoundarySnapFeatures.h"
-#include "tools/mesh/MeshSurface.h"
+#include "tools/mesh/MeshContactSurface.h"
 #include "tools/mesh/NearFeatures.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSceneBuilder.h"

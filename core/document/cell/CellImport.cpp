@@ -70,7 +70,7 @@ Result<TriangleSoup> readMeshSurface(const MeshShape& shape, const std::filesyst
 
 class Import {
  public:
-  Import(ReadRobot read, std::filesystem::path folder, std::uint32_t shapeSides)
+  Import(ImportedRobot read, std::filesystem::path folder, std::uint32_t shapeSides)
       : m_folder(std::move(folder)), m_shapeSides(shapeSides), m_robot(new CellRobot) {
     m_robot->model = std::move(read.robot);
     m_robot->arms = {wholeArm(m_robot->model)};
@@ -149,7 +149,7 @@ std::shared_ptr<const RobotCellSnapshot> withOverlaps(const RobotCellSnapshot& c
 }  // namespace
 
 std::shared_ptr<const RobotCellSnapshot> cellOf(const DhTable& robot, std::uint32_t shapeSides) {
-  ReadRobot read;
+  ImportedRobot read;
   read.robot = robotOf(robot);
   std::string description = urdfOf(read.robot);
   Import import(std::move(read), {}, shapeSides);
@@ -185,7 +185,7 @@ Result<ImportedCell> importCell(const std::filesystem::path& path, std::uint32_t
     table = std::move(given).value();
     bytes = urdfOf(robotOf(*table));
   }
-  Result<ReadRobot> read = readUrdf(*bytes, progress.part(0.05, 0.1));
+  Result<ImportedRobot> read = readUrdf(*bytes, progress.part(0.05, 0.1));
   if (!read) return read.error();
   Import import(std::move(read).value(), path.parent_path(), shapeSides);
   if (!import.readSurfaces(progress.part(0.1, 1.0))) return Error{ErrorCode::Cancelled, {}, {}, {}};

@@ -165,17 +165,17 @@ std::vector<std::uint32_t> CellScene::ownLinksOf(BodyId body) const {
   return {itself, carrierOf(*bodies.withId(body), robot->model)};
 }
 
-bool CellScene::standsAs(const JointValues& joints) const {
+bool CellScene::areUnplannedJointsAt(const JointValues& joints) const {
   return whole(planned(joints)) == joints;
 }
 
 bool CellScene::holdsFor(const RobotCellSnapshot& now,
                          const std::set<std::pair<std::string, std::string>>& allowed) const {
-  return robot == now.robot && bodies == now.bodies && allowed == now.plans->allowed && standsAs(now.joints) &&
-         armNumber == activeArmNumber(*now.robot, *now.plans);
+  return robot == now.robot && bodies == now.bodies && allowed == now.plans->allowed &&
+         areUnplannedJointsAt(now.joints) && armNumber == activeArmNumber(*now.robot, *now.plans);
 }
 
-bool CellScene::ownStandAs(const JointValues& joints) const {
+bool CellScene::areOwnUnplannedJointsAt(const JointValues& joints) const {
   const JointValues wanted = whole(planned(joints));
   return withJointsOf(*robot, armNumber, wanted, joints) == wanted;
 }

@@ -60,9 +60,9 @@ struct CellScene {
     return owner == kNone || owner < kLinkOwners ? kNone : owner - kLinkOwners;
   }
   // Whether all joints that are not planned are where they are at these values.
-  bool standsAs(const JointValues& joints) const;
+  bool areUnplannedJointsAt(const JointValues& joints) const;
   // The same of those of the robot that is planned for, as of a gripper.
-  bool ownStandAs(const JointValues& joints) const;
+  bool areOwnUnplannedJointsAt(const JointValues& joints) const;
   // Whether the cell is still what this was made of. allowed: the pairs of links that might touch then.
   bool holdsFor(const RobotCellSnapshot& now, const std::set<std::pair<std::string, std::string>>& allowed) const;
   // The names of the other robots that stand elsewhere at some place of the path, or whose bases were moved since.

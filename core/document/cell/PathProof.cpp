@@ -34,11 +34,11 @@ json toJson(const std::string& path, const PathProof& proof) {
                  {"seconds", found.seconds},
                  {"shapeless", found.hasShapeless},
                  {"robots_moved", found.robotsMoved},
-                 {"part_moved", found.outdating.part},
-                 {"base_moved", found.outdating.isBaseOther},
-                 {"tool_changed", found.outdating.isToolOther},
-                 {"targets_moved", found.outdating.targets},
-                 {"configurations_changed", found.outdating.configurations},
+                 {"part_moved", found.outdated.part},
+                 {"base_moved", found.outdated.isBaseOther},
+                 {"tool_changed", found.outdated.isToolOther},
+                 {"targets_moved", found.outdated.targets},
+                 {"configurations_changed", found.outdated.configurations},
                  {"not_checked", found.notChecked},
                  {"listed", json::array()},
                  {"basis", json::object()}};
@@ -96,8 +96,8 @@ std::optional<PathProof> proofFrom(const json& stored) {
   if (length && security && manipulability) found.measures = PathMeasures{*length, *security, *manipulability};
   found.hasShapeless = isAt(stored, "shapeless");
   found.robotsMoved = namesAt(stored, "robots_moved");
-  found.outdating = {stringAt(stored, "part_moved"), isAt(stored, "base_moved"), isAt(stored, "tool_changed"),
-                     namesAt(stored, "targets_moved"), namesAt(stored, "configurations_changed")};
+  found.outdated = {stringAt(stored, "part_moved"), isAt(stored, "base_moved"), isAt(stored, "tool_changed"),
+                    namesAt(stored, "targets_moved"), namesAt(stored, "configurations_changed")};
   const auto pairs = stored.find("not_checked");
   for (const json& each : pairs != stored.end() && pairs->is_array() ? *pairs : json::array()) {
     const bool isPair = each.is_array() && each.size() == 2 && each[0].is_string() && each[1].is_string();

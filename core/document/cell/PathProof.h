@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/cell/path/Outdating.h"
+#include "document/cell/path/OutdatedReasons.h"
 
 #include <array>
 #include <map>
@@ -54,7 +54,7 @@ struct PathFindings {
   std::optional<PathMeasures> measures = {};  // none: stored by a version of the program that did not keep them
   bool hasShapeless = false;                  // links without meshes were left out
   std::set<std::string> robotsMoved = {};
-  Outdating outdating = {};
+  OutdatedReasons outdated = {};
   // Links and bodies, by their names then, that a person lets touch: nothing is said of these.
   std::vector<std::pair<std::string, std::string>> notChecked = {};
 

@@ -8,7 +8,7 @@
 #include "document/cell/CellDisplay.h"
 #include "document/cell/CellImport.h"
 #include "document/cell/RobotCellDocument.h"
-#include "document/cell/path/Outdating.h"
+#include "document/cell/path/OutdatedReasons.h"
 #include "document/cell/path/PathDigests.h"
 #include "document/formats/MeshExport.h"
 #include "document/scene/BodyDescription.h"
@@ -144,16 +144,16 @@ nlohmann::json describePaths(const RobotCellSnapshot& cell) {
   const CellPlacement placement{*cell.plans, cell.bodies, cell.robot->model, cell.joints};
   std::optional<PathDigests> digests;  // they read all shapes: only where something is known of a path
   for (const RobotPath& path : cell.plans->paths) {
-    const Outdating outdating = outdatingOf(*cell.robot, placement, path);
+    const OutdatedReasons outdated = outdatedReasonsOf(*cell.robot, placement, path);
     list.push_back({{"name", path.name},
                     {"robot", describedArm(cell, path.arm)},
                     {"places", path.places.size()},
-                    {"outdated", outdating.isAny()}});
-    if (!outdating.part.empty()) list.back()["part_moved"] = outdating.part;
-    if (outdating.isBaseOther) list.back()["base_moved"] = true;
-    if (outdating.isToolOther) list.back()["tool_changed"] = true;
-    if (!outdating.targets.empty()) list.back()["targets_moved"] = outdating.targets;
-    if (!outdating.configurations.empty()) list.back()["configurations_changed"] = outdating.configurations;
+                    {"outdated", outdated.isAny()}});
+    if (!outdated.part.empty()) list.back()["part_moved"] = outdated.part;
+    if (outdated.isBaseOther) list.back()["base_moved"] = true;
+    if (outdated.isToolOther) list.back()["tool_changed"] = true;
+    if (!outdated.targets.empty()) list.back()["targets_moved"] = outdated.targets;
+    if (!outdated.configurations.empty()) list.back()["configurations_changed"] = outdated.configurations;
     const auto proof = cell.proofs->find(path.name);
     if (proof == cell.proofs->end()) continue;
     if (!digests) digests.emplace(std::make_shared<const RobotCellSnapshot>(cell));

@@ -43,7 +43,7 @@ Result<std::shared_ptr<const CellRobot>> kept(const RobotModel& model, std::vect
                                               const Surfaces& surfaces) {
   auto robot = std::make_shared<CellRobot>();
   robot->description = urdfOf(model);
-  Result<ReadRobot> read = readUrdf(robot->description);
+  Result<ImportedRobot> read = readUrdf(robot->description);
   if (!read) return read.error();
   robot->model = std::move(read->robot);
   robot->surfaces = surfacesOf(model, surfaces, robot->model);

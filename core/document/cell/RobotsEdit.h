@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Exchanges the robots of a cell with all that depends on their joints and links. These are joint values, plans, and
-// the bodies that they carry.
+// An edit that replaces the robots of a cell, and what depends on them. That is joint values, plans, and the bodies
+// that they carry.
 class RobotsEdit : public Edit {
  public:
   // bodies: that change with it. moved: the robot that is moved, if nothing else is changed.

@@ -34,7 +34,7 @@ class ExerciseDocument : public Document {
   std::shared_ptr<const ExerciseSnapshot> m_exercise;
 };
 
-// Exchanges the value of an exercise. Versions share task, solution and work.
+// An edit that replaces the value of an exercise. Versions share task, solution and work.
 class ExerciseEdit : public Edit {
  public:
   // property: that the edit changes; edits of one that are part of a gesture become one step. Empty: of none.

@@ -47,7 +47,7 @@ class MeshFormatTable {
   std::vector<MeshFormatRow> m_rows;
 };
 
-// Those of the program.
+// The table of all mesh formats that the program knows.
 const MeshFormatTable& meshFormatTable();
 
 }  // namespace handwheel

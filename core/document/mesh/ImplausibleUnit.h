@@ -14,7 +14,7 @@ inline constexpr double kLargestLikelySize = 10'000.0;
 
 // Whether the unit of a part is implausible: its file says none, and its size in millimetres is unlikely.
 bool isUnitImplausible(const DocumentFile& file, const Box& box);
-// That in words. box: not empty.
+// A note that the unit is implausible, with the size. box: not empty.
 Note implausibleUnit(const Box& box);
 
 }  // namespace handwheel

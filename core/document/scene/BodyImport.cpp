@@ -22,9 +22,9 @@ Note sizeNote(const BodyGeometry& geometry) {
 
 }  // namespace
 
-Result<ReadBody> readBody(const DocumentKinds& kinds, const std::filesystem::path& path, bool isLinked,
-                          Progress progress) {
-  ReadBody read;
+Result<ImportedBody> readBody(const DocumentKinds& kinds, const std::filesystem::path& path, bool isLinked,
+                              Progress progress) {
+  ImportedBody read;
   if (isLinked) {  // before it is read: what changes meanwhile counts as a change
     Result<BodyLink> link = linkTo(path, progress.part(0.0, 0.2));
     if (!link) return link.error();
@@ -41,12 +41,12 @@ Result<ReadBody> readBody(const DocumentKinds& kinds, const std::filesystem::pat
   return read;
 }
 
-Result<ReadBody> updatedFromLink(const DocumentKinds& kinds, const Body& body, const std::filesystem::path& folder,
-                                 Progress progress) {
+Result<ImportedBody> updatedFromLink(const DocumentKinds& kinds, const Body& body, const std::filesystem::path& folder,
+                                     Progress progress) {
   if (!body.link) return Error{BodyError::NotLinked, {body.name}, {}, {}};
   const std::filesystem::path path = locateLink(*body.link, folder);
   if (path.empty()) return Error{BodyError::LinkedFileGone, {body.link->path}, {}, {}};
-  Result<ReadBody> read = readBody(kinds, path, true, progress);
+  Result<ImportedBody> read = readBody(kinds, path, true, progress);
   if (!read) return read.error();
   Body updated = body;
   updated.geometry = std::move(read->body.geometry);

@@ -36,7 +36,7 @@ Result<GeometryPointer> readMesh(const json& described, const std::string& folde
 
 json writeRevolved(const BodyGeometry& geometry, const std::string& folder, Container& container) {
   const auto& revolved = dynamic_cast<const RevolvedGeometry&>(geometry);
-  const ProfileNet& net = revolved.profile().net();
+  const ProfileNurbs& net = revolved.profile().net();
   std::vector<double> poles;
   for (std::size_t i = 0; i < net.poles.size(); ++i)
     poles.insert(poles.end(), {net.poles[i].x(), net.poles[i].y(), net.weights[i]});
@@ -53,7 +53,7 @@ Result<GeometryPointer> readRevolved(const json& described, const std::string& f
   const auto poles = readArray<double>(container, folder + "/poles", count, 3);
   const auto knots = readArray<double>(container, folder + "/knots", count + degree + 1);
   if (!poles.lost.empty() || !knots.lost.empty() || poles.values.size() != 3 * count) return damaged;
-  ProfileNet net;
+  ProfileNurbs net;
   net.degree = static_cast<int>(degree);
   net.knots = knots.values;
   for (std::size_t i = 0; i < poles.values.size(); i += 3) {

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Exchanges the segment of a scan. Versions share bricks, so it holds what changed.
+// An edit that replaces the segment of a scan. Versions share bricks, so it holds what changed.
 class SegmentEdit : public Edit {
  public:
   // before: the document's segment, for the size of the edit.

@@ -7,7 +7,8 @@
 
 namespace handwheel {
 
-// Exchanges the value of a volume. Versions share the blocks and pieces that are the same, so it holds what changed.
+// An edit that replaces the value of a volume. Versions share the blocks and pieces that are the same, so it holds what
+// changed.
 class VolumeEdit : public Edit {
  public:
   // changedBlocks: that differ from the document's, for its size. property: that alone is another one; empty: more

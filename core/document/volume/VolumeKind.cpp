@@ -5,7 +5,7 @@
 #include "document/AtomicFile.h"
 #include "document/formats/MeshExport.h"
 #include "document/formats/MeshTextValues.h"
-#include "document/volume/HoleBlobs.h"
+#include "document/volume/DrilledHoleBlobs.h"
 #include "document/volume/ImageFiles.h"
 #include "document/volume/LayerBlobs.h"
 #include "document/volume/ScanBlobs.h"

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The kind of volumes. They are exported as their surface, in the formats of meshes.
+// The document kind of voxel volumes. They are exported as their surface, in the formats of meshes.
 class VolumeKind : public DocumentKind {
  public:
   // How the surface of what is opened and made from now on is divided, as that of VolumeSurface. Any thread.

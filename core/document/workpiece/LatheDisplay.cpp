@@ -17,7 +17,7 @@ constexpr Colour kSteel{0.55f, 0.57f, 0.60f}, kJawColour{0.42f, 0.44f, 0.48f}, k
 constexpr int kOutlineSides = 64, kRingSides = 48;
 
 // The half of an outline on the side of r ≥ 0, from z to z, to be turned about the axis.
-std::vector<ProfilePoint> upperHalf(const RoundedSection& section) {
+std::vector<ProfilePoint> upperHalf(const RoundedPolygon& section) {
   std::vector<ProfilePoint> half;
   const std::vector<ProfilePoint> line = section.outline(kOutlineSides);
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -78,7 +78,7 @@ DisplayPart partOfLathe(std::string name, Shape soup, const Colour& colour, bool
   return part;
 }
 
-std::vector<ProfilePoint> boxAround(const RoundedSection& section) {
+std::vector<ProfilePoint> boxAround(const RoundedPolygon& section) {
   std::vector<ProfilePoint> line = section.outline(kOutlineSides);
   return line;
 }
@@ -176,15 +176,15 @@ std::vector<std::vector<Vec3>> LatheDisplay::tipMark(const ProfilePoint& tip) co
 
 std::vector<std::vector<Vec3>> LatheDisplay::outline(const LatheTool& tool, const ProfilePoint& tip) const {
   std::vector<std::vector<Vec3>> lines;
-  const auto draw = [&](const RoundedSection& section) {
+  const auto draw = [&](const RoundedPolygon& section) {
     std::vector<Vec3> line;
     for (const ProfilePoint& p : section.outline(kOutlineSides))
       line.emplace_back(tip.x() + p.x(), 0.0, tip.y() + p.y() + m_base);
     lines.push_back(std::move(line));
   };
-  for (const RoundedSection& section : tool.cutting) draw(section);
+  for (const RoundedPolygon& section : tool.cutting) draw(section);
   const ProfilePoint centre = tool.noseCentre();
-  if (tool.noseRadius > 0.0) draw(RoundedSection({&centre, 1}, tool.noseRadius));
+  if (tool.noseRadius > 0.0) draw(RoundedPolygon({&centre, 1}, tool.noseRadius));
   return lines;
 }
 

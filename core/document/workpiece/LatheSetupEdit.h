@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Exchanges the setup of a workpiece's lathe: chuck, tailstock, tools with their offsets.
+// An edit that replaces the setup of a lathe: chuck, tailstock, tools with their offsets.
 class LatheSetupEdit : public Edit {
  public:
   explicit LatheSetupEdit(std::shared_ptr<const LatheSetup> setup) : m_setup(std::move(setup)) {}

@@ -16,7 +16,7 @@ struct PassesProgram {
 // The speed of the spindle that their program has where no other is chosen, r/min.
 double recordedSpindle(const WorkpieceSnapshot& workpiece);
 
-// Writes them. Errors: NoPasses, OtherTools.
+// Writes the passes of a workpiece as a program. Errors: NoPasses, OtherTools.
 Result<PassesProgram> passesProgram(const WorkpieceSnapshot& workpiece, ProgramDialect dialect, const PassProgram& how);
 
 }  // namespace handwheel

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Exchanges the tool table for programs of a workpiece.
+// An edit that replaces the tool table for programs of a workpiece.
 class ProgramToolsEdit : public Edit {
  public:
   explicit ProgramToolsEdit(std::shared_ptr<const ProgramTools> tools) : m_tools(std::move(tools)) {}

@@ -44,7 +44,7 @@ struct ReplayCurves {
   std::optional<DeviationTrack> deviation;  // none without a target
   std::vector<Crash> crashes;               // by time
 };
-// Of a workpiece that was cut. None: cancelled. O(all that the passes cut).
+// The curves of a workpiece that was cut. None: cancelled. O(all that the passes cut).
 std::optional<ReplayCurves> replayCurves(const WorkpieceSnapshot& workpiece, Progress progress = {});
 
 }  // namespace handwheel

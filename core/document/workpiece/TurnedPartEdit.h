@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Exchanges the part that was cut from a bar: one pass of a tool. Versions share what did not change.
+// An edit that replaces the part cut from a bar, as by one pass. Versions share what did not change.
 class TurnedPartEdit : public Edit {
  public:
   explicit TurnedPartEdit(std::shared_ptr<const TurnedPart> part) : m_part(std::move(part)) {}

@@ -4,12 +4,12 @@
 
 #include "document/AtomicFile.h"
 #include "document/formats/MeshExport.h"
-#include "document/workpiece/DrawnWorkpiece.h"
 #include "document/workpiece/FinishReport.h"
 #include "document/workpiece/ThreadReport.h"
 #include "document/workpiece/TurnedPartBlobs.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/WorkpieceFromDrawing.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/WorkpieceShape.h"
 #include "document/workpiece/target/DrawingExport.h"

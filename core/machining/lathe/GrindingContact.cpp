@@ -36,7 +36,7 @@ double radialDepth(const TurnedProfile& profile, TurningSide side, const std::ve
 GrindingContact grindingContact(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& tip) {
   TurnedProfile::Range below;
   std::vector<SectionSweep> sections;
-  for (const RoundedSection& section : tool.cutting) {
+  for (const RoundedPolygon& section : tool.cutting) {
     sections.emplace_back(section, tip, tip);
     if (sections.back().empty()) return {};
     below.extend(samplesWithin(profile, sections.back().first(), sections.back().last()));
@@ -63,7 +63,7 @@ GrindingContact grindingContact(const TurnedProfile& profile, const LatheTool& t
 double pressedDepth(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
                     const ProfilePoint& to) {
   double deepest = 0.0;
-  for (const RoundedSection& section : tool.cutting) {
+  for (const RoundedPolygon& section : tool.cutting) {
     const SectionSweep sweep(section, from, to);
     if (sweep.empty()) continue;
     const TurnedProfile::Range below = samplesWithin(profile, sweep.first(), sweep.last());

@@ -13,8 +13,8 @@ struct GrindingContact {
   bool isEmpty() const { return !(depth > 0.0); }
 };
 
-// Of a tool with its tip at a place. The pieces of the surface are those between the samples below the tool. O(samples
-// below it).
+// The contact of a tool whose tip is at this point. The pieces of the surface are those between the samples below the
+// tool. O(samples below it).
 GrindingContact grindingContact(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& tip);
 
 // How deep a tool whose tip moves straight from one place to another would be in the material, mm along r, from the

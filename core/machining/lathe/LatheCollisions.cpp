@@ -16,7 +16,7 @@ constexpr double kWorkTolerance = 0.02;  // mm: a holder beside a flank that the
 
 LatheSolid boxOf(LathePart part, double leastR, double largestR, double first, double last) {
   const std::array<ProfilePoint, 4> corners{{{leastR, first}, {leastR, last}, {largestR, last}, {largestR, first}}};
-  return {part, RoundedSection(corners, 0.0)};
+  return {part, RoundedPolygon(corners, 0.0)};
 }
 
 // The centre of a dead centre: 60°.
@@ -25,12 +25,12 @@ LatheSolid centreOf(double tip) {
   const double back = tip + kRadius / std::tan(M_PI / 6.0);
   const std::array<ProfilePoint, 5> corners{
       {{0.0, tip}, {kRadius, back}, {-kRadius, back}, {kRadius, back + kShank}, {-kRadius, back + kShank}}};
-  return {LathePart::Fitting, RoundedSection(corners, 0.0)};
+  return {LathePart::Fitting, RoundedPolygon(corners, 0.0)};
 }
 
-double lastOf(const std::vector<RoundedSection>& sections) {
+double lastOf(const std::vector<RoundedPolygon>& sections) {
   double last = 0.0;
-  for (const RoundedSection& section : sections) {
+  for (const RoundedPolygon& section : sections) {
     for (const ProfilePoint& p : section.corners()) last = std::max(last, p.y() + section.radius());
   }
   return last;
@@ -93,9 +93,9 @@ std::vector<LatheSolid> tailstockSolids(const LatheTailstock& tailstock, double 
   if (!tailstock.isUsed()) return solids;
   double quill = quillTip + kCentre;
   if (tailstock.fitting == LatheFitting::Drill && drill) {
-    for (const RoundedSection& section : drill->cutting)
+    for (const RoundedPolygon& section : drill->cutting)
       solids.push_back({LathePart::CuttingEdge, section.moved({0.0, quillTip})});
-    for (const RoundedSection& section : drill->holder)
+    for (const RoundedPolygon& section : drill->holder)
       solids.push_back({LathePart::Fitting, section.moved({0.0, quillTip})});
     quill = quillTip + lastOf(drill->holder);
   } else {
@@ -110,8 +110,8 @@ std::vector<LatheSolid> tailstockSolids(const LatheTailstock& tailstock, double 
 
 std::vector<LatheSolid> toolSolids(const LatheTool& tool) {
   std::vector<LatheSolid> solids;
-  for (const RoundedSection& section : tool.cutting) solids.push_back({LathePart::CuttingEdge, section});
-  for (const RoundedSection& section : tool.holder) solids.push_back({LathePart::Holder, section});
+  for (const RoundedPolygon& section : tool.cutting) solids.push_back({LathePart::CuttingEdge, section});
+  for (const RoundedPolygon& section : tool.holder) solids.push_back({LathePart::Holder, section});
   if (isHeldByHand(tool.kind) || tool.kind == LatheToolKind::Drill) return solids;
   if (tool.side == TurningSide::Bore) {
     const double back = lastOf(tool.holder);
@@ -126,7 +126,7 @@ std::vector<LatheSolid> toolSolids(const LatheTool& tool) {
 std::optional<LatheCollision> contactBetween(const std::vector<LatheSolid>& moved, const ProfilePoint& at,
                                              const std::vector<LatheSolid>& others) {
   for (const LatheSolid& solid : moved) {
-    const RoundedSection here = solid.section.moved(at);
+    const RoundedPolygon here = solid.section.moved(at);
     for (const LatheSolid& other : others) {
       if (distanceBetween(here, other.section) > 0.0) continue;
       LatheCollision collision;

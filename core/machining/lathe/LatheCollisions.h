@@ -41,7 +41,7 @@ struct LatheCollision {
 // A part of a lathe with its section.
 struct LatheSolid {
   LathePart part = LathePart::Chuck;
-  RoundedSection section;
+  RoundedPolygon section;
 };
 
 // The largest outer, or least inner, radius of a part between the jaws, mm.

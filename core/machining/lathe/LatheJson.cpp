@@ -173,9 +173,9 @@ void takeFields(const json& object, Value& value) {
   visitFields(value, LatheFieldReader(object));
 }
 
-json sectionsJson(const std::vector<RoundedSection>& sections) {
+json sectionsJson(const std::vector<RoundedPolygon>& sections) {
   json list = json::array();
-  for (const RoundedSection& section : sections) {
+  for (const RoundedPolygon& section : sections) {
     json corners = json::array();
     for (const ProfilePoint& p : section.corners()) corners.push_back({p.x(), p.y()});
     list.push_back({{kCornersKey, std::move(corners)}, {kRadiusKey, section.radius()}});
@@ -183,13 +183,13 @@ json sectionsJson(const std::vector<RoundedSection>& sections) {
   return list;
 }
 
-Status takeSections(const json& list, const std::string& tool, std::vector<RoundedSection>& sections) {
+Status takeSections(const json& list, const std::string& tool, std::vector<RoundedPolygon>& sections) {
   if (!list.is_array() || list.size() > LatheTool::kMostSections) return wrong(tool, "too many sections, or no list");
   for (const json& entry : list) {
     const json& corners = memberOf(entry, kCornersKey);
     std::vector<ProfilePoint> points;
     const double nan = std::nan("");
-    for (std::size_t i = 0; corners.is_array() && i < std::min(corners.size(), RoundedSection::kMostCorners + 1); ++i) {
+    for (std::size_t i = 0; corners.is_array() && i < std::min(corners.size(), RoundedPolygon::kMostCorners + 1); ++i) {
       points.emplace_back(nan, nan);
       LatheFieldReader{json{{kCornersKey, corners[i]}}}(kCornersKey, points.back());
     }
@@ -198,7 +198,7 @@ Status takeSections(const json& list, const std::string& tool, std::vector<Round
     const bool isNear = std::all_of(points.begin(), points.end(), [](const ProfilePoint& p) {
       return std::abs(p.x()) <= kLargestPlace && std::abs(p.y()) <= kLargestPlace;
     });
-    if (!isNear || !(radius <= kLargestPlace) || !RoundedSection::isSound(points, radius))
+    if (!isNear || !(radius <= kLargestPlace) || !RoundedPolygon::isSound(points, radius))
       return wrong(tool, "a section has no corners, too many, or impossible ones");
     sections.emplace_back(points, radius);
   }

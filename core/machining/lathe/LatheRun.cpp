@@ -202,8 +202,8 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
   }
   step.thread = tried.thread;
   if (step.thread) {
-    const ThreadsInWork::Place place{step.to, -2.0 * M_PI * m_machine.state().turns};
-    const ThreadsInWork::Cut groove = m_threads.cut(m_profile, tool, *step.thread, step.from.y(), place);
+    const ThreadsBeingCut::Place place{step.to, -2.0 * M_PI * m_machine.state().turns};
+    const ThreadsBeingCut::Cut groove = m_threads.cut(m_profile, tool, *step.thread, step.from.y(), place);
     step.cut = groove.removed;
     step.edge = groove.edge;
   } else if (!tried.takesNothing) {

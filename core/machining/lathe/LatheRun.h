@@ -7,7 +7,7 @@
 #include "machining/lathe/LatheCollisions.h"
 #include "machining/lathe/LatheMaterial.h"
 #include "machining/lathe/LatheWarnings.h"
-#include "machining/lathe/ThreadsInWork.h"
+#include "machining/lathe/ThreadsBeingCut.h"
 
 #include <span>
 
@@ -15,7 +15,7 @@ namespace handwheel {
 
 // What happened in one step of a lathe.
 struct LatheStep {
-  SectionCut cut;                             // what left; of a thread beyond the groove that was there
+  RemovedMaterial cut;                        // what left; of a thread beyond the groove that was there
   double edge = 0.0;                          // mm, of a thread: of the edge that cut
   std::shared_ptr<const LatheTool> tool;      // that moved; null: none was in use
   ProfilePoint from{0.0, 0.0}, to{0.0, 0.0};  // mm: where its tip went, as far as it cut, (r, z)
@@ -92,7 +92,7 @@ class LatheRun {
   LatheTools m_tools;
   std::vector<std::vector<LatheSolid>> m_solids;  // of m_tools
   TurnedProfile m_profile;
-  ThreadsInWork m_threads;
+  ThreadsBeingCut m_threads;
   bool m_isInThread = false;  // the tool stands in the groove that it has cut last
   double m_gripped = 0.0;
   double m_within = 0.0;  // mm: no material is further from the axis

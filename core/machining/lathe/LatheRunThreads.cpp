@@ -17,7 +17,7 @@ void LatheRun::meetThreads(Try& tried) const {
   const LatheState& state = m_machine.state();
   const bool isAtRest = std::abs(state.speed) < kAtRest;
   if (tried.thread || isAtRest) {
-    const ThreadsInWork::Place place{tried.to, -2.0 * M_PI * state.turns};
+    const ThreadsBeingCut::Place place{tried.to, -2.0 * M_PI * state.turns};
     const ThreadChip chip = m_threads.chipAt(m_profile, *tried.tool, place, isAtRest ? &tried.from : nullptr);
     tried.cut.depth = std::min(tried.cut.depth, chip.depth);
     const double inward = tried.from.x() - tried.to.x(), depth = tried.cut.depth;

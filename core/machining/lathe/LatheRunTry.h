@@ -11,7 +11,7 @@ struct LatheRun::Try {
   LatheMotion motion;
   std::shared_ptr<const LatheTool> tool;  // that moved; of the post, or the drill in the quill
   ProfilePoint from{0.0, 0.0}, to{0.0, 0.0};
-  SectionCut cut;
+  RemovedMaterial cut;
   double pushed = 0.0;     // mm: as cut.depth, but only so far as a hand or the power traverse pushes the tool in
   bool isQuill = false;    // the quill moved
   bool isIndexed = false;  // another tool of the post

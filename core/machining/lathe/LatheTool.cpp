@@ -71,7 +71,7 @@ ProfilePoint LatheTool::passiveWay(const ProfilePoint& way) const {
 
 double LatheTool::width() const {
   double least = 0.0, largest = 0.0;
-  for (const RoundedSection& section : cutting) {
+  for (const RoundedPolygon& section : cutting) {
     for (const ProfilePoint& p : section.corners()) {
       least = std::min(least, p.y() - section.radius());
       largest = std::max(largest, p.y() + section.radius());
@@ -82,7 +82,7 @@ double LatheTool::width() const {
 
 double LatheTool::reach() const {
   double largest = 0.0;
-  for (const RoundedSection& section : cutting) {
+  for (const RoundedPolygon& section : cutting) {
     for (const ProfilePoint& p : section.corners()) largest = std::max(largest, p.x() + section.radius());
   }
   return largest;
@@ -93,19 +93,19 @@ std::shared_ptr<const LatheTool> toolNamed(const LatheTools& tools, std::string_
   return found == tools.end() ? nullptr : *found;
 }
 
-SectionCut cutWithTool(TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
-                       const ProfilePoint& to) {
-  SectionCut cut;
-  for (const RoundedSection& section : tool.cutting)
+RemovedMaterial cutWithTool(TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
+                            const ProfilePoint& to) {
+  RemovedMaterial cut;
+  for (const RoundedPolygon& section : tool.cutting)
     cut.add(cutSection(profile, SectionSweep(section, from, to), tool.side));
   return cut;
 }
 
 // Where sections of a tool overlap, what leaves is counted for each of them.
-SectionCut previewCut(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
-                      const ProfilePoint& to) {
-  SectionCut cut;
-  for (const RoundedSection& section : tool.cutting)
+RemovedMaterial previewCut(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
+                           const ProfilePoint& to) {
+  RemovedMaterial cut;
+  for (const RoundedPolygon& section : tool.cutting)
     cut.add(previewCut(profile, SectionSweep(section, from, to), tool.side));
   return cut;
 }
@@ -113,7 +113,7 @@ SectionCut previewCut(const TurnedProfile& profile, const LatheTool& tool, const
 std::size_t samplesUnderTool(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
                              const ProfilePoint& to) {
   std::size_t sum = 0;
-  for (const RoundedSection& section : tool.cutting) {
+  for (const RoundedPolygon& section : tool.cutting) {
     const SectionSweep sweep(section, from, to);
     if (!sweep.empty()) sum += samplesWithin(profile, sweep.first(), sweep.last()).size();
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "machining/lathe/SectionCut.h"
+#include "machining/lathe/RemovedMaterial.h"
 
 #include <memory>
 #include <optional>
@@ -53,8 +53,8 @@ struct LatheTool {
   // What file, paper and grinding disk take off in a turn of the part at most, mm; 0: as deep as it is moved.
   double depthPerTurn = 0.0;
   double leastRoughness = 0.0;  // µm Ra: that no number of passes falls below
-  std::vector<RoundedSection> cutting;
-  std::vector<RoundedSection> holder;
+  std::vector<RoundedPolygon> cutting;
+  std::vector<RoundedPolygon> holder;
 
   bool isAbrasive() const { return depthPerTurn > 0.0; }
   // From the tip to the centre of the nose, mm.
@@ -76,9 +76,10 @@ using LatheTools = std::vector<std::shared_ptr<const LatheTool>>;
 std::shared_ptr<const LatheTool> toolNamed(const LatheTools& tools, std::string_view id);
 
 // What a tool removes with its tip moving straight from one place to another. Places that are not finite: nothing.
-SectionCut cutWithTool(TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from, const ProfilePoint& to);
-SectionCut previewCut(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
-                      const ProfilePoint& to);
+RemovedMaterial cutWithTool(TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
+                            const ProfilePoint& to);
+RemovedMaterial previewCut(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
+                           const ProfilePoint& to);
 
 // The samples that such a cut visits, those of all sections together.
 std::size_t samplesUnderTool(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/refit/Refit.h"
 
-#include "machining/refit/ArcNet.h"
+#include "machining/refit/ArcNurbs.h"
 #include "machining/target/CornerFit.h"
 #include "machining/target/CurveFit.h"
 
@@ -155,7 +155,7 @@ Result<ProfileCurve> curveOf(const std::vector<Side>& sides, bool isClosed, doub
     s.from.y() += base;
     s.to.y() += base;
   }
-  return ProfileCurve::make(netOf(segments));
+  return ProfileCurve::make(nurbsOf(segments));
 }
 
 }  // namespace

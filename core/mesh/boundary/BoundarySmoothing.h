@@ -25,7 +25,7 @@ struct VertexMove {
   Vec3 to = Vec3::Zero();
 };
 
-// The result of smoothBoundary().
+// The moves that smooth a boundary loop.
 struct SmoothedBoundary {
   std::vector<VertexMove> moves;  // of the loop's vertices, those that move
   std::size_t held = 0;           // vertices held back so that no face flips and nothing is torn apart

@@ -22,8 +22,8 @@ class Welding {
   Welding(const FaceLocator& near, std::vector<Shift> shifts)
       : m_near(near), m_mesh(near.mesh()), m_shifts(std::move(shifts)) {}
 
-  Weld run() {
-    Weld weld;
+  BoundaryWeld run() {
+    BoundaryWeld weld;
     for (const auto step : {&Welding::move, &Welding::checkCrossings, &Welding::pair}) {
       weld.problem = (this->*step)();
       if (weld.problem != JoinProblem::None) return weld;
@@ -125,8 +125,8 @@ class Welding {
 };
 
 // A boundary edge shrinks to the place of one of its ends.
-Weld collapsed(const FaceLocator& near, HalfEdge h, Shift shift) {
-  Weld weld;
+BoundaryWeld collapsed(const FaceLocator& near, HalfEdge h, Shift shift) {
+  BoundaryWeld weld;
   const HalfEdgeMesh& mesh = near.mesh();
   const Vec3 &from = mesh.position(shift.from), &onto = mesh.position(shift.onto);
   if (!canCollapse(mesh, h)) weld.problem = JoinProblem::NonManifoldEdge;
@@ -156,10 +156,10 @@ Weld collapsed(const FaceLocator& near, HalfEdge h, Shift shift) {
 
 }  // namespace
 
-Weld weldBoundary(const FaceLocator& near, const BoundaryPair& ends) {
+BoundaryWeld weldBoundary(const FaceLocator& near, const BoundaryPair& ends) {
   const HalfEdgeMesh& mesh = near.mesh();
   const Vertex v = mesh.from(ends.a), w = mesh.from(ends.b);
-  Weld weld;
+  BoundaryWeld weld;
   weld.problem = JoinProblem::SamePoint;
   if (mesh.position(v) == mesh.position(w)) return weld;
   if (mesh.to(ends.a) == w) return collapsed(near, ends.a, {v, w});
@@ -172,7 +172,7 @@ Weld weldBoundary(const FaceLocator& near, const BoundaryPair& ends) {
   for (const Shift& neighbour : along) {
     std::vector<Shift> shifts = {{v, w}};
     if (neighbour.from != neighbour.onto) shifts.push_back(neighbour);
-    Weld tried = Welding(near, shifts).run();
+    BoundaryWeld tried = Welding(near, shifts).run();
     if (tried.problem == JoinProblem::None) return tried;
     if (weld.problem == JoinProblem::SamePoint) weld = std::move(tried);
   }

@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The result of weldBoundary().
-struct Weld {
+// A mesh with two boundary points merged, or why they cannot be.
+struct BoundaryWeld {
   JoinProblem problem = JoinProblem::None;
   HalfEdgeMesh mesh;          // with the weld, when there is no problem
   std::vector<Face> changed;  // faces that move, including a removed one
@@ -20,6 +20,6 @@ struct Weld {
 // merged by collapsing their edge; for points two edges apart, the two edges are merged. Other points would only touch,
 // so the nearer one of their neighbours moves along and the two edges become one. Faces that do not move stay as they
 // are. near: of this very mesh.
-Weld weldBoundary(const FaceLocator& near, const BoundaryPair& ends);
+BoundaryWeld weldBoundary(const FaceLocator& near, const BoundaryPair& ends);
 
 }  // namespace handwheel

@@ -21,7 +21,7 @@ HalfEdge previousOpen(const HalfEdgeMesh& mesh, HalfEdge h);
 // points and around their neighbours on the border.
 Box reachOf(const HalfEdgeMesh& mesh, const BoundaryPair& ends);
 
-// The result of findBridge().
+// Triangles that bridge a hole, or why there are none.
 struct Bridge {
   JoinProblem problem = JoinProblem::None;
   std::vector<Triangle> triangles;  // two; one where the points are two edges apart

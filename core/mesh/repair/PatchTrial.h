@@ -16,7 +16,7 @@ struct PatchAtLoop {
   const Patch* patch;
 };
 
-// The result of tryPatches().
+// Patches put into a part of a mesh, with a verdict on them.
 struct PatchTrial {
   bool isOutside = false;  // the part does not hold the loops as they are
   bool isSound = false;

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A mesh without what of it is in any of these boxes, for the display. Faces that reach into one are replaced by
+// A mesh with what lies inside some boxes cut away, for the display. Faces that reach into one are replaced by
 // pieces, which have vertices and numbers of their own and no neighbours; the others keep their numbers. Boxes do not
 // overlap but at their sides. O(log n) for each box beside the faces that meet it.
 PreviewMesh clippedMesh(const FaceHierarchy& faces, std::span<const Box> boxes);

@@ -30,29 +30,29 @@ ErrorTracker::ErrorTracker(const HalfEdgeMesh& original, double error, int densi
     length += (t[1] - t[0]).norm() + (t[2] - t[1]).norm() + (t[0] - t[2]).norm();
   }
   m_spacing = length / (3.0 * density * static_cast<double>(std::max<std::size_t>(faces.size(), 1)));
-  std::vector<bool> hangs(original.vertexSlots(), false);
+  std::vector<bool> isAssigned(original.vertexSlots(), false);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (!pollProgress(i, faces.size(), progress.part(0.8, 1.0))) return;
     for (const Vertex v : original.triangle(faces[i])) {
-      if (!hangs[v]) hang(faces[i], original.position(v));
-      hangs[v] = true;
+      if (!isAssigned[v]) assign(faces[i], original.position(v));
+      isAssigned[v] = true;
     }
-    hangInner(faces[i], original.points(faces[i]));
+    assignInner(faces[i], original.points(faces[i]));
   }
 }
 
-void ErrorTracker::hang(Face f, const Vec3& p) {
+void ErrorTracker::assign(Face f, const Vec3& p) {
   m_next.push_back(std::exchange(m_head[f], static_cast<std::uint32_t>(m_points.size())));
   m_points.push_back(p);
 }
 
 // The middle; where a face is longer than others, points on it that are as dense as the vertices elsewhere.
-void ErrorTracker::hangInner(Face f, const TrianglePoints& t) {
+void ErrorTracker::assignInner(Face f, const TrianglePoints& t) {
   const int steps = static_cast<int>(std::min(kMostEdgeSteps, std::ceil(longestEdge(t) / m_spacing)));
-  if (steps <= 2) return hang(f, (t[0] + t[1] + t[2]) / 3.0);
+  if (steps <= 2) return assign(f, (t[0] + t[1] + t[2]) / 3.0);
   for (int i = 0; i < steps; ++i) {
     for (int j = 0; j < steps - i; ++j) {
-      hang(f, t[0] + (i + 0.5) / steps * (t[1] - t[0]) + double(j) / steps * (t[2] - t[0]));
+      assign(f, t[0] + (i + 0.5) / steps * (t[1] - t[0]) + double(j) / steps * (t[2] - t[0]));
     }
   }
 }
@@ -68,7 +68,7 @@ bool ErrorTracker::isNear(const TrianglePoints& t) const {
   return true;
 }
 
-bool ErrorTracker::hangsNear(std::uint32_t point, std::span<const TrianglePoints> replacements) {
+bool ErrorTracker::isAssignedNear(std::uint32_t point, std::span<const TrianglePoints> replacements) {
   double least = m_error * m_error;
   std::uint32_t best = kNone;
   for (std::uint32_t i = 0; i < replacements.size(); ++i) {
@@ -89,7 +89,7 @@ bool ErrorTracker::allows(std::span<const Face> old, std::span<const TrianglePoi
   for (const TrianglePoints& t : replacements) m_boxes.push_back(boxOf(t));
   for (const Face f : old) {
     for (std::uint32_t point = m_head[f], last = kNone; point != kNone; last = std::exchange(point, m_next[point])) {
-      if (hangsNear(point, replacements)) continue;
+      if (isAssignedNear(point, replacements)) continue;
       // It comes first from now on: it is likely to be too far from the next replacements, too.
       if (last != kNone) m_next[last] = std::exchange(m_next[point], std::exchange(m_head[f], point));
       return false;
@@ -100,7 +100,7 @@ bool ErrorTracker::allows(std::span<const Face> old, std::span<const TrianglePoi
 
 void ErrorTracker::replace(std::span<const Face> old, std::span<const Face> by) {
   for (const Face f : old) m_head[f] = kNone;
-  for (const Hanging& move : m_moves) m_next[move.point] = std::exchange(m_head[by[move.replacement]], move.point);
+  for (const Assigned& move : m_moves) m_next[move.point] = std::exchange(m_head[by[move.replacement]], move.point);
 }
 
 }  // namespace handwheel

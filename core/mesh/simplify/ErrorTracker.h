@@ -28,10 +28,10 @@ class ErrorTracker {
   void replace(std::span<const Face> old, std::span<const Face> by);
 
  private:
-  void hang(Face f, const Vec3& p);
-  void hangInner(Face f, const TrianglePoints& t);
+  void assign(Face f, const Vec3& p);
+  void assignInner(Face f, const TrianglePoints& t);
   bool isNear(const TrianglePoints& t) const;
-  bool hangsNear(std::uint32_t point, std::span<const TrianglePoints> replacements);
+  bool isAssignedNear(std::uint32_t point, std::span<const TrianglePoints> replacements);
 
   SurfaceDistance m_original;
   double m_error;
@@ -40,12 +40,12 @@ class ErrorTracker {
   std::vector<std::uint32_t> m_head;  // per face: the first point assigned to it
   std::vector<std::uint32_t> m_next;  // per point
 
-  struct Hanging {
+  struct Assigned {
     std::uint32_t point;
     std::uint32_t replacement;
   };
-  std::vector<Hanging> m_moves;  // of the last allows()
-  std::vector<Box> m_boxes;      // of its replacements
+  std::vector<Assigned> m_moves;  // of the last allows()
+  std::vector<Box> m_boxes;       // of its replacements
 };
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The result of pairEdges().
+// Which half-edges pairEdges() has joined.
 struct PairedEdges {
   std::vector<std::uint32_t> opposite;  // per half-edge: the paired one, or a value of Open
   std::size_t nonManifoldEdges = 0;

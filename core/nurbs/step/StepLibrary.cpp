@@ -108,7 +108,7 @@ struct Knots {
 };
 
 Handle(Geom_BSplineSurface) mantleOf(const ProfileCurve& piece) {
-  const SurfaceNet net = SurfaceOfRevolution(piece).net();
+  const SurfaceNurbs net = SurfaceOfRevolution(piece).net();
   const int columns = static_cast<int>(net.poles.size()), rows = static_cast<int>(net.poles[0].size());
   TColgp_Array2OfPnt poles(1, columns, 1, rows);
   TColStd_Array2OfReal weights(1, columns, 1, rows);
@@ -143,7 +143,7 @@ TopoDS_Face discOf(const ProfilePoint& rim) {
 }
 
 // A straight line of higher degree as what it is, so that its surface has two rows of poles.
-ProfileNet withoutExcess(ProfileNet piece) {
+ProfileNurbs withoutExcess(ProfileNurbs piece) {
   const bool isLine = piece.degree == 2 && piece.poles.size() == 3 && piece.weights[0] == piece.weights[1] &&
                       piece.weights[1] == piece.weights[2] &&
                       piece.poles[1] == ProfilePoint(0.5 * (piece.poles[0] + piece.poles[2]));
@@ -155,14 +155,14 @@ ProfileNet withoutExcess(ProfileNet piece) {
 // The profile cut where it may have corners: other programs do not expect them within a surface. Pieces without extent
 // or on the axis are left out.
 std::vector<ProfileCurve> smoothPieces(const ProfileCurve& profile) {
-  const ProfileNet& net = profile.net();
+  const ProfileNurbs& net = profile.net();
   const auto degree = static_cast<std::size_t>(net.degree);
   std::vector<ProfileCurve> pieces;
   std::size_t first = 0;
   for (std::size_t i = 1; i < net.poles.size(); ++i) {
     const bool isEnd = i + 1 == net.poles.size();
     if (!isEnd && net.knots[i + 1] != net.knots[i + degree]) continue;
-    ProfileNet piece;
+    ProfileNurbs piece;
     piece.degree = net.degree;
     piece.poles.assign(net.poles.begin() + first, net.poles.begin() + i + 1);
     piece.weights.assign(net.weights.begin() + first, net.weights.begin() + i + 1);

@@ -34,7 +34,7 @@ class OmplRun {
   OmplRun(const RobotScene& scene, const PlanSettings& settings, Progress progress, PlanResult& result)
       : m_scene(scene), m_settings(settings), m_progress(progress), m_result(result) {}
 
-  // Slides count in metres, so that they weigh about what hinges do.
+  // Slides count in metres, so that they weigh about what revolute joints do.
   double scaleOf(Eigen::Index i) const { return m_scene.joint(i).isPrismatic ? 1e-3 : 1.0; }
 
   ArmValues valuesOf(const ob::State* state) const {

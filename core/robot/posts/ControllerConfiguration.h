@@ -18,7 +18,7 @@ struct ControllerConfiguration {
   bool isFlipped = false;    // the fifth joint is below 0
 };
 
-// Six hinges.
+// Six revolute joints.
 ControllerConfiguration controllerConfigurationOf(const SerialArm& arm, const ArmValues& values);
 
 // The closed form of an arm whose ways such a configuration tells apart, which is one with a spherical wrist. None: it

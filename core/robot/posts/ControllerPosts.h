@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Base class of the posts of controllers that move arms with six hinges.
+// Base class of the posts of controllers that move arms with six revolute joints.
 class ControllerPost : public PostProcessor {
  public:
   std::vector<Error> refusals(const RobotProgram& program) const override;
@@ -24,7 +24,7 @@ class RapidPost : public ControllerPost {
   const char* maker() const override { return "ABB"; }
   double fastestLine() const override { return 7'000.0; }  // v7000 is the fastest that is predefined
   std::string write(const RobotProgram& program) const override;
-  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
+  Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
 
 // KUKA: PTP by joints, LIN by X, Y, Z, A, B, C. What KRL does between PTP motions is given in percent, not in mm: those
@@ -37,7 +37,7 @@ class KrlPost : public ControllerPost {
   const char* maker() const override { return "KUKA"; }
   double fastestLine() const override { return 3'000.0; }  // $VEL_MA.CP as delivered
   std::string write(const RobotProgram& program) const override;
-  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
+  Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
 
 // Fanuc: J by joints, with the third as this maker counts it (less the second), L by X, Y, Z, W, P, R in the world
@@ -51,7 +51,7 @@ class FanucPost : public ControllerPost {
   const char* maker() const override { return "Fanuc"; }
   double fastestLine() const override { return 2'000.0; }  // of an instruction of lines
   std::string write(const RobotProgram& program) const override;
-  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
+  Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
 
 // Universal Robots: movej and movel by joints; metres and radians. ROS turns the base of these robots by 180° against
@@ -65,7 +65,7 @@ class UrScriptPost : public ControllerPost {
   const char* maker() const override { return "Universal Robots"; }
   double fastestLine() const override { return 5'000.0; }  // of the safety settings
   std::string write(const RobotProgram& program) const override;
-  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
+  Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
 
 // Tables of joints and poses for other programs: any arm.

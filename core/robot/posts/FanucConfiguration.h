@@ -21,7 +21,7 @@ struct FanucConfiguration {
   std::string text() const;  // "N U T, 0, 0, 0"
 };
 
-// Six hinges.
+// Six revolute joints.
 FanucConfiguration fanucConfigurationOf(const SerialArm& arm, const ArmValues& values);
 
 // Of a place with "CONFIG : 'N U T, 0, 0, 0'". None: it has no such text, or another one.

@@ -197,8 +197,8 @@ class FanucReading {
   }
 
   // With the places that they lead to.
-  Result<std::vector<ReadMotion>> motions() {
-    std::vector<ReadMotion> all;
+  Result<std::vector<ParsedMotion>> motions() {
+    std::vector<ParsedMotion> all;
     std::optional<double> tool;
     ArmValues reference = ArmValues::Zero(m_program.arm.size());  // where the joints are, as far as the program says
     for (auto& [number, motion] : m_motions) {
@@ -242,7 +242,7 @@ class FanucReading {
  private:
   // Of a joint motion to a pose the joint values that its CONFIG names, if it names any. A line goes on in the way in
   // which it begins. False: no way of the robot has them.
-  bool takeConfiguration(std::size_t place, const ArmValues& reference, ReadMotion& motion) const {
+  bool takeConfiguration(std::size_t place, const ArmValues& reference, ParsedMotion& motion) const {
     const auto wanted = m_ways.find(place);
     if (wanted == m_ways.end() || !m_closed) {
       motion.isWayOpen = true;
@@ -254,7 +254,7 @@ class FanucReading {
     return motion.joints.has_value();
   }
 
-  void setFrame(const std::pair<const double, Pose>& frame, ReadMotion& motion) const {
+  void setFrame(const std::pair<const double, Pose>& frame, ParsedMotion& motion) const {
     const auto named = m_frameNames.find(frame.first);
     motion.frame = frame.second;
     motion.frameName = named != m_frameNames.end() ? named->second : "UFRAME_" + fixedText(frame.first, 0);
@@ -317,7 +317,8 @@ class FanucReading {
     const std::size_t number = placeNumber(line);
     if (number == 0) return line.malformed("target", "P[number] was expected");
     if (m_motions.size() >= PostProcessor::kMostMotions) return line.malformed("J", "there are too many motions");
-    ReadMotion motion{isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, statement.line};
+    ParsedMotion motion{
+        isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, statement.line};
     motion.name = readName(placeRemark(place));
     motion.speed = fanucSpeedFrom(line, isJoint);
     if (const Status options = readOptions(line, statement.line); !options) return options.error();
@@ -393,7 +394,7 @@ class FanucReading {
   std::map<std::size_t, FanucPlace> m_places;
   std::map<std::size_t, FanucConfiguration> m_ways;  // of places
   std::optional<ClosedFormIk> m_closed;
-  std::vector<std::pair<std::size_t, ReadMotion>> m_motions;  // by the numbers of their places
+  std::vector<std::pair<std::size_t, ParsedMotion>> m_motions;  // by the numbers of their places
   std::size_t m_open = 0;
   bool m_isInLines = true, m_isInPlaces = false, m_isOwnGroup = true;
 };
@@ -422,7 +423,7 @@ std::string FanucPost::write(const RobotProgram& program) const {
          places + "/END\n";
 }
 
-Result<std::vector<ReadMotion>> FanucPost::read(std::string_view text, const RobotProgram& frame) const {
+Result<std::vector<ParsedMotion>> FanucPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines =
       programLines(text, {});  // "!" begins remarks at the begin of lines only
   if (!lines) return lines.error();

@@ -171,7 +171,7 @@ class KrlReading {
         m_base(program.frame),
         m_tool(program.tool) {}
 
-  std::vector<ReadMotion> motions;
+  std::vector<ParsedMotion> motions;
   bool isOver() const { return m_isOver; }  // at the end of the first routine: calls of others are refused
 
   // What a remark calls the next base.
@@ -269,7 +269,7 @@ class KrlReading {
 
   Status readMotion(LineReader line, std::size_t number, bool isPtp) {
     if (motions.size() >= PostProcessor::kMostMotions) return line.malformed("PTP", "there are too many motions");
-    ReadMotion motion{isPtp ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, number};
+    ParsedMotion motion{isPtp ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, number};
     motion.speed = isPtp ? m_settings.share() : m_settings.lineSpeed;
     motion.frame = m_base;
     motion.frameName = m_baseName;
@@ -355,7 +355,7 @@ std::string KrlPost::write(const RobotProgram& program) const {
   return text + "END\n";
 }
 
-Result<std::vector<ReadMotion>> KrlPost::read(std::string_view text, const RobotProgram& frame) const {
+Result<std::vector<ParsedMotion>> KrlPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, ";");
   if (!lines) return lines.error();
   const Result<std::vector<std::string_view>> whole = programLines(text, {});

@@ -21,7 +21,7 @@ struct KrlStatus {
   std::string text() const;  // "S 'B010',T 'B000010'"
 };
 
-// Six hinges.
+// Six revolute joints.
 KrlStatus krlStatusOf(const SerialArm& arm, const ArmValues& values);
 
 // The joint values with these S and T, within the limits, that bring the tip of the arm there; the nearest to the

@@ -108,7 +108,7 @@ bool isSameSpeed(ProgramMotion::Kind kind, double wanted, double got) {
   return std::abs(wanted - got) <= 0.501 * step || (wanted <= step && got <= step);
 }
 
-std::optional<Error> differenceOf(const ProgramMotion& wanted, const ReadMotion& got, std::size_t number) {
+std::optional<Error> differenceOf(const ProgramMotion& wanted, const ParsedMotion& got, std::size_t number) {
   const auto differs = [&](const char* what, const std::string& was, const std::string& is) {
     return Error{PostError::MotionDiffers, {std::to_string(number), what, was, is}, {}, {}};
   };
@@ -132,7 +132,7 @@ void compare(const Pose& wanted, const Pose& got, PostCheck& check) {
 }  // namespace
 
 Result<PostCheck> checkWritten(const PostProcessor& post, const RobotProgram& program, std::string_view text) {
-  const Result<std::vector<ReadMotion>> read = post.read(text, program);
+  const Result<std::vector<ParsedMotion>> read = post.read(text, program);
   if (!read) return read.error();
   PostCheck check;
   check.motions = read->size();
@@ -143,7 +143,7 @@ Result<PostCheck> checkWritten(const PostProcessor& post, const RobotProgram& pr
                  {}};
   }
   for (std::size_t i = 0; i < read->size(); ++i) {
-    const ReadMotion& motion = (*read)[i];
+    const ParsedMotion& motion = (*read)[i];
     if (const auto difference = differenceOf(program.motions[i], motion, i + 1)) return *difference;
     const Pose wanted = program.frame.inverse(Eigen::Isometry) * program.tipOf(program.motions[i]);
     const Pose got =

@@ -15,7 +15,7 @@
 namespace handwheel {
 
 // A motion as it was read from a program. Its end is given by joint values, or by a pose of the tool's centre point.
-struct ReadMotion {
+struct ParsedMotion {
   ProgramMotion::Kind kind = ProgramMotion::Kind::Joint;
   std::optional<ArmValues> joints = {};  // rad; as the model of the arm counts
   std::optional<Pose> pose = {};         // in the program's frame
@@ -59,7 +59,7 @@ class PostProcessor {
   virtual std::string write(const RobotProgram& program) const = 0;
   // The motions of a program in this language; what is not understood of it and may move the robot is an error with its
   // line. arm: of the program that it is for. Errors: ElementMalformed, Unsupported, FileTooLarge.
-  virtual Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const = 0;
+  virtual Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const = 0;
 };
 
 // All posts, those of plugins last, in the order in which they are offered.

@@ -22,7 +22,7 @@ struct RapidConfiguration {
   bool operator==(const RapidConfiguration&) const = default;
 };
 
-// Six hinges.
+// Six revolute joints.
 RapidConfiguration rapidConfigurationOf(const SerialArm& arm, const ArmValues& values);
 
 // Whether joint values that were computed from a pose of a file are of this configuration, as far as its rounding lets

@@ -105,7 +105,7 @@ class RapidReading {
     if (!word.empty() && !isKnown && isAssignment(line)) return Done{};
     return unread(statement.text, statement.line);
   }
-  std::vector<ReadMotion> motions;
+  std::vector<ParsedMotion> motions;
 
  private:
   using Numbers = std::vector<double>;
@@ -225,7 +225,7 @@ class RapidReading {
     const auto read = target(line, wantsJoints);
     if (!read) return read.error();
     const auto& [numbers, isJoints] = *read;
-    ReadMotion motion{kind, {}, {}, 0.0, number};
+    ParsedMotion motion{kind, {}, {}, 0.0, number};
     motion.name = m_placeName;
     if (numbers.size() < (isJoints ? m_joints : 7)) return line.malformed("target", "it has too few numbers");
     if (isJoints)
@@ -270,7 +270,7 @@ class RapidReading {
 
   // Of a joint motion to a robtarget the joint values that its confdata name, if they name any and count. A line goes
   // on in the way in which it begins, and has to end in that of its confdata. False: no way of the robot has them.
-  bool takeConfiguration(const Numbers& robtarget, ReadMotion& motion) const {
+  bool takeConfiguration(const Numbers& robtarget, ParsedMotion& motion) const {
     const auto wanted = configurationOf(robtarget);
     if (motion.kind == ProgramMotion::Kind::Linear) {
       if (m_isLineWayGiven) motion.endsIn = wanted;
@@ -329,7 +329,7 @@ class RapidReading {
   }
 
   // "v100", "[100,500,5000,1000]", a name of the file; "v100\V:=50". vmax is the largest of the joints.
-  void setSpeed(std::string_view text, ReadMotion& motion) const {
+  void setSpeed(std::string_view text, ParsedMotion& motion) const {
     LineReader line(text, 0);
     std::optional<double> speed;
     if (const auto numbers = line.numbersWithin('[', ']', 20); numbers && !numbers->empty()) {
@@ -389,7 +389,7 @@ class RapidReading {
 
 }  // namespace
 
-Result<std::vector<ReadMotion>> RapidPost::read(std::string_view text, const RobotProgram& frame) const {
+Result<std::vector<ParsedMotion>> RapidPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, "!");
   if (!lines) return lines.error();
   const RapidStatements statements(*lines);

@@ -94,11 +94,11 @@ class CsvPost : public PostProcessor {
     return text;
   }
 
-  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override {
+  Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override {
     const Result<std::vector<std::string_view>> lines = programLines(text, "#");
     if (!lines) return lines.error();
     const CsvFrame inFrame = csvFrame(*programLines(text, {}));
-    std::vector<ReadMotion> motions;
+    std::vector<ParsedMotion> motions;
     for (std::size_t i = 1; i < lines->size(); ++i) {  // after the heading
       LineReader line((*lines)[i], i + 1);
       line.skipSpace();
@@ -107,7 +107,7 @@ class CsvPost : public PostProcessor {
       const bool hasNumber = line.number() && line.take(",");
       const std::string_view name = line.name();
       if (!hasNumber || !line.take(",")) return line.malformed("motion", "a number and a name were expected");
-      ReadMotion motion{.line = i + 1, .frame = inFrame.pose, .frameName = inFrame.name};
+      ParsedMotion motion{.line = i + 1, .frame = inFrame.pose, .frameName = inFrame.name};
       if (name != kCsvUnnamed) motion.name = readName(name);
       if (line.takeWord("linear"))
         motion.kind = ProgramMotion::Kind::Linear;
@@ -169,7 +169,7 @@ class JsonPost : public PostProcessor {
     return text + ",\n \"motions\": [" + motions + "\n ]\n}\n";
   }
 
-  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override {
+  Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override {
     if (const Status fits = checkTextSize(text); !fits) return fits.error();
     const Result<nlohmann::json> json = parseJson(text, "program");
     if (!json) return json.error();
@@ -181,11 +181,11 @@ class JsonPost : public PostProcessor {
       return wrong("a list was expected");
     const std::optional<Pose> inFrame = poseOfNumbers(numbersAt(*json, "frame", 7));
     const std::string name = readName(stringAt(*json, "frame_name"));
-    std::vector<ReadMotion> motions;
+    std::vector<ParsedMotion> motions;
     for (const nlohmann::json& each : *list) {
       const std::vector<double> q = numbersAt(each, "q", static_cast<std::size_t>(frame.arm.size()));
       if (static_cast<Eigen::Index>(q.size()) != frame.arm.size()) return wrong("a number for each joint was expected");
-      ReadMotion motion{.frame = inFrame, .frameName = name};
+      ParsedMotion motion{.frame = inFrame, .frameName = name};
       motion.name = readName(stringAt(each, "name"));
       motion.kind = stringAt(each, "kind") == "linear" ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
       motion.joints = Eigen::Map<const Eigen::VectorXd>(q.data(), frame.arm.size());

@@ -33,7 +33,7 @@ std::string urPose(const Pose& pose) {
   return "p[" + fixedList(numbers, 9) + "]";
 }
 
-// rad/s that any joint may turn by; hinges without a known velocity turn 180° a second.
+// rad/s that any joint may turn by; revolute joints without a known velocity turn 180° a second.
 double urFullSpeed(const RobotProgram& program) {
   double fastest = M_PI;
   for (const ArmJoint& joint : program.arm.joints()) fastest = std::min(fastest, joint.velocity.value_or(M_PI));
@@ -135,9 +135,9 @@ using UrFrames = std::map<std::string, Pose, std::less<>>;  // variables that a 
 constexpr std::string_view kUrFramePrefix = "frame_";  // of those of ours
 
 // movep(pose, a, v, r) has no time; the others are movej(q, a, v, t, r). A pose may be pose_trans(frame,p[…]).
-Result<ReadMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime,
-                            const UrFrames& frames) {
-  ReadMotion motion{kind, {}, {}, 0.0, number};
+Result<ParsedMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime,
+                              const UrFrames& frames) {
+  ParsedMotion motion{kind, {}, {}, 0.0, number};
   const std::string_view call = line.rest();
   if (!line.take("(")) return line.malformed("target", "numbers in brackets were expected");
   const bool isInFrame = line.takeWord("pose_trans");
@@ -225,7 +225,7 @@ class UrScriptReading {
  public:
   explicit UrScriptReading(const RobotProgram& program) : m_program(program), m_tool(program.tool) {}
 
-  std::vector<ReadMotion> motions;
+  std::vector<ParsedMotion> motions;
 
   Status read(const ProgramStatement& statement) {
     LineReader line(statement.text, statement.line);
@@ -265,7 +265,7 @@ class UrScriptReading {
 
   Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime) {
     if (motions.size() >= PostProcessor::kMostMotions) return line.malformed("movej", "there are too many motions");
-    Result<ReadMotion> motion = urTarget(line, number, kind, hasTime, m_frames);
+    Result<ParsedMotion> motion = urTarget(line, number, kind, hasTime, m_frames);
     if (!motion) return motion.error();
     if (motion->speed && kind == ProgramMotion::Kind::Joint)
       motion->speed = std::min(1.0, *motion->speed / urFullSpeed(m_program));
@@ -327,7 +327,7 @@ std::string UrScriptPost::write(const RobotProgram& program) const {
 }
 
 // Poses of URScript are in the controller's base, here as if that of the arm were this, and in the program's frame.
-Result<std::vector<ReadMotion>> UrScriptPost::read(std::string_view text, const RobotProgram& frame) const {
+Result<std::vector<ParsedMotion>> UrScriptPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, "#");
   if (!lines) return lines.error();
   const auto unrolled = urRoutines(statementsOf(*lines)).unrolled({}, [](std::string_view statement) {

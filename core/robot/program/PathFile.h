@@ -33,7 +33,7 @@ Result<JointValues> jointsFrom(const nlohmann::json& json, const RobotModel& rob
 
 // The values as paths take them: what printed digits put beyond a limit is brought back onto it, so that planning and
 // verification, which allow less, agree with what was read. Error where a value is beyond the limits of its joint, or a
-// hinge beyond kMostTurn: ValueOutOfRange {joint, value, least, largest; rad, mm}.
+// revolute joint beyond kMostTurn: ValueOutOfRange {joint, value, least, largest; rad, mm}.
 Result<JointValues> valuesWithinLimits(const RobotModel& robot, JointValues joints);
 
 }  // namespace handwheel

@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// Names the turning tool in recordings, with what cuts by the blank pass. “turn bore nose 0.8 poles 0.5”: a bore, a
-// nose of 0.8 mm, and control points each 0.5 mm.
+// The text in a recording that describes its turning tool. blank: a pass without places, of that tool. “turn bore nose
+// 0.8 poles 0.5”: a bore, a nose of 0.8 mm, and control points each 0.5 mm.
 std::string recordedTurning(const TurningPass& blank);
 
 // The passes of the turning tool in a recording of the window. There is one for each press of the first button while

@@ -140,7 +140,7 @@ ToolReply HandDrill::press(const PointerEvent& event) {
 
 ToolReply HandDrill::pointer(const PointerEvent& event) {
   m_gesture->rethrow();
-  const bool isOfDevice = event.device.has_value(), isOwn = m_gesture->isOnBy(isOfDevice);
+  const bool isOfDevice = event.device.has_value(), isOwn = m_gesture->isOnFrom(isOfDevice);
   switch (event.kind) {
     case PointerEvent::Kind::Press:
       return press(event);
@@ -178,7 +178,7 @@ ToolReply HandDrill::release() {
 }
 
 ToolReply HandDrill::perform(std::string_view action) {
-  if (action == "hold" && m_gesture->isOnBy(false)) {
+  if (action == "hold" && m_gesture->isOnFrom(false)) {
     m_isHeld = !m_isHeld;
     m_gesture->look([this](Simulation& drilling) { static_cast<DrillSimulation&>(drilling).holdFeed(m_isHeld); });
   } else if (action == "revert" && m_gesture->isOn()) {
@@ -205,7 +205,7 @@ const char* HandDrill::holdText() const {
 std::vector<ToolAction> HandDrill::actions() const {
   return {{"", QT_TRANSLATE_NOOP("ToolInput", "Hold"), holdText()},
           {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+hold"), QT_TRANSLATE_NOOP("Tool", "drill along the view")},
-          actionOf(kDrillKeys, "hold", m_gesture->isOnBy(false),
+          actionOf(kDrillKeys, "hold", m_gesture->isOnFrom(false),
                    m_isHeld ? QT_TRANSLATE_NOOP("Tool", "go on with the feed") : nullptr),
           actionOf(kDrillKeys, "revert", m_gesture->isOn())};
 }

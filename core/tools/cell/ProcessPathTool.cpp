@@ -8,7 +8,7 @@
 #include "document/scene/BodyDisplay.h"
 #include "planning/ToolTrack.h"
 #include "tools/cell/ProcessPathSettings.h"
-#include "tools/cell/path/OfferedClearance.h"
+#include "tools/cell/path/DefaultClearance.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -31,7 +31,7 @@ constexpr double kDrawnStep = 12.0;  // pixels between places of a curve that is
 
 ProcessPathTool::ProcessPathTool(const RobotCellDocument& document, ProcessPathServices services)
     : m_document(document), m_services(std::move(services)), m_values(processPathOperation()) {
-  m_values.setValid("clearance", offeredClearance(document.robot(), *document.plans(), m_values.number("standoff")));
+  m_values.setValid("clearance", defaultClearance(document.robot(), *document.plans(), m_values.number("standoff")));
 }
 
 std::span<const ToolKey> ProcessPathTool::keys() {

@@ -96,7 +96,7 @@ MeshChange joinChange(const BoundaryPair& ends) {
   return withStep({meshOperation("join").title,
                    [ends](HalfEdgeMesh& mesh, Progress) {
                      if (!areOpen(mesh, ends)) return;
-                     Weld weld = weldBoundary(FaceLocator(mesh, reachOf(mesh, ends)), ends);
+                     BoundaryWeld weld = weldBoundary(FaceLocator(mesh, reachOf(mesh, ends)), ends);
                      if (weld.problem == JoinProblem::None) mesh = std::move(weld.mesh);
                    },
                    kEdgeChanged},

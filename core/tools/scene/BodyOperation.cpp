@@ -44,16 +44,16 @@ Result<Body> primitiveFrom(const PrimitiveDescription& primitive, std::string_vi
   return Body{.name = primitive.id, .geometry = std::move(geometry).value()};
 }
 
-Result<ReadBody> bodyToAdd(const OperationValues& values, const DocumentKinds& kinds, Progress progress) {
+Result<ImportedBody> bodyToAdd(const OperationValues& values, const DocumentKinds& kinds, Progress progress) {
   const std::string what = values.text("add");
   const PrimitiveDescription* primitive = primitiveNamed(what);
   if (!primitive) return readBody(kinds, what, values.flag("link"), progress);
   Result<Body> body = primitiveFrom(*primitive, std::string_view(what).substr(what.find(':') + 1));
   if (!body) return body.error();
-  return ReadBody{std::move(body).value(), {}};
+  return ImportedBody{std::move(body).value(), {}};
 }
 
-Result<BodyChange> adding(const OperationValues& values, const BodySet& bodies, ReadBody read) {
+Result<BodyChange> adding(const OperationValues& values, const BodySet& bodies, ImportedBody read) {
   Body& body = read.body;
   body.name = values.isSet("name") ? values.text("name") : freeBodyName(bodies, body.name);
   body.pose = poseOf(vectorIn(values, "at"), vectorIn(values, "turn"));
@@ -63,7 +63,7 @@ Result<BodyChange> adding(const OperationValues& values, const BodySet& bodies, 
   return BodyChange{std::move(edit).value(), std::move(read.file), std::move(name)};
 }
 
-Result<BodyChange> updating(Body body, const BodySet& bodies, ReadBody read) {
+Result<BodyChange> updating(Body body, const BodySet& bodies, ImportedBody read) {
   const bool isSame = body.link && read.body.link->sha256 == body.link->sha256;
   if (!isSame) body.geometry = std::move(read.body.geometry);
   body.link = std::move(read.body.link);
@@ -139,19 +139,19 @@ bool readsFile(const OperationValues& values) {
   return values.isSet("update") || (values.isSet("add") && !primitiveNamed(values.text("add")));
 }
 
-Result<ReadBody> bodyFrom(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
-                          const std::filesystem::path& folder, Progress progress) {
+Result<ImportedBody> bodyFrom(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
+                              const std::filesystem::path& folder, Progress progress) {
   if (values.isSet("add")) return bodyToAdd(values, kinds, progress);
-  if (!values.isSet("update")) return ReadBody{};
+  if (!values.isSet("update")) return ImportedBody{};
   const Result<BodyPointer> body = bodyCalled(bodies, values.text("update"));
   if (!body) return body.error();
-  Result<ReadBody> read = values.isSet("from") ? readBody(kinds, values.text("from"), true, progress)
-                                               : updatedFromLink(kinds, **body, folder, progress);
+  Result<ImportedBody> read = values.isSet("from") ? readBody(kinds, values.text("from"), true, progress)
+                                                   : updatedFromLink(kinds, **body, folder, progress);
   if (read) read->body.id = (*body)->id;
   return read;
 }
 
-Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, ReadBody read) {
+Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, ImportedBody read) {
   if (values.isSet("add")) return adding(values, bodies, std::move(read));
   if (values.isSet("update")) {  // it may have another name by now
     const BodyPointer body = bodies.withId(read.body.id);
@@ -168,7 +168,7 @@ Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodi
 
 Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
                               const std::filesystem::path& folder, Progress progress) {
-  Result<ReadBody> read = bodyFrom(values, bodies, kinds, folder, progress);
+  Result<ImportedBody> read = bodyFrom(values, bodies, kinds, folder, progress);
   if (!read) return read.error();
   return bodyChange(values, bodies, std::move(read).value());
 }

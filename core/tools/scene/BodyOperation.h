@@ -32,12 +32,12 @@ bool readsFile(const OperationValues& values);
 // The body that the values make, or read anew for the present one; an empty one for others. Any thread. folder: of the
 // document; empty for one that was never saved. Errors: those of readBody(), updatedFromLink(); BodyMissing, Ambiguous;
 // NumberMalformed.
-Result<ReadBody> bodyFrom(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
-                          const std::filesystem::path& folder, Progress progress = {});
+Result<ImportedBody> bodyFrom(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
+                              const std::filesystem::path& folder, Progress progress = {});
 
 // Creates the edit for values that fit together, with what bodyFrom() has made of them. Errors: BodyMissing, Ambiguous;
 // those of addBodyEdit().
-Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, ReadBody read);
+Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, ImportedBody read);
 
 // Both in one.
 Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,

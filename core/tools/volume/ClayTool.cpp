@@ -172,7 +172,7 @@ ToolReply ClayTool::pointer(const PointerEvent& event) {
     m_waiting.push_back(event);
     return ToolReply::Used;
   }
-  const bool isOfDevice = event.device.has_value(), isOwn = !m_isEnding && m_gesture.isOnBy(isOfDevice);
+  const bool isOfDevice = event.device.has_value(), isOwn = !m_isEnding && m_gesture.isOnFrom(isOfDevice);
   switch (event.kind) {
     case PointerEvent::Kind::Press:
       return press(event);

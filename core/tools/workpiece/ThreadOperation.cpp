@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/workpiece/ThreadOperation.h"
 
-#include "machining/lathe/SectionCut.h"
+#include "machining/lathe/RemovedMaterial.h"
 #include "machining/thread/ThreadGroove.h"
 
 #include <QtGlobal>

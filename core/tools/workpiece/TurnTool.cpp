@@ -123,7 +123,7 @@ ToolReply TurnTool::press(const PointerEvent& event) {
 
 ToolReply TurnTool::pointer(const PointerEvent& event) {
   m_gesture.rethrow();
-  const bool isOfDevice = event.device.has_value(), isOwn = m_gesture.isOnBy(isOfDevice);
+  const bool isOfDevice = event.device.has_value(), isOwn = m_gesture.isOnFrom(isOfDevice);
   switch (event.kind) {
     case PointerEvent::Kind::Press:
       return press(event);

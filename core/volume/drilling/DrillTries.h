@@ -43,7 +43,7 @@ struct DrillTries {
   std::vector<FailedTry> failed;  // in order
 };
 
-// What the tries come to when these holes are there now. O(poses).
+// The tries at a drilling exercise, with those that failed. present: the holes that are there now. O(poses).
 DrillTries triesOf(const TriedHoles* tried, std::span<const std::shared_ptr<const DrillRecord>> present);
 
 }  // namespace handwheel

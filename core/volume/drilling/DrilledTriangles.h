@@ -16,7 +16,7 @@ namespace handwheel {
 // infinite). It is gone through once more. Empty where nothing was cut; invalid if cancelled.
 TriangleSoup surfaceOfSweep(const HybridPart& part, const DrillRecord& hole, Progress progress = {});
 
-// The result of drilledTriangles().
+// The triangles of a part with a hole drilled in it.
 struct DrilledTriangles : Subtraction {  // kept: without those that close holes of the part
   std::size_t closing = 0;               // triangles that were added to close holes that the part had, before it is cut
 };

@@ -11,7 +11,7 @@ namespace handwheel {
 inline constexpr const char* kVdbLibrary = "OpenVDB";
 
 // Reads a volume of a VDB file, in a process of its own (IsolatedReader.h). It is the first level set of floats, or
-// else the first fog, whose material is what is denser than a half. Lengths are taken as millimetres. Errors:
+// else the first fog volume, whose material is what is denser than a half. Lengths are taken as millimetres. Errors:
 // LibraryFailed with the reason (no such grid; voxels that are no cubes along the axes; too large), OutOfMemory,
 // Cancelled.
 Result<VdbVolume> readVdb(std::string_view file, Progress progress);

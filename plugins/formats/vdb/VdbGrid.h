@@ -9,7 +9,8 @@
 
 namespace handwheel {
 
-// The volume of the first level set among grids, or else of the first fog. Errors: LibraryFailed with the reason.
+// The volume of the first level set among grids, or of the first fog volume. Errors: LibraryFailed with the
+// reason.
 Result<VdbVolume> volumeOfGrids(const openvdb::GridPtrVec& grids);
 
 // A level set of a volume, three voxels deep either way.

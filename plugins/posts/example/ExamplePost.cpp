@@ -38,19 +38,19 @@ std::optional<double> wordValue(const LineReader& line, std::string_view word) {
   return at == std::string_view::npos ? std::nullopt : LineReader(line.rest().substr(at + word.size()), 0).number();
 }
 
-Result<ReadMotion> jointMotion(LineReader& line, std::size_t joints) {
+Result<ParsedMotion> jointMotion(LineReader& line, std::size_t joints) {
   const std::vector<double> degrees = numbersOf(line, joints);
   if (degrees.size() != joints) return line.malformed("JOINT", "a number for each joint was expected");
-  return ReadMotion{.kind = ProgramMotion::Kind::Joint, .joints = radiansOf(degrees)};
+  return ParsedMotion{.kind = ProgramMotion::Kind::Joint, .joints = radiansOf(degrees)};
 }
 
-Result<ReadMotion> lineMotion(LineReader& line) {
+Result<ParsedMotion> lineMotion(LineReader& line) {
   const std::vector<double> n = numbersOf(line, 7);
   const bool isPlace = n.size() == 7 && Eigen::Vector4d(n[3], n[4], n[5], n[6]).norm() > 0.5;
   if (!isPlace) return line.malformed("LINE", "a place and a quaternion were expected");
   Pose place(Eigen::Translation3d(n[0], n[1], n[2]));
   place.linear() = Eigen::Quaterniond(n[3], n[4], n[5], n[6]).normalized().toRotationMatrix();
-  return ReadMotion{.kind = ProgramMotion::Kind::Linear, .pose = place};
+  return ParsedMotion{.kind = ProgramMotion::Kind::Linear, .pose = place};
 }
 
 }  // namespace
@@ -73,10 +73,10 @@ std::string ExamplePost::write(const RobotProgram& program) const {
   return text + "END\n";
 }
 
-Result<std::vector<ReadMotion>> ExamplePost::read(std::string_view text, const RobotProgram& frame) const {
+Result<std::vector<ParsedMotion>> ExamplePost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, ";");
   if (!lines) return lines.error();
-  std::vector<ReadMotion> motions;
+  std::vector<ParsedMotion> motions;
   for (std::size_t i = 0; i < lines->size(); ++i) {
     LineReader line((*lines)[i], i + 1);
     line.skipSpace();
@@ -86,7 +86,7 @@ Result<std::vector<ReadMotion>> ExamplePost::read(std::string_view text, const R
     const bool isJoint = line.takeWord("JOINT");
     // What may move the robot and is not understood is an error, never left out.
     if (!isJoint && !line.takeWord("LINE")) return line.malformed("motion", "JOINT or LINE was expected");
-    Result<ReadMotion> motion =
+    Result<ParsedMotion> motion =
         isJoint ? jointMotion(line, static_cast<std::size_t>(frame.arm.size())) : lineMotion(line);
     if (!motion) return motion.error();
     motion->blend = wordValue(line, "ZONE").value_or(0.0);

@@ -19,7 +19,7 @@ class ExamplePost : public PostProcessor {
   const char* title() const override { return "Example"; }
   const char* ending() const override { return ".moves"; }
   std::string write(const RobotProgram& program) const override;
-  Result<std::vector<ReadMotion>> read(std::string_view text, const RobotProgram& frame) const override;
+  Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
 
 }  // namespace handwheel

@@ -19,7 +19,7 @@ class BezierArcTest : public QObject {
 
 namespace {
 
-ProfileCurve curve(ProfileNet net) {
+ProfileCurve curve(ProfileNurbs net) {
   return ProfileCurve::make(std::move(net)).value();
 }
 
@@ -43,7 +43,7 @@ void BezierArcTest::arcsStayWithinTheirChordError() {
   }));
   // A parabola leaves its chord by half of what its middle pole does, a cubic with two poles alike by three quarters,
   // a quarter of a circle by 1 - √½.
-  const auto error = [](ProfileNet net) { return curve(std::move(net)).arcs()[0].chordError(); };
+  const auto error = [](ProfileNurbs net) { return curve(std::move(net)).arcs()[0].chordError(); };
   QCOMPARE(error({2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {3, 1}, {1, 2}}, {1, 1, 1}}), 1.0);
   QCOMPARE(error({3, {0, 0, 0, 0, 1, 1, 1, 1}, {{1, 0}, {3, 0}, {3, 2}, {1, 2}}, {1, 1, 1, 1}}), 1.5);
   QCOMPARE(error(test::sphere(1.0, 0.0)), 1.0 - std::sqrt(0.5));

@@ -29,7 +29,7 @@ class ProfileCurveTest : public QObject {
 
 namespace {
 
-ProfileCurve profileCurveCurve(ProfileNet net) {
+ProfileCurve profileCurveCurve(ProfileNurbs net) {
   auto made = ProfileCurve::make(std::move(net));
   if (!made) qFatal("%s", made.error().arguments.back().c_str());
   return std::move(made.value());
@@ -39,7 +39,7 @@ ProfileCurve profileCurveCurve(ProfileNet net) {
 
 void ProfileCurveTest::isTheTextbooksCurve() {
   QVERIFY(rc::check("de Boor's recursion gives the same point", [] {
-    const ProfileNet net = test::randomNet();
+    const ProfileNurbs net = test::randomNet();
     const ProfileCurve c = profileCurveCurve(net);
     const double u = *rc::gen::arbitrary<bool>() ? test::between(c.from(), c.to()) : *rc::gen::elementOf(net.knots);
     RC_ASSERT((c.point(u) - test::pointByDefinition(net, u)).norm() < 1e-12);
@@ -48,7 +48,7 @@ void ProfileCurveTest::isTheTextbooksCurve() {
 
 void ProfileCurveTest::derivativeIsTheLimitOfDifferences() {
   QVERIFY(rc::check("inside an arc", [] {
-    const ProfileNet net = test::randomNet();
+    const ProfileNurbs net = test::randomNet();
     const ProfileCurve c = profileCurveCurve(net);
     const double u = test::between(c.from(), c.to()), h = 1e-5;
     for (double knot : net.knots) RC_PRE(std::abs(u - knot) > 2.0 * h);
@@ -99,7 +99,7 @@ void ProfileCurveTest::halfCircleIsExact() {
 
 void ProfileCurveTest::keepsItsShapeFarFromTheOrigin() {
   QVERIFY(rc::check("at 1e7 mm only the last digits of the place are lost", [] {
-    ProfileNet net = test::randomNet();
+    ProfileNurbs net = test::randomNet();
     const ProfileCurve near = profileCurveCurve(net);
     for (ProfilePoint& p : net.poles) p.y() += 1e7;
     const ProfileCurve far = profileCurveCurve(net);
@@ -116,19 +116,19 @@ void ProfileCurveTest::volumeWithAnyWeights() {
   const double w = std::sqrt(0.5);
   QVERIFY(rc::check("a quarter of a circle, and a cone of each degree", [w] {
     const double c = std::pow(10.0, test::between(-3.0, 3.0));
-    const ProfileNet quarter{2, {0, 0, 0, 1, 1, 1}, {{0, 0}, {5, 0}, {5, 5}}, {1, w * c, c * c}};
+    const ProfileNurbs quarter{2, {0, 0, 0, 1, 1, 1}, {{0, 0}, {5, 0}, {5, 5}}, {1, w * c, c * c}};
     RC_ASSERT(std::abs(profileCurveCurve(quarter).volume() / (2.0 / 3.0 * M_PI * 125.0) - 1.0) < 1e-10);
     const double h = test::between(0.001, 1000.0), cone = M_PI * h * (1.0 + 2.0 + 4.0) / 3.0;
-    const ProfileNet line{1, {0, 0, 1, 1}, {{1, 0}, {2, h}}, {1, c}};
+    const ProfileNurbs line{1, {0, 0, 1, 1}, {{1, 0}, {2, h}}, {1, c}};
     RC_ASSERT(std::abs(profileCurveCurve(line).volume() / cone - 1.0) < 1e-10);
-    const ProfileNet cubic{3,
-                           {0, 0, 0, 0, 1, 1, 1, 1},
-                           {{1, 0}, {4.0 / 3.0, h / 3}, {5.0 / 3.0, 2 * h / 3}, {2, h}},
-                           {c, 1.0 / c, c, 1.0 / c}};
+    const ProfileNurbs cubic{3,
+                             {0, 0, 0, 0, 1, 1, 1, 1},
+                             {{1, 0}, {4.0 / 3.0, h / 3}, {5.0 / 3.0, 2 * h / 3}, {2, h}},
+                             {c, 1.0 / c, c, 1.0 / c}};
     RC_ASSERT(std::abs(profileCurveCurve(cubic).volume() / cone - 1.0) < 1e-10);
   }));
   for (const double most : {1e6, 1e-6}) {
-    const ProfileNet line{1, {0, 0, 1, 1}, {{1, 0}, {2, 3}}, {1.0 / most, most}};
+    const ProfileNurbs line{1, {0, 0, 1, 1}, {{1, 0}, {2, 3}}, {1.0 / most, most}};
     QVERIFY(std::abs(profileCurveCurve(line).volume() / (7.0 * M_PI) - 1.0) < 1e-10);
   }
 }
@@ -185,7 +185,7 @@ void ProfileCurveTest::refusesNetsThatAreNone() {
   QFETCH(QList<double>, knots);
   QFETCH(QList<double>, radii);
   QFETCH(QList<double>, weights);
-  ProfileNet net{degree, {knots.begin(), knots.end()}, {}, {weights.begin(), weights.end()}};
+  ProfileNurbs net{degree, {knots.begin(), knots.end()}, {}, {weights.begin(), weights.end()}};
   for (double r : radii) net.poles.emplace_back(r, double(net.poles.size()));
   const auto made = ProfileCurve::make(net);
   QVERIFY(!made);

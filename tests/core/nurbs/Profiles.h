@@ -25,7 +25,7 @@ inline double basis(const std::vector<double>& knots, std::size_t i, int degree,
   return sum;
 }
 
-inline ProfilePoint pointByDefinition(const ProfileNet& net, double u) {
+inline ProfilePoint pointByDefinition(const ProfileNurbs& net, double u) {
   ProfilePoint sum(0, 0);
   double weights = 0.0;
   for (std::size_t i = 0; i < net.poles.size(); ++i) {
@@ -42,8 +42,8 @@ inline double between(double low, double high) {
 }
 
 // Sound nets of any degree, with simple and multiple inner knots, double poles, poles on the axis, uneven weights.
-inline ProfileNet randomNet() {
-  ProfileNet net;
+inline ProfileNurbs randomNet() {
+  ProfileNurbs net;
   net.degree = *rc::gen::inRange(1, 4);
   const auto spans = *rc::gen::inRange(1, 7);
   net.knots.assign(net.degree + 1, 0.0);
@@ -63,7 +63,7 @@ inline ProfileNet randomNet() {
 }
 
 // A half circle from pole to pole, exact.
-inline ProfileNet sphere(double radius, double centre) {
+inline ProfileNurbs sphere(double radius, double centre) {
   const double w = std::sqrt(0.5);
   return {2,
           {0, 0, 0, 1, 1, 2, 2, 2},

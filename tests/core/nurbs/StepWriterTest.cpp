@@ -129,7 +129,7 @@ void StepWriterTest::shoulders() {
 // A tube with a fillet of radius 3 in its bore: closed, of degree 2, straight lines as such.
 void StepWriterTest::tube() {
   const double w = std::sqrt(0.5);
-  ProfileNet net;
+  ProfileNurbs net;
   net.degree = 2;
   net.knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 6};
   net.poles = {{20, 0},  {20, 20}, {20, 40}, {15, 40}, {10, 40},  {10, 31.5}, {10, 23},
@@ -155,7 +155,7 @@ void StepWriterTest::tube() {
 
 void StepWriterTest::anyShaft() {
   QVERIFY(rc::check("a spline of rising height", [] {
-    ProfileNet net = test::randomNet();
+    ProfileNurbs net = test::randomNet();
     for (std::size_t i = 0; i < net.poles.size(); ++i) net.poles[i] = {1.0 + net.poles[i].x(), 3.0 * double(i)};
     const ProfileCurve profile = ProfileCurve::make(net).value();
     double volume = 0.0;  // π ∫ r² z' du

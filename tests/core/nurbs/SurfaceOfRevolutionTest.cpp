@@ -26,7 +26,7 @@ class SurfaceOfRevolutionTest : public QObject {
 
 namespace {
 
-Vec3 pointByDefinition(const SurfaceNet& net, double u, double v) {
+Vec3 pointByDefinition(const SurfaceNurbs& net, double u, double v) {
   Vec3 sum = Vec3::Zero();
   double weights = 0.0;
   for (std::size_t i = 0; i < 9; ++i) {

@@ -44,7 +44,7 @@ TriangleSoup tessellated(const ProfileCurve& profile, double chord) {
   return std::move(soup.value());
 }
 
-ProfileCurve tessellationCurve(ProfileNet net) {
+ProfileCurve tessellationCurve(ProfileNurbs net) {
   return ProfileCurve::make(std::move(net)).value();
 }
 

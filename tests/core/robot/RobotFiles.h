@@ -21,7 +21,7 @@ inline QByteArray bytesOf(const QString& path) {
 }
 
 inline RobotModel robotIn(const char* path) {
-  Result<ReadRobot> read = readUrdf(bytesOf(robotsFolder() + '/' + path).toStdString());
+  Result<ImportedRobot> read = readUrdf(bytesOf(robotsFolder() + '/' + path).toStdString());
   return read ? read->robot : RobotModel{};
 }
 

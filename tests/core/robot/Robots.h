@@ -31,8 +31,8 @@ inline std::string limit(double lower, double upper) {
          QString::number(upper, 'g', 17).toStdString() + "' velocity='1' effort='1'/>";
 }
 
-inline ReadRobot readOrThrow(const std::string& urdf) {
-  Result<ReadRobot> read = readUrdf(urdf);
+inline ImportedRobot readOrThrow(const std::string& urdf) {
+  Result<ImportedRobot> read = readUrdf(urdf);
   if (!read) throw std::runtime_error("not read: error " + std::string(read.error().code->id));
   return std::move(read).value();
 }

@@ -21,7 +21,7 @@ std::string jointAB(const std::string& type, const std::string& inside = {}) {
   return robotOf(kAB + joint("j", type, "a", "b", inside));
 }
 
-const Joint& onlyJoint(const ReadRobot& read) {
+const Joint& onlyJoint(const ImportedRobot& read) {
   return read.robot.joints.front();
 }
 
@@ -47,9 +47,9 @@ class UrdfReaderTest : public QObject {
 
 void UrdfReaderTest::wholeRobot() {
   // Children before parents, joints before links: the order in the file does not matter.
-  const ReadRobot read = readOrThrow(robotOf(joint("j2", "revolute", "b", "c", limit(-1, 1)) + link("c") + link("b") +
-                                             joint("j1", "continuous", "a", "b") + link("a") + link("d") +
-                                             joint("j3", "fixed", "a", "d") + "<gazebo/><transmission name='t'/>"));
+  const ImportedRobot read = readOrThrow(robotOf(
+      joint("j2", "revolute", "b", "c", limit(-1, 1)) + link("c") + link("b") + joint("j1", "continuous", "a", "b") +
+      link("a") + link("d") + joint("j3", "fixed", "a", "d") + "<gazebo/><transmission name='t'/>"));
   QVERIFY(read.damage.empty());
   const RobotModel& robot = read.robot;
   QCOMPARE(robot.name, std::string("r"));
@@ -70,7 +70,7 @@ void UrdfReaderTest::wholeRobot() {
 
 void UrdfReaderTest::originsTurnAboutFixedAxes() {
   constexpr double kRoll = 0.3, kPitch = -0.8, kYaw = 1.9;
-  const ReadRobot read = readOrThrow(jointAB("fixed", "<origin xyz='1 -2 0.5' rpy='0.3 -0.8 1.9'/>"));
+  const ImportedRobot read = readOrThrow(jointAB("fixed", "<origin xyz='1 -2 0.5' rpy='0.3 -0.8 1.9'/>"));
   const Pose& origin = onlyJoint(read).origin;
   QCOMPARE(origin.translation(), Vec3(1000, -2000, 500));
   // The closed form of Rz(yaw) Ry(pitch) Rx(roll).
@@ -101,7 +101,7 @@ void UrdfReaderTest::zeroIsUnknown() {
   QFETCH(QString, velocity);
   QString effort = velocity;
   effort.replace("velocity", "effort");
-  const ReadRobot read =
+  const ImportedRobot read =
       readOrThrow(jointAB("revolute", ("<limit lower='-1' upper='1' " + velocity + " " + effort + "/>").toStdString()));
   QVERIFY(!onlyJoint(read).limits.velocity.has_value());
   QVERIFY(!onlyJoint(read).limits.effort.has_value());
@@ -109,7 +109,7 @@ void UrdfReaderTest::zeroIsUnknown() {
 }
 
 void UrdfReaderTest::freeOfLimits() {
-  const ReadRobot turning = readOrThrow(jointAB("continuous", limit(-1, 1)));
+  const ImportedRobot turning = readOrThrow(jointAB("continuous", limit(-1, 1)));
   QVERIFY(std::isinf(onlyJoint(turning).limits.lower) && std::isinf(onlyJoint(turning).limits.upper));
   QVERIFY(turning.damage.empty());
   // Turns stay, as a path may have wound it up; far out they make no difference.
@@ -119,10 +119,10 @@ void UrdfReaderTest::freeOfLimits() {
   const JointValues three = withinLimits(turning.robot, JointValues::Constant(1, 3.0 + 400.0 * std::numbers::pi));
   QVERIFY(std::abs(three[0] - 3.0) < 1e-9);
 
-  const ReadRobot without = readOrThrow(jointAB("revolute"));
+  const ImportedRobot without = readOrThrow(jointAB("revolute"));
   QVERIFY(std::isinf(onlyJoint(without).limits.lower));
   QCOMPARE(without.damage.size(), std::size_t{1});
-  const ReadRobot sliding = readOrThrow(jointAB("prismatic", "<limit lower='-inf' upper='1e300'/>"));
+  const ImportedRobot sliding = readOrThrow(jointAB("prismatic", "<limit lower='-inf' upper='1e300'/>"));
   QCOMPARE(onlyJoint(sliding).limits.lower, -kFarthestTravel);
   QCOMPARE(onlyJoint(sliding).limits.upper, kFarthestTravel);
   // 0 lies outside.
@@ -164,7 +164,7 @@ void UrdfReaderTest::followers() {
 
 void UrdfReaderTest::heldStill() {
   for (const char* type : {"floating", "planar"}) {
-    const ReadRobot read = readOrThrow(jointAB(type));
+    const ImportedRobot read = readOrThrow(jointAB(type));
     QCOMPARE(onlyJoint(read).kind, JointKind::Fixed);
     QCOMPARE(read.damage.size(), std::size_t{1});
     QCOMPARE(read.damage[0].code, ErrorCode::Unsupported);
@@ -208,7 +208,7 @@ void UrdfReaderTest::recognised() {
 
 void UrdfReaderTest::numbersDoNotFollowTheLocale() {
   if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) QSKIP("the locale de_DE.UTF-8 is not installed");
-  const ReadRobot read = readOrThrow(jointAB("fixed", "<origin xyz='1.5 0 0'/>"));
+  const ImportedRobot read = readOrThrow(jointAB("fixed", "<origin xyz='1.5 0 0'/>"));
   std::setlocale(LC_ALL, "C");
   QCOMPARE(onlyJoint(read).origin.translation().x(), 1500.0);
 }

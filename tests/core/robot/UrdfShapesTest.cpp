@@ -78,7 +78,7 @@ void UrdfShapesTest::damagedShapesAreLeftOut_data() {
 void UrdfShapesTest::damagedShapesAreLeftOut() {
   QFETCH(QString, visual);
   const std::string good = "<visual><geometry><sphere radius='1'/></geometry></visual>";
-  const ReadRobot read = readOrThrow(robotOf(link("a", "<visual>" + visual.toStdString() + "</visual>" + good)));
+  const ImportedRobot read = readOrThrow(robotOf(link("a", "<visual>" + visual.toStdString() + "</visual>" + good)));
   QCOMPARE(read.robot.links[0].visuals.size(), std::size_t{1});
   QCOMPARE(read.damage.size(), std::size_t{1});
   QVERIFY(read.damage[0].position.kind == InputPosition::Kind::Line);

@@ -39,7 +39,7 @@ class UrdfWriterTest : public QObject {
   void theLibrary() {
     for (const LibraryRobot& each : robotLibrary()) {
       const RobotModel robot = handwheel::robotOf(*libraryTable(each.id));
-      const ReadRobot again = readOrThrow(urdfOf(robot));
+      const ImportedRobot again = readOrThrow(urdfOf(robot));
       QVERIFY2(again.damage.empty(), each.id);
       QCOMPARE(again.robot.links.size(), robot.links.size());
       for (std::size_t l = 0; l < robot.links.size(); ++l) {
@@ -67,8 +67,8 @@ class UrdfWriterTest : public QObject {
                        joint("second", "revolute", "c", "d",
                              "<origin rpy='0 -1.5707963267948966 3'/>" + inside +
                                  "<mimic joint='first' multiplier='-0.5' offset='0.25'/>");
-    const ReadRobot robot = readOrThrow(test::robotOf(urdf));
-    const ReadRobot again = readOrThrow(urdfOf(robot.robot));
+    const ImportedRobot robot = readOrThrow(test::robotOf(urdf));
+    const ImportedRobot again = readOrThrow(urdfOf(robot.robot));
     QCOMPARE(again.robot.links[0].name, std::string("a&b"));
     QVERIFY(rc::check("the same places",
                       [&] { RC_ASSERT(farthest(robot.robot, again.robot, someValues(robot.robot)) < 1e-9); }));

@@ -4,7 +4,7 @@
 
 #include "base/Fingerprint.h"
 #include "base/NumberText.h"
-#include "document/volume/exercise/HolePicture.h"
+#include "document/volume/exercise/DrilledHolePicture.h"
 
 #include <QtGlobal>
 #include <algorithm>

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Exchanges the target of a workpiece; null removes it.
+// An edit that replaces the target of a workpiece; null removes it.
 class TargetEdit : public Edit {
  public:
   explicit TargetEdit(std::shared_ptr<const WorkpieceTarget> target) : m_target(std::move(target)) {}

@@ -31,7 +31,7 @@ constexpr double kSameRadius = 1e-6;    // mm, on the radius
 double backOf(const LatheTool& bar) {
   double least = 0.0;
   for (const auto* sections : {&bar.cutting, &bar.holder}) {
-    for (const RoundedSection& section : *sections)
+    for (const RoundedPolygon& section : *sections)
       for (const ProfilePoint& p : section.corners()) least = std::min(least, p.x() - section.radius());
   }
   return -least;

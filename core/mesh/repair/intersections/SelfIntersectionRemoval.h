@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "mesh/repair/intersections/SharedWalls.h"
+#include "mesh/repair/intersections/OverlapUnion.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 
 #include <utility>

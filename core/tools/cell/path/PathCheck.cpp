@@ -65,12 +65,12 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
     return Error{CellError::OfOtherArm, {path.name, path.arm}, {}, {}};
   for (std::size_t i = 0; i < path.places.size(); ++i) {
     const Waypoint& place = path.places[i];
-    if (scene.ownStandAs(place.joints)) continue;
+    if (scene.areOwnUnplannedJointsAt(place.joints)) continue;
     return Error{CellError::OthersMoved, {place.name.empty() ? std::to_string(i + 1) : place.name}, {}, {}};
   }
   CheckedPath checked;
   checked.robotsMoved = scene.robotsElsewhere(path);
-  checked.outdating = outdatingOf(*scene.robot, {plans, scene.bodies, scene.robot->model, scene.others}, path);
+  checked.outdated = outdatedReasonsOf(*scene.robot, {plans, scene.bodies, scene.robot->model, scene.others}, path);
   checked.clearance = settings.clearance;
   checked.notChecked = uncheckedPairs(scene, plans.allowed);
   checked.way = resolved(scene, plans, path, progress.part(0.0, 0.1));
@@ -165,7 +165,7 @@ PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, doub
       .measures = PathMeasures{checked.metrics.length, checked.metrics.security, checked.metrics.manipulability},
       .hasShapeless = !scene.shapeless.empty(),
       .robotsMoved = checked.robotsMoved,
-      .outdating = checked.outdating,
+      .outdated = checked.outdated,
       .notChecked = checked.notChecked};
   for (std::size_t i = 0; i < std::min(all.size(), PathFindings::kMostListed); ++i) {
     auto [link, other] = scene.namesOf(all[i].deepest);
@@ -231,18 +231,18 @@ std::vector<std::string> remarksOn(const CellScene& scene, const RobotPath& path
   if (const std::size_t stops = stoppedBlends(path, checked); stops > 0)
     remarks.push_back("Exact stops in place of blends: " + std::to_string(stops) +
                       ". Not every way within their zones is proven free.");
-  const Outdating& outdating = checked.outdating;
-  if (!outdating.part.empty())
-    remarks.push_back("Outdated: the part " + identifierOf(outdating.part, kLongestName) +
+  const OutdatedReasons& outdated = checked.outdated;
+  if (!outdated.part.empty())
+    remarks.push_back("Outdated: the part " + identifierOf(outdated.part, kLongestName) +
                       " has moved since the path was planned along it.");
-  if (outdating.isBaseOther)
+  if (outdated.isBaseOther)
     remarks.emplace_back("Outdated: the base of the robot has moved since the path was planned along its curve.");
-  if (outdating.isToolOther)
+  if (outdated.isToolOther)
     remarks.push_back("Outdated: the tool centre point was changed since the path was planned along its curve.");
-  for (const std::string& target : outdating.targets)
+  for (const std::string& target : outdated.targets)
     remarks.push_back("Outdated: the tool does not come to the target " + identifierOf(target, kLongestName) +
                       " any more: that, or the tool, has moved since the path was planned.");
-  for (const std::string& configuration : outdating.configurations)
+  for (const std::string& configuration : outdated.configurations)
     remarks.push_back("Outdated: " + identifierOf(configuration, kLongestName) +
                       " was changed since the path was planned through it.");
   for (const std::string& robot : checked.robotsMoved)

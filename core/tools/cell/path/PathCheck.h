@@ -39,7 +39,7 @@ struct CheckedPath {
   // Other robots that stand elsewhere than when the path was made. What is said of it is true of where they stand now.
   std::set<std::string> robotsMoved = {};
   // What the path was planned for, and the tool does not meet any more.
-  Outdating outdating = {};
+  OutdatedReasons outdated = {};
   double clearance = 0.0;                  // mm, that was asked for
   std::vector<PairNames> notChecked = {};  // uncheckedPairs()
 

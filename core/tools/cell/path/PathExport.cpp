@@ -41,14 +41,14 @@ std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, co
   return Error{CellError::PathCollides, {path.name, std::to_string(collisions.size()), link, other}, {}, {}};
 }
 
-std::optional<Error> outdatingProblem(const RobotPath& path, const Outdating& outdating) {
-  if (!outdating.part.empty()) return Error{CellError::PathOutdated, {path.name, outdating.part}, {}, {}};
-  if (outdating.isBaseOther) return Error{CellError::PathBaseMoved, {path.name}, {}, {}};
-  if (outdating.isToolOther) return Error{CellError::PathToolChanged, {path.name}, {}, {}};
-  if (!outdating.targets.empty())
-    return Error{CellError::PathTargetMoved, {path.name, *outdating.targets.begin()}, {}, {}};
-  if (outdating.configurations.empty()) return std::nullopt;
-  return Error{CellError::PathPlaceChanged, {path.name, *outdating.configurations.begin()}, {}, {}};
+std::optional<Error> outdatingProblem(const RobotPath& path, const OutdatedReasons& outdated) {
+  if (!outdated.part.empty()) return Error{CellError::PathOutdated, {path.name, outdated.part}, {}, {}};
+  if (outdated.isBaseOther) return Error{CellError::PathBaseMoved, {path.name}, {}, {}};
+  if (outdated.isToolOther) return Error{CellError::PathToolChanged, {path.name}, {}, {}};
+  if (!outdated.targets.empty())
+    return Error{CellError::PathTargetMoved, {path.name, *outdated.targets.begin()}, {}, {}};
+  if (outdated.configurations.empty()) return std::nullopt;
+  return Error{CellError::PathPlaceChanged, {path.name, *outdated.configurations.begin()}, {}, {}};
 }
 
 std::string otherRobot(const CellScene& scene, const PostProcessor& post) {
@@ -80,7 +80,7 @@ std::optional<double> shareFor(const SerialArm& arm, const Pose& tool, const Arm
 }
 
 // As paths have it: of a joint motion 0.001 to 1, of a line up to 100 m/s.
-double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional<double> share) {
+double speedOf(const ParsedMotion& motion, ProgramMotion::Kind kind, std::optional<double> share) {
   if (kind == ProgramMotion::Kind::Linear) return std::clamp(motion.speed.value_or(250.0), 1e-3, 1e5);
   const std::optional<double> own = motion.kind == kind ? motion.speed : std::nullopt;
   return std::clamp(own ? *own : share.value_or(Waypoint().speed), 1e-3, 1.0);
@@ -89,7 +89,7 @@ double speedOf(const ReadMotion& motion, ProgramMotion::Kind kind, std::optional
 // Whether the arm comes to the end of a line, its tip there, in the way in which the controller wants it: with these
 // joint values, which are the nearest ones, or, where only these lead elsewhere, with others, which they become. The
 // first motion of a program is no line here, and ends in any way.
-bool endsInItsWay(const ReadMotion& motion, const Pose& tip, const RobotProgram& program, const ArmValues& from,
+bool endsInItsWay(const ParsedMotion& motion, const Pose& tip, const RobotProgram& program, const ArmValues& from,
                   bool isFirst, ArmValues& joints) {
   if (hasConfiguration(*motion.endsIn, program.arm, joints)) return true;
   const auto closed = closedFormOfSphericalWrist(program.arm);
@@ -160,7 +160,7 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
                                     const std::filesystem::path& output, OutdatedPath outdated, FrameData frameData) {
   if (const auto problem = problemOf(scene, path, checked)) return *problem;
   if (outdated == OutdatedPath::Refuse) {
-    if (const auto problem = outdatingProblem(path, checked.outdating)) return *problem;
+    if (const auto problem = outdatingProblem(path, checked.outdated)) return *problem;
   }
   const Result<Pose> frame = programFrame(scene, plans);
   if (!frame) return frame.error();
@@ -202,7 +202,7 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   for (const NamedFrame& each : cell.plans->frames) frame.otherFrames.push_back(each.name);
   // Readers of controllers with six joints count on six.
   if (const std::vector<Error> refusals = post.refusals(frame); !refusals.empty()) return refusals.front();
-  Result<std::vector<ReadMotion>> motions = post.read(text, frame);
+  Result<std::vector<ParsedMotion>> motions = post.read(text, frame);
   if (!motions) return motions.error();
   const std::optional<Pose> controllers = controllerBaseFrame(cell.robot->model, scene.plannedArm());
   RobotPath path{"program", {}, cell.plans->arm};
@@ -210,7 +210,7 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   std::vector<std::size_t> openWays;
   std::optional<Pose> otherTool;
   ArmValues before = scene.planned(cell.joints);
-  for (ReadMotion& motion : *motions) {
+  for (ParsedMotion& motion : *motions) {
     if (motion.isWayOpen) openWays.push_back(motion.line);
     if (!otherTool && motion.tool && !isSameTool(*motion.tool, frame.tool)) otherTool = motion.tool;
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};

@@ -19,7 +19,7 @@ struct WrittenProgram {
   std::string frame = {};  // CellPlans::workFrame, if places of the program are in it
 };
 
-// What becomes of a path that is free, but does not lead any more to what it was planned for (Outdating).
+// What becomes of a path that is free, but does not lead any more to what it was planned for (OutdatedReasons).
 enum class OutdatedPath { Refuse, Write };
 
 // Where the data of a program's frame are: two modules of one RAPID task must not both have them. Other languages have
@@ -47,7 +47,7 @@ const PostProcessor& usualPost(const RobotArm& arm);
 struct ProgramPath {
   RobotPath path;
   std::vector<NamedFrame> frames = {};
-  // The lines with poses in whatever way the arm comes to them from where it is (ReadMotion::isWayOpen), in order.
+  // The lines with poses in whatever way the arm comes to them from where it is (ParsedMotion::isWayOpen), in order.
   std::vector<std::size_t> openWays = {};
   // The tool's centre point in the flange of the first place whose tool is not that of the cell; none: all have it, or
   // do not say. The arm comes to the places all the same, but straight lines are those of the cell's tool.

@@ -7,7 +7,7 @@
 #include "document/cell/CellErrors.h"
 #include "document/cell/CellFrames.h"
 #include "document/cell/CellReach.h"
-#include "document/cell/path/Outdating.h"
+#include "document/cell/path/OutdatedReasons.h"
 #include "planning/PlanningFidelity.h"
 #include "planning/ToolTrack.h"
 #include "planning/planners/Planners.h"
@@ -111,7 +111,7 @@ class LegPlanning {
   bool keep(std::span<const Waypoint> leg, RobotPath& path, const Progress& progress) {
     if (!leg.back().isPlannedFrom(leg.front())) return false;
     for (std::size_t i = 1; i < leg.size(); ++i) {
-      if (leg[i].motion != ProgramMotion::Kind::Joint || !m_scene.ownStandAs(leg[i].joints)) return false;
+      if (leg[i].motion != ProgramMotion::Kind::Joint || !m_scene.areOwnUnplannedJointsAt(leg[i].joints)) return false;
       const ArmValues begin = m_scene.planned(leg[i - 1].joints), end = m_scene.planned(leg[i].joints);
       if (!m_scene.scene.isWithinLimits(begin) || !m_scene.scene.isWithinLimits(end)) return false;
       MotionCheck check(m_scene.scene, begin, end, m_settings.plan.check);
@@ -363,7 +363,7 @@ Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plan
   const double share = 1.0 / static_cast<double>(kept.size() - 1);
   for (std::size_t i = 1; i < kept.size(); ++i) {
     const std::array<std::string, 2> names{named(*kept[i - 1]), named(*kept[i])};
-    if (!scene.ownStandAs(kept[i]->joints)) return Error{CellError::OthersMoved, {names[1]}, {}, {}};
+    if (!scene.areOwnUnplannedJointsAt(kept[i]->joints)) return Error{CellError::OthersMoved, {names[1]}, {}, {}};
     const double done = share * static_cast<double>(i - 1);
     const Progress part = progress.part(done, done + share);
     std::vector<Waypoint> leg;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/path/ProgramFrames.h"
 
-#include "document/cell/path/Outdating.h"
+#include "document/cell/path/OutdatedReasons.h"
 #include "document/scene/BodyChanges.h"
 #include "robot/posts/PostText.h"
 #include "scene/RigidPose.h"
@@ -58,9 +58,9 @@ bool isNumbered(const std::string& name, const std::string& wish) {
 
 }  // namespace
 
-std::vector<NamedFrame> framesOf(const std::vector<ReadMotion>& motions, const Pose& base) {
+std::vector<NamedFrame> framesOf(const std::vector<ParsedMotion>& motions, const Pose& base) {
   std::vector<NamedFrame> frames;
-  for (const ReadMotion& motion : motions) {
+  for (const ParsedMotion& motion : motions) {
     if (!motion.frame || motion.frameName.empty() || isSamePlace(*motion.frame, Pose::Identity())) continue;
     constexpr std::size_t kShortened = 60;
     const bool isUsable = isBodyName(motion.frameName);

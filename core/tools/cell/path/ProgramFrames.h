@@ -10,7 +10,7 @@ namespace handwheel {
 // The frames that motions of a program are in. They are carried by nothing, and each is there once. base: of the robot,
 // in the frame of the root. Without the base itself, frames without names, and those that are no poses. A name
 // that no frame of a cell can have (isBodyName()) becomes an identifier.
-std::vector<NamedFrame> framesOf(const std::vector<ReadMotion>& motions, const Pose& base);
+std::vector<NamedFrame> framesOf(const std::vector<ParsedMotion>& motions, const Pose& base);
 
 // What became of such frames in a cell, by their names there.
 struct TakenFrames {

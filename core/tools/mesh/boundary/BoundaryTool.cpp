@@ -115,19 +115,19 @@ void BoundaryTool::follow(const PointerEvent& event) {
   const auto snapped = event.modifiers.control ? std::nullopt : m_picking.pointAt(event.pickRay(), start);
   if (snapped) {
     m_drag->place = mesh().position(mesh().from(snapped->at));
-    return aim(isBridge ? Deed::Bridge : Deed::Weld, snapped->at);
+    return aim(isBridge ? Effect::Bridge : Effect::Weld, snapped->at);
   }
-  aim(isBridge ? Deed::Bridge : Deed::Pull, kNone);
-  if (m_drag->deed == Deed::Bridge) return;
+  aim(isBridge ? Effect::Bridge : Effect::Pull, kNone);
+  if (m_drag->effect == Effect::Bridge) return;
   const VertexDrag::Place reached = m_drag->pull.towards(m_drag->place, m_document.fileNumbers());
   m_drag->stop = reached.point;
   m_drag->problem = reached.problem;
 }
 
 // What would come of joining the held point with another; none: of letting go here.
-void BoundaryTool::aim(Deed deed, HalfEdge target) {
-  if (m_drag->deed == deed && m_drag->target == target && target != kNone) return;
-  m_drag->deed = deed;
+void BoundaryTool::aim(Effect effect, HalfEdge target) {
+  if (m_drag->effect == effect && m_drag->target == target && target != kNone) return;
+  m_drag->effect = effect;
   m_drag->target = target;
   m_drag->stop = m_drag->pull.start();
   m_drag->problem = JoinProblem::None;
@@ -135,7 +135,7 @@ void BoundaryTool::aim(Deed deed, HalfEdge target) {
   m_drag->bridge = {};
   if (target == kNone) return;
   const BoundaryPair ends{m_drag->held.at, target};
-  if (deed == Deed::Weld) {
+  if (effect == Effect::Weld) {
     m_drag->weld = weldBoundary(*m_drag->near, ends);
     m_drag->problem = m_drag->weld.problem;
   } else {
@@ -156,7 +156,7 @@ ToolReply BoundaryTool::release(const PointerEvent& event) {
 // The recipes look again: by the time they are carried out the mesh may be another.
 void BoundaryTool::commitDrag(const Drag& drag) {
   const HalfEdgeMesh& known = drag.near->mesh();
-  if (drag.deed == Deed::Pull) {
+  if (drag.effect == Effect::Pull) {
     const Vec3 start = drag.pull.start();
     if (drag.stop == start) return;
     const Vertex v = known.from(drag.held.at);
@@ -176,7 +176,7 @@ void BoundaryTool::commitDrag(const Drag& drag) {
     }
     return true;
   };
-  m_services.commit(onlyWhere(isThere, drag.deed == Deed::Weld ? joinChange(ends) : bridgeChange(ends)));
+  m_services.commit(onlyWhere(isThere, drag.effect == Effect::Weld ? joinChange(ends) : bridgeChange(ends)));
 }
 
 }  // namespace handwheel

@@ -45,7 +45,7 @@ class BoundaryTool : public Tool {
   // What happens to a point that is dropped onto another; Shift exchanges the two.
   enum class Onto { Join, Bridge };
   // What happens to the dragged point.
-  enum class Deed { Pull, Weld, Bridge };
+  enum class Effect { Pull, Weld, Bridge };
   struct Drag {
     std::shared_ptr<const FaceLocator> near;
     BoundaryPoint held;
@@ -54,12 +54,12 @@ class BoundaryTool : public Tool {
     std::optional<Vec3> tip = {};  // of the device then; mm
     double still = 0.0;            // mm; a shorter motion is a click
     bool hasMoved = false;
-    Deed deed = Deed::Pull;
+    Effect effect = Effect::Pull;
     Vec3 place = Vec3::Zero();  // where the pointer, or the point that attracts it, is
     Vec3 stop = Vec3::Zero();   // where the pulled point gets
     HalfEdge target = kNone;    // the point that attracts
     JoinProblem problem = JoinProblem::None;
-    Weld weld = {};
+    BoundaryWeld weld = {};
     Bridge bridge = {};
   };
   // What an action would make of the chosen loop.
@@ -76,7 +76,7 @@ class BoundaryTool : public Tool {
   ToolReply press(const PointerEvent& event);
   ToolReply release(const PointerEvent& event);
   void follow(const PointerEvent& event);
-  void aim(Deed deed, HalfEdge target);
+  void aim(Effect effect, HalfEdge target);
   void commitDrag(const Drag& drag);
 
   ToolReply propose(Kind kind);

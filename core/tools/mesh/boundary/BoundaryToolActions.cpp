@@ -27,13 +27,13 @@ constexpr ToolKey kBoundaryKeys[] = {
 }  // namespace
 
 const char* BoundaryTool::dragEffect() const {
-  switch (m_drag->deed) {
-    case Deed::Pull:
+  switch (m_drag->effect) {
+    case Effect::Pull:
       return m_drag->problem == JoinProblem::None ? QT_TRANSLATE_NOOP("Tool", "move the vertex")
                                                   : QT_TRANSLATE_NOOP("Tool", "move the vertex as far as possible");
-    case Deed::Weld:
+    case Effect::Weld:
       return hintOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "join the vertices"));
-    case Deed::Bridge:
+    case Effect::Bridge:
       break;
   }
   if (m_drag->target == kNone) return QT_TRANSLATE_NOOP("Tool", "not possible: no other vertex is near");

@@ -32,9 +32,9 @@ void BoundaryTool::addDragPreview(ToolPreview& preview, MeshPreview& onMesh) con
   if (!m_drag->hasMoved) return;
   preview.lines.push_back({start, m_drag->place});  // the thread
   TriangleSoup soup;
-  if (m_drag->deed == Deed::Pull) {
+  if (m_drag->effect == Effect::Pull) {
     soup = soupOf(m_drag->pull.shapes(m_drag->stop));
-  } else if (m_drag->deed == Deed::Weld) {
+  } else if (m_drag->effect == Effect::Weld) {
     soup = m_drag->weld.shapes;
     if (m_drag->problem == JoinProblem::None) onMesh.highlighted = FaceSelection(m_drag->weld.changed);
   } else {

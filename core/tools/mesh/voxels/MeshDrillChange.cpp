@@ -90,7 +90,7 @@ bool isSameHead(const DrillBit& a, const DrillBit& b) {
 }
 
 // The part as the record cuts it.
-std::shared_ptr<const HybridPart> cutPart(const MeshHole& hole, Progress progress) {
+std::shared_ptr<const HybridPart> cutPart(const DrilledMeshHole& hole, Progress progress) {
   if (hole.cut) return hole.cut;
   auto part = std::make_shared<HybridPart>(*hole.uncut);
   DrillRun run(*part, hole.record->setup);
@@ -124,7 +124,7 @@ std::shared_ptr<const DrillRecord> joinedRecord(const DrillRecord& before, const
   return joined;
 }
 
-MeshChange drillChange(MeshHole hole, NumberType numbers, std::shared_ptr<MeshHoleOutcome> outcome) {
+MeshChange drillChange(DrilledMeshHole hole, NumberType numbers, std::shared_ptr<DrilledMeshHoleOutcome> outcome) {
   return {QT_TRANSLATE_NOOP("Tool", "Drill a hole"),
           [hole = std::move(hole), numbers, outcome = std::move(outcome)](HalfEdgeMesh& mesh, Progress progress) {
             outcome->isMade = false;

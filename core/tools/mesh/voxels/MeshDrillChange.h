@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // A hole that was drilled in a mesh by voxels near the head.
-struct MeshHole {
+struct DrilledMeshHole {
   HalfEdgeMesh present;                     // the mesh that it is put into
   HalfEdgeMesh origin;                      // which the whole record is drilled in: the same, or as it was before
   std::shared_ptr<const HybridPart> uncut;  // made of the origin
@@ -23,13 +23,13 @@ struct MeshHole {
 std::shared_ptr<const DrillRecord> joinedRecord(const DrillRecord& before, const DrillRecord& record);
 
 // What became of a hole, set by the change. Read on the window thread.
-struct MeshHoleOutcome {
+struct DrilledMeshHoleOutcome {
   std::atomic<bool> isMade{false};            // it is in the triangles
   std::atomic<const char*> reason = nullptr;  // why it is not; English, context "Tool". Null: it was cancelled
 };
 
 // Takes the removed volume from the triangles (drilledTriangles()). Faces that the hole does not meet keep their
 // indices. A mesh that is another by now is left as it is. numbers: of its file.
-MeshChange drillChange(MeshHole hole, NumberType numbers, std::shared_ptr<MeshHoleOutcome> outcome);
+MeshChange drillChange(DrilledMeshHole hole, NumberType numbers, std::shared_ptr<DrilledMeshHoleOutcome> outcome);
 
 }  // namespace handwheel

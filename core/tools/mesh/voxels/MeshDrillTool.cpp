@@ -162,7 +162,7 @@ ToolReply MeshDrillTool::resume() {
 }
 
 // One that goes on along the hole before is drilled with it, in the mesh that had neither.
-MeshHole MeshDrillTool::holeOf(const DrillSimulation& drilled, std::shared_ptr<const DrillRecord> record) const {
+DrilledMeshHole MeshDrillTool::holeOf(const DrillSimulation& drilled, std::shared_ptr<const DrillRecord> record) const {
   const HalfEdgeMesh& mesh = m_document.mesh();
   if (m_record && isContinued() && m_origin.part->left().voxel() == m_prepared.part->left().voxel())
     if (auto joined = joinedRecord(*m_record, *record))
@@ -176,8 +176,8 @@ void MeshDrillTool::take(const DrillSimulation& drilled, std::shared_ptr<const D
     resume();
     return;
   }
-  const auto outcome = std::make_shared<MeshHoleOutcome>();
-  MeshHole made = holeOf(drilled, std::move(record));
+  const auto outcome = std::make_shared<DrilledMeshHoleOutcome>();
+  DrilledMeshHole made = holeOf(drilled, std::move(record));
   m_pending = Pending{hole(), made.record, outcome, {made.origin, made.uncut}};
   MeshChange change = drillChange(std::move(made), m_document.fileNumbers(), outcome);
   change.ended = [this, alive = std::weak_ptr(m_alive), outcome] {
@@ -188,7 +188,7 @@ void MeshDrillTool::take(const DrillSimulation& drilled, std::shared_ptr<const D
 }
 
 // Where it is in the triangles, documentChanged() has come before.
-void MeshDrillTool::ended(const MeshHoleOutcome& outcome) {
+void MeshDrillTool::ended(const DrilledMeshHoleOutcome& outcome) {
   if (!m_pending) return;
   m_pending.reset();
   forgetHole();

@@ -48,14 +48,14 @@ class MeshDrillTool : public HandDrill {
   struct Pending {
     std::shared_ptr<const DrillState> state;
     std::shared_ptr<const DrillRecord> record;
-    std::shared_ptr<MeshHoleOutcome> outcome;
+    std::shared_ptr<DrilledMeshHoleOutcome> outcome;
     Origin origin;
   };
 
   static Prepared prepared(const HalfEdgeMesh& mesh, double voxel, NumberType numbers, Progress progress);
   void prepare();
-  MeshHole holeOf(const DrillSimulation& drilled, std::shared_ptr<const DrillRecord> record) const;
-  void ended(const MeshHoleOutcome& outcome);
+  DrilledMeshHole holeOf(const DrillSimulation& drilled, std::shared_ptr<const DrillRecord> record) const;
+  void ended(const DrilledMeshHoleOutcome& outcome);
 
   double voxelOfPart() const override { return 0.0; }
   std::optional<SurfacePlace> placeAt(const Ray& ray) const override;

@@ -34,7 +34,7 @@ bool hasFigures(const Error& error) {
 
 // Refuses what takes more memory than was agreed to.
 Result<VolumeRepair> agreedRepair(const TriangleSoup& surface, const VolumeRepairOptions& options,
-                                  const VolumeRepairWish& wish, Progress progress) {
+                                  const VolumeRepairParameters& wish, Progress progress) {
   Box box;
   for (const Vec3& p : surface.points) box.extend(p);
   if (!box.isEmpty() && box.sizes().allFinite()) {
@@ -46,13 +46,13 @@ Result<VolumeRepair> agreedRepair(const TriangleSoup& surface, const VolumeRepai
 
 }  // namespace
 
-double voxelFor(const VolumeRepairWish& wish, double usual) {
+double voxelFor(const VolumeRepairParameters& wish, double usual) {
   constexpr double kAcrossWalls = 4.0;  // voxels; less than two lose a wall
   if (wish.voxel > 0.0) return wish.voxel;
   return wish.wall > 0.0 ? std::min(usual, wish.wall / kAcrossWalls) : usual;
 }
 
-MeshChange volumeRepairChange(const VolumeRepairWish& wish, NumberType numbers) {
+MeshChange volumeRepairChange(const VolumeRepairParameters& wish, NumberType numbers) {
   OperationValues values(volumeRepairOperation());
   if (wish.voxel > 0.0) values.setValid("voxel", wish.voxel);
   values.setValid("close-gaps", wish.gaps);

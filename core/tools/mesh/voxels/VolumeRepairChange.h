@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// What is wanted of a repair by volume.
-struct VolumeRepairWish {
+// The parameters of a repair by volume.
+struct VolumeRepairParameters {
   double voxel = 0.0;     // mm; 0: the usual one, or finer where walls need it
   double gaps = 0.0;      // mm, as VolumeRepairOptions has it
   double wall = 0.0;      // mm, of walls that are made of the triangles; 0: the surface encloses the volume
@@ -16,9 +16,9 @@ struct VolumeRepairWish {
 };
 
 // Replaces a mesh by the surface of the volume that it encloses (repairByVolume()). No face or vertex keeps its index.
-MeshChange volumeRepairChange(const VolumeRepairWish& wish, NumberType numbers);
+MeshChange volumeRepairChange(const VolumeRepairParameters& wish, NumberType numbers);
 
 // The voxel that is used where this is the usual one; mm.
-double voxelFor(const VolumeRepairWish& wish, double usual);
+double voxelFor(const VolumeRepairParameters& wish, double usual);
 
 }  // namespace handwheel

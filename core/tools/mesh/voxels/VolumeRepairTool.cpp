@@ -76,7 +76,7 @@ ToolReply VolumeRepairTool::perform(std::string_view action) {
   const std::optional<double> sampled = area();
   if (action != "commit" || !sampled) return ToolReply::Ignored;
   const double bytes = predictedBytes(*sampled);
-  VolumeRepairWish wish = m_wish;
+  VolumeRepairParameters wish = m_wish;
   wish.isAgreed = needsConsent(bytes);
   const auto start = [commit = m_services.commit, wish, numbers = m_document.fileNumbers()] {
     commit(volumeRepairChange(wish, numbers));

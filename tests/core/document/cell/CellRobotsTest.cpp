@@ -421,7 +421,7 @@ class CellRobotsTest : public QObject {
     QVERIFY(scene->robotsElsewhere(path).empty());
     path.places.push_back({.joints = values({0.0, 0.1})});
     QVERIFY(scene->robotsElsewhere(path) == std::set<std::string>{"bar_2"});
-    QVERIFY(scene->ownStandAs(values({2.0, 0.1})));
+    QVERIFY(scene->areOwnUnplannedJointsAt(values({2.0, 0.1})));
   }
 
   // A path of another robot knows that a base was moved, also in its file, until that is back, or the robot gone.

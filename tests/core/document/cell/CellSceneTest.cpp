@@ -130,8 +130,8 @@ class CellSceneTest : public QObject {
     QVERIFY(scene.hasValue());
     const JointValues joints = values({250.0, -1.5, 0.0});
     QVERIFY(scene->whole(scene->planned(joints)) == joints);
-    QVERIFY(scene->standsAs(joints));
-    QVERIFY(!scene->standsAs(values({250.0, -1.5, 0.5})));
+    QVERIFY(scene->areUnplannedJointsAt(joints));
+    QVERIFY(!scene->areUnplannedJointsAt(values({250.0, -1.5, 0.5})));
   }
 
   // A hierarchy lives as long as its mesh, and is built once.

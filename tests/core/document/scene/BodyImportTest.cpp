@@ -26,7 +26,7 @@ class BodyImportTest : public QObject {
   }
 
   void aMeshByCopy() {
-    const ReadBody read = valueOf(readBody(kinds(), m_root / "part.stl", false));
+    const ImportedBody read = valueOf(readBody(kinds(), m_root / "part.stl", false));
     QCOMPARE(read.body.name, "part");
     QVERIFY(!read.body.link && read.file.damage.empty());
     QCOMPARE(read.file.notes.size(), std::size_t{1});  // how large it is
@@ -42,14 +42,14 @@ class BodyImportTest : public QObject {
     Body placed = body("cube", cube(2));
     placed.pose.translation().x() = 5.0;
     QVERIFY(writeFileAtomically(m_root / "shelf.handwheel", saved(shelfWith(with({}, placed))), {}).hasValue());
-    const ReadBody read = valueOf(readBody(kinds(), m_root / "shelf.handwheel", false));
+    const ImportedBody read = valueOf(readBody(kinds(), m_root / "shelf.handwheel", false));
     QCOMPARE(read.body.name, "shelf");
     QCOMPARE(read.body.geometry->bounds().min(), Vec3(4, -1, -1));
     QCOMPARE(read.body.geometry->bounds().max(), Vec3(6, 1, 1));
   }
 
   void aLinkIsReadAgain() {
-    ReadBody read = valueOf(readBody(kinds(), m_root / "part.stl", true));
+    ImportedBody read = valueOf(readBody(kinds(), m_root / "part.stl", true));
     QCOMPARE(read.body.link->path, (m_root / "part.stl").string());
     QCOMPARE(read.body.link->state, LinkState::Present);
     put("part.stl", 20.0);
@@ -73,7 +73,7 @@ class BodyImportTest : public QObject {
   void whatIsLostIsTold() {
     const std::string text = "v 0 0 0\nv 30 0 0\nv 0 20 0\nvt 0 0\nf 1/1 2/1 3/1\n";
     QVERIFY(writeFileAtomically(m_root / "textured.obj", text, {}).hasValue());
-    const ReadBody read = valueOf(readBody(kinds(), m_root / "textured.obj", false));
+    const ImportedBody read = valueOf(readBody(kinds(), m_root / "textured.obj", false));
     QVERIFY(!read.file.lost.empty());
     QCOMPARE(read.file.notes.back().arguments, (std::vector<std::string>{"30", "20", "0"}));
     QCOMPARE(fs::path(read.file.path).filename(), fs::path("textured.obj"));

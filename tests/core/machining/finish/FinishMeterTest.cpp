@@ -57,7 +57,7 @@ std::shared_ptr<const LatheTool> abrasive(double leastRoughness, double width = 
   tool->leastRoughness = leastRoughness;
   const double half = 0.5 * width;
   const std::array<ProfilePoint, 4> corners{{{0.0, -half}, {0.0, half}, {5.0, -half}, {5.0, half}}};
-  tool->cutting = {RoundedSection(corners, 0.0)};
+  tool->cutting = {RoundedPolygon(corners, 0.0)};
   return tool;
 }
 

@@ -55,7 +55,7 @@ class GrindingContactTest : public QObject {
     // All of the face is in the material: its middle is 3 mm deep, the ends 2.2 and 3.8 mm.
     auto block = std::make_shared<LatheTool>(*disk());
     const std::array<ProfilePoint, 4> corners{{{0.0, -4.0}, {0.0, 4.0}, {90.0, 4.0}, {90.0, -4.0}}};
-    block->cutting = {RoundedSection(corners, 0.0)};
+    block->cutting = {RoundedPolygon(corners, 0.0)};
     const GrindingContact contact = grindingContact(profile, *block, {15.0 - 3.0, 50.0});
     QVERIFY2(std::abs(contact.depth - 3.0 / length) < 0.01, qPrintable(QString::number(contact.depth)));
     QVERIFY((contact.normal - ProfilePoint(1.0, -slope) / length).norm() < 1e-9);
@@ -67,7 +67,7 @@ class GrindingContactTest : public QObject {
     LatheTool stone = *disk();
     stone.side = TurningSide::Bore;
     const std::array<ProfilePoint, 4> corners{{{0.0, -4.0}, {0.0, 4.0}, {-8.0, 4.0}, {-8.0, -4.0}}};
-    stone.cutting = {RoundedSection(corners, 0.0)};
+    stone.cutting = {RoundedPolygon(corners, 0.0)};
     const GrindingContact contact = grindingContact(profile, stone, {15.1, 50.0});
     QVERIFY(std::abs(contact.depth - 0.1) < 1e-9 && (contact.normal - ProfilePoint(-1.0, 0.0)).norm() < 1e-12);
   }

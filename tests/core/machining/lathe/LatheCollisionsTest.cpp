@@ -39,7 +39,7 @@ class LatheCollisionsTest : public QObject {
   // A triangle beside the axis has its image on the other side, with the same roundness; twice mirrored it is itself.
   void sectionsAreMirrored() {
     const std::array<ProfilePoint, 3> corners{{{3, 1}, {8, 2}, {5, 6}}};
-    const RoundedSection section(corners, 0.5), image = section.mirrored();
+    const RoundedPolygon section(corners, 0.5), image = section.mirrored();
     const SectionSweep here(section, {0, 0}, {0, 0}), there(image, {0, 0}, {0, 0});
     QCOMPARE(there.least(), -here.largest());
     QCOMPARE(there.largest(), -here.least());
@@ -51,8 +51,8 @@ class LatheCollisionsTest : public QObject {
   // Two boxes with 1 mm between them touch once one has gone this far.
   void solidsTouch() {
     const std::array<ProfilePoint, 4> box{{{0, 0}, {0, 10}, {5, 10}, {5, 0}}};
-    const std::vector<LatheSolid> moved{{LathePart::Holder, RoundedSection(box, 0.0)}},
-        others{{LathePart::Jaws, RoundedSection(box, 0.0).moved({0.0, -11.0})}};
+    const std::vector<LatheSolid> moved{{LathePart::Holder, RoundedPolygon(box, 0.0)}},
+        others{{LathePart::Jaws, RoundedPolygon(box, 0.0).moved({0.0, -11.0})}};
     QVERIFY(!contactBetween(moved, {0.0, -0.99}, others));
     const auto contact = contactBetween(moved, {0.0, -1.01}, others);
     QVERIFY(contact && contact->moving == LathePart::Holder && contact->struck == LathePart::Jaws);

@@ -241,7 +241,7 @@ class LatheThreadTest : public QObject {
       pass.thread = thread;
       pass.path = {{kRadius - 0.6, 90.0}, {kRadius - 0.6, 40.0}};
       pass.times = {0.0, 10.0};
-      const ThreadsInWork threads(PartThreads::with(nullptr, pass));
+      const ThreadsBeingCut threads(PartThreads::with(nullptr, pass));
       for (const double angle : {0.0, 2.0, 21.0, -7.5}) {
         const double z = 60.3 + thread.rise() * angle / (2.0 * M_PI);
         QVERIFY(threads.chipAt(part, *tool, {{kRadius - 0.6, z}, angle}).depth < 1e-9);

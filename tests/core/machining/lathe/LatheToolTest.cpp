@@ -47,7 +47,7 @@ class LatheToolTest : public QObject {
   void tipsAndNoses() {
     for (const auto& tool : shippedLatheTools()) {
       double leastR = 1e9, largestR = -1e9, leastZ = 1e9, largestZ = -1e9;
-      for (const RoundedSection& section : tool->cutting) {
+      for (const RoundedPolygon& section : tool->cutting) {
         const SectionSweep still(section, {0, 0}, {0, 0});
         leastR = std::min(leastR, still.least()), largestR = std::max(largestR, still.largest());
         leastZ = std::min(leastZ, still.first()), largestZ = std::max(largestZ, still.last());
@@ -58,7 +58,7 @@ class LatheToolTest : public QObject {
       if (o == 2 || o == 3 || o == 7) QVERIFY2(std::abs(leastZ) < 1e-3, tool->id.c_str());
       if (o == 1 || o == 4 || o == 5) QVERIFY2(std::abs(largestZ) < 1e-3, tool->id.c_str());
       if (tool->kind == LatheToolKind::GrindingDisk || tool->isAbrasive()) continue;
-      const RoundedSection& nose = tool->cutting.front();
+      const RoundedPolygon& nose = tool->cutting.front();
       QCOMPARE(nose.radius(), tool->noseRadius);
       const ProfilePoint centre = tool->noseCentre();
       const bool isThere = std::any_of(nose.corners().begin(), nose.corners().end(),

@@ -199,7 +199,7 @@ class TurningReviewTest : public QObject {
     auto thread = std::make_shared<LatheTool>();
     thread->kind = LatheToolKind::Threading;
     const std::array<ProfilePoint, 3> edge{{{0.0, 0.0}, {2.0, -1.0}, {2.0, 1.0}}};
-    thread->cutting = {RoundedSection(edge, 0.0)};
+    thread->cutting = {RoundedPolygon(edge, 0.0)};
     slow.tool = thread;  // at its pitch
     QVERIFY(reviewOf({std::make_shared<const TurningPass>(slow)})->crashes().empty());
   }
@@ -220,7 +220,7 @@ class TurningReviewTest : public QObject {
     paper->depthPerTurn = 0.01;
     paper->leastRoughness = 0.4;
     const std::array<ProfilePoint, 4> block{{{0.0, -5.0}, {0.0, 5.0}, {5.0, -5.0}, {5.0, 5.0}}};
-    paper->cutting = {RoundedSection(block, 0.0)};
+    paper->cutting = {RoundedPolygon(block, 0.0)};
     const auto polished = [&](double radius) {
       TurningPass pass;
       pass.tool = paper;

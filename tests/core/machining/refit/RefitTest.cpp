@@ -3,7 +3,7 @@
 #include "machining/refit/Refit.h"
 
 #include "TestClass.h"
-#include "machining/refit/ArcNet.h"
+#include "machining/refit/ArcNurbs.h"
 #include "nurbs/StepWriter.h"
 
 #include <rapidcheck.h>
@@ -98,7 +98,7 @@ class RefitTest : public QObject {
         for (std::size_t i = 1; i < segments.size(); ++i) RC_ASSERT(segments[i].from == segments[i - 1].to);
         for (const ProfilePoint& p : side) RC_ASSERT(gapTo(segments, p) <= chord + 1e-6);
         for (const ProfileSegment& s : segments) RC_ASSERT(s.box().min().x() >= -1e-9);
-        RC_ASSERT(ProfileCurve::make(netOf(segments)).hasValue());
+        RC_ASSERT(ProfileCurve::make(nurbsOf(segments)).hasValue());
       }
     }));
   }
@@ -114,7 +114,7 @@ class RefitTest : public QObject {
         segments.push_back({at, to, isArc ? anyLength(-0.4, 0.4) : 0.0});
         at = to;
       }
-      const ProfileCurve curve = ProfileCurve::make(netOf(segments)).value();
+      const ProfileCurve curve = ProfileCurve::make(nurbsOf(segments)).value();
       RC_ASSERT(curve.net().degree == 2);
       for (int i = 0; i <= 500; ++i) {
         const double u = curve.from() + (curve.to() - curve.from()) * i / 500.0;

@@ -148,7 +148,7 @@ class SampledProfileTest : public QObject {
   }
 
   void ofACurve() {
-    ProfileNet net{2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, -5}, {5, -5}, {5, 0}, {5, 5}, {0, 5}}, {1, 1, 1, 1, 1}};
+    ProfileNurbs net{2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, -5}, {5, -5}, {5, 0}, {5, 5}, {0, 5}}, {1, 1, 1, 1, 1}};
     net.weights[1] = net.weights[3] = std::sqrt(0.5);
     const auto ball = sectionOf(ProfileCurve::make(net).value(), 1e-3);
     QVERIFY(ball.hasValue());

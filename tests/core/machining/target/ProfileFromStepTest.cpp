@@ -95,7 +95,7 @@ class ProfileFromStepTest : public QObject {
     QVERIFY(std::abs(shaft->target.volume() / expected->volume() - 1.0) < 1e-6);
     QVERIFY(std::abs(shaft->target.distance({15, 20})) < 1e-6 && std::abs(shaft->target.lowerEnd() - 3.0) < 1e-6);
     const double w = std::sqrt(0.5);
-    const ProfileNet half{2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, -5}, {5, -5}, {5, 0}, {5, 5}, {0, 5}}, {1, w, 1, w, 1}};
+    const ProfileNurbs half{2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, -5}, {5, -5}, {5, 0}, {5, 5}, {0, 5}}, {1, w, 1, w, 1}};
     const auto ball = written(ProfileCurve::make(half).value());
     QVERIFY(ball.hasValue());
     QVERIFY(std::abs(ball->target.volume() / (4.0 / 3.0 * M_PI * 125.0) - 1.0) < 1e-6);

@@ -155,7 +155,7 @@ void BridgingTest::anyTwoPoints() {
 
 void BridgingTest::weldsNeighbours() {
   const HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
-  const Weld weld = weldBoundary(test::nearFaces(mesh), between(mesh, Vec3(-1, -2, 0), Vec3(0, -2, 0)));
+  const BoundaryWeld weld = weldBoundary(test::nearFaces(mesh), between(mesh, Vec3(-1, -2, 0), Vec3(0, -2, 0)));
   QCOMPARE(weld.problem, JoinProblem::None);
   QCOMPARE(test::worse(mesh, weld.mesh), std::string());
   QVERIFY(test::othersStay(mesh, weld.mesh, weld.changed));
@@ -174,7 +174,7 @@ void BridgingTest::weldsTwoEdgesApart() {
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
   for (const std::uint32_t ring : {0u, 1u, 2u}) {
     const BoundaryPair ends = between(mesh, soup.points[24 * ring], soup.points[24 * ring + 1]);
-    Weld weld = weldBoundary(test::nearFaces(mesh), ends);
+    BoundaryWeld weld = weldBoundary(test::nearFaces(mesh), ends);
     QCOMPARE(weld.problem, JoinProblem::None);
     QCOMPARE(test::worse(mesh, weld.mesh), std::string());
     QVERIFY(test::othersStay(mesh, weld.mesh, weld.changed));
@@ -190,7 +190,7 @@ void BridgingTest::weldsAcross() {
   const HalfEdgeMesh mesh =
       buildMesh(test::plateWithout(20, [](double x, double y) { return std::abs(x) < 1.0 && std::abs(y) < 6.0; })).mesh;
   for (const double far : {-1.0, 1.0}) {
-    const Weld weld = weldBoundary(test::nearFaces(mesh), between(mesh, Vec3(-far, 0, 0), Vec3(far, 0, 0)));
+    const BoundaryWeld weld = weldBoundary(test::nearFaces(mesh), between(mesh, Vec3(-far, 0, 0), Vec3(far, 0, 0)));
     // The triangles beside it are one wide and the slot two, so they stretch but do not turn.
     QCOMPARE(weld.problem, JoinProblem::None);
     QCOMPARE(test::worse(mesh, weld.mesh), std::string());
@@ -203,7 +203,7 @@ void BridgingTest::weldsAcross() {
 
 void BridgingTest::weldsAnIsland() {
   const HalfEdgeMesh mesh = buildMesh(test::plateWithIsland()).mesh;
-  const Weld weld = weldBoundary(test::nearFaces(mesh), between(mesh, Vec3(-2, 0, 0), Vec3(-6, 0, 0)));
+  const BoundaryWeld weld = weldBoundary(test::nearFaces(mesh), between(mesh, Vec3(-2, 0, 0), Vec3(-6, 0, 0)));
   QCOMPARE(weld.problem, JoinProblem::None);
   QCOMPARE(test::worse(mesh, weld.mesh), std::string());
   QCOMPARE(loopCount(weld.mesh), loopCount(mesh) - 1);
@@ -217,7 +217,7 @@ void BridgingTest::weldRefuses() {
   QVERIFY(problem(Vec3(0, 2, 0), Vec3(0, 2, 0)) == JoinProblem::SamePoint);
   QVERIFY(problem(Vec3(-2, 0, 0), Vec3(-5, 0, 0)) == JoinProblem::FlippedFace);
   const HalfEdgeMesh pinched = buildMesh(test::plateWithPinchedHole()).mesh;
-  const Weld torn = weldBoundary(test::nearFaces(pinched), between(pinched, Vec3::Zero(), Vec3(2, 1, 0)));
+  const BoundaryWeld torn = weldBoundary(test::nearFaces(pinched), between(pinched, Vec3::Zero(), Vec3(2, 1, 0)));
   QVERIFY(torn.problem == JoinProblem::NonManifoldVertex);
 }
 
@@ -227,7 +227,7 @@ void BridgingTest::weldsAnyTwoPoints() {
     for (int i = 0; i < 10; ++i) {
       const BoundaryPair ends = anyEnds(mesh);
       if (ends.a == kNone) break;
-      Weld weld = weldBoundary(test::nearFaces(mesh), ends);
+      BoundaryWeld weld = weldBoundary(test::nearFaces(mesh), ends);
       if (weld.problem != JoinProblem::None) continue;
       RC_ASSERT(test::worse(mesh, weld.mesh) == "");
       RC_ASSERT(test::othersStay(mesh, weld.mesh, weld.changed));
@@ -243,7 +243,7 @@ void BridgingTest::withinABox() {
     const HalfEdgeMesh mesh = anyMesh();
     const BoundaryPair ends = anyEnds(mesh);
     const FaceLocator near(mesh, reachOf(mesh, ends)), all = test::nearFaces(mesh);
-    const Weld weld = weldBoundary(near, ends), other = weldBoundary(all, ends);
+    const BoundaryWeld weld = weldBoundary(near, ends), other = weldBoundary(all, ends);
     RC_ASSERT(weld.problem == other.problem);
     RC_ASSERT(weld.problem != JoinProblem::None || test::sameMesh(weld.mesh, other.mesh));
     RC_ASSERT(findBridge(near, ends).triangles == findBridge(all, ends).triangles);

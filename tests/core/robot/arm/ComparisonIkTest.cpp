@@ -51,8 +51,8 @@ class ComparisonIkTest : public QObject {
     QVERIFY(compared > 20);
   }
 
-  // A single hinge of 1 m: the first is exact at once along its circle; the second, whose numbers are sines and
-  // cosines, steps by sin δ, as Newton's method for an angle by its coordinates does.
+  // A single revolute joint of 1 m: the first is exact at once along its circle; the second, whose numbers are sines
+  // and cosines, steps by sin δ, as Newton's method for an angle by its coordinates does.
   void stepsOfAHinge() {
     const SerialArm arm = armOf(std::vector<DhRow>{{.a = 1000.0}});
     const double away = 0.3;

@@ -89,7 +89,7 @@ class NumericalIkTest : public QObject {
   }
 
   // At the place, and turned as near as it goes: a SCARA that a tilted hand leads turns about its axis as the hand
-  // does, a pointer of two hinges ends at the place whatever is asked of its turn.
+  // does, a pointer of two revolute joints ends at the place whatever is asked of its turn.
   void placeFirst() {
     const SerialArm scara = armOf(std::vector<DhRow>{{.a = 300.0, .d = 400.0, .lower = -2.5, .upper = 2.5},
                                                      {.a = 200.0, .lower = -2.5, .upper = 2.5},

@@ -42,7 +42,7 @@ inline ProgramMotion anyMotion(const SerialArm& arm) {
 
 // A speed is what was wanted to half a step of the coarsest language, which counts whole percent and tenths of mm/s;
 // the blend is none, or not larger.
-inline bool isDoneAs(const ProgramMotion& wanted, const ReadMotion& read) {
+inline bool isDoneAs(const ProgramMotion& wanted, const ParsedMotion& read) {
   const double step = wanted.kind == ProgramMotion::Kind::Joint ? 0.01 : 0.1;
   return read.kind == wanted.kind && read.speed && std::abs(*read.speed - wanted.speed) <= 0.501 * step &&
          read.blend >= 0.0 && read.blend <= wanted.blend + 1e-3;

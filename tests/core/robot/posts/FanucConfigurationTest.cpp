@@ -58,7 +58,7 @@ class FanucConfigurationTest : public QObject {
       RC_PRE(Eigen::JacobiSVD<Eigen::MatrixXd>(moves).singularValues().minCoeff() > 0.003);
       const auto read = postCalled("fanuc")->read(fanucJointMotion(program, joints), program);
       RC_ASSERT(read.hasValue());
-      const ReadMotion& motion = read->front();
+      const ParsedMotion& motion = read->front();
       RC_ASSERT(motion.kind == ProgramMotion::Kind::Joint && !motion.isWayOpen && motion.joints);
       RC_ASSERT((*motion.joints - joints).cwiseAbs().maxCoeff() < 1e-4);
     }));

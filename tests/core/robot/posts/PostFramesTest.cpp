@@ -29,7 +29,7 @@ std::string replacedOnce(std::string text, const std::string& what, const std::s
   return text.replace(at, what.size(), by);
 }
 
-Result<std::vector<ReadMotion>> readAs(const char* post, const std::string& text) {
+Result<std::vector<ParsedMotion>> readAs(const char* post, const std::string& text) {
   return postCalled(post)->read(text, programOf("lrmate200id"));
 }
 

@@ -18,8 +18,8 @@ class PluginPost : public PostProcessor {
   const char* title() const override { return "Of a plugin"; }
   const char* ending() const override { return ".arm"; }
   std::string write(const RobotProgram&) const override { return {}; }
-  Result<std::vector<ReadMotion>> read(std::string_view, const RobotProgram&) const override {
-    return std::vector<ReadMotion>();
+  Result<std::vector<ParsedMotion>> read(std::string_view, const RobotProgram&) const override {
+    return std::vector<ParsedMotion>();
   }
 
  private:

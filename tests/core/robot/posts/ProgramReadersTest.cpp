@@ -17,7 +17,7 @@ constexpr const char* kPose = "[[300,0,500],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9
 constexpr const char* kHome = "CONST jointtarget home:=[[0,10,20,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];";
 
 // Where a motion that was read brings the tool of the cell, in the base.
-Pose inBase(const RobotProgram& program, const ReadMotion& motion) {
+Pose inBase(const RobotProgram& program, const ParsedMotion& motion) {
   return program.frame * *motion.pose;
 }
 
@@ -65,7 +65,7 @@ class ProgramReadersTest : public QObject {
     const auto read = postCalled("rapid")->read(text, program);
     QVERIFY(read.hasValue());
     std::vector<int> order;
-    for (const ReadMotion& motion : *read)
+    for (const ParsedMotion& motion : *read)
       order.push_back(static_cast<int>(std::lround((*motion.joints)[0] / kRadiansPerDegree)));
     QCOMPARE(order, (std::vector<int>{1, 2, 3, 2}));
     const auto script =

@@ -93,7 +93,7 @@ class RapidConfigurationTest : public QObject {
       RC_PRE(Eigen::JacobiSVD<Eigen::MatrixXd>(moves).singularValues().minCoeff() > 0.003);
       const auto read = postCalled("rapid")->read(rapidMoveJ(program, joints), program);
       RC_ASSERT(read.hasValue());
-      const ReadMotion& motion = read->front();
+      const ParsedMotion& motion = read->front();
       RC_ASSERT(motion.isWayOpen == isUniversal);  // confdata tell the ways of spherical wrists apart
       if (!isUniversal) RC_ASSERT((*motion.joints - joints).cwiseAbs().maxCoeff() < 1e-4);
     }));

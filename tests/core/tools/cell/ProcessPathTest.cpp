@@ -45,8 +45,8 @@ class BlockCell {
     plans.tool = tool;
     m_cell.plan(plans);
   }
-  Outdating outdating(const PlannedPath& planned) {
-    return outdatingOf(document().robot(), document().placement(), planned.path);
+  OutdatedReasons outdated(const PlannedPath& planned) {
+    return outdatedReasonsOf(document().robot(), document().placement(), planned.path);
   }
   // Where the tool's centre point is at the places of a path, in the base.
   std::vector<Pose> tools(const PlannedPath& planned) {
@@ -114,14 +114,14 @@ class ProcessPathTest : public QObject {
     BlockCell cell;
     const auto before = cell.planned(valuesAlong(kAlongEdge));
     QVERIFY(before.hasValue());
-    QVERIFY(!cell.outdating(*before).isAny());
+    QVERIFY(!cell.outdated(*before).isAny());
     const std::optional<Pose>& base = before->path.process->base;
     QVERIFY(base && base->isApprox(Pose::Identity()));  // of the first robot, from which all is measured
     cell.moveBlock(Pose(Eigen::Translation3d(10, 0, 0)));
-    QVERIFY(!cell.outdating(*before).part.empty());
+    QVERIFY(!cell.outdated(*before).part.empty());
     const auto after = cell.planned(valuesOf(*before->path.process), before->path.process->part);
     QVERIFY(after.hasValue());
-    QVERIFY(!cell.outdating(*after).isAny());
+    QVERIFY(!cell.outdated(*after).isAny());
   }
 
   // With another centre point of the tool it leads beside the curve; planned again, the new point is on it. Nothing is
@@ -132,18 +132,18 @@ class ProcessPathTest : public QObject {
     QVERIFY(before.hasValue());
     const std::vector<Pose> old = cell.tools(*before);
     cell.setTool(Pose(Eigen::Translation3d(0, 0, 12)));
-    const Outdating outdating = cell.outdating(*before);
-    QVERIFY(outdating.isToolOther && outdating.part.empty() && outdating.targets.empty());
+    const OutdatedReasons outdated = cell.outdated(*before);
+    QVERIFY(outdated.isToolOther && outdated.part.empty() && outdated.targets.empty());
     const auto after = cell.planned(valuesOf(*before->path.process), before->path.process->part);
     QVERIFY(after.hasValue());
-    QVERIFY(!cell.outdating(*after).isAny());
+    QVERIFY(!cell.outdated(*after).isAny());
     const std::vector<Pose> tools = cell.tools(*after);
     QCOMPARE(tools.size(), old.size());
     for (std::size_t i = 0; i < old.size(); ++i)
       QVERIFY((old[i].translation() - tools[i].translation()).norm() < kSame);
     PlannedPath unknown = *before;
     unknown.path.process->tool.reset();
-    QVERIFY(!cell.outdating(unknown).isAny());
+    QVERIFY(!cell.outdated(unknown).isAny());
   }
 
   // A path does not move with the base of its robot: the tool misses the curve. Where the part was moved as the robot
@@ -162,24 +162,24 @@ class ProcessPathTest : public QObject {
     process.base = stood;
     plans.paths.push_back({.name = "known", .places = {}, .arm = "left", .process = process});
     cell.plan(plans);
-    const auto outdating = [&](const char* path) {
-      return outdatingOf(document.robot(), document.placement(), *document.plans()->path(path));
+    const auto outdated = [&](const char* path) {
+      return outdatedReasonsOf(document.robot(), document.placement(), *document.plans()->path(path));
     };
     const auto moveTo = [&](const Pose& base) {
       auto moved = withRobotMoved(cell.content(), 1, base);
       QVERIFY(moved.hasValue());
       document.commit("Move", document.robotsEdit(std::move(moved).value(), 1));
     };
-    QVERIFY(!outdating("known").isAny() && !outdating("unknown").isAny());
+    QVERIFY(!outdated("known").isAny() && !outdated("unknown").isAny());
     const Pose by(Eigen::Translation3d(15, -25, -10) * Eigen::AngleAxisd(0.15, Vec3::UnitZ()));
     moveTo(by * stood);
-    for (const char* path : {"known", "unknown"}) QVERIFY((outdating(path) == Outdating{.isBaseOther = true}));
+    for (const char* path : {"known", "unknown"}) QVERIFY((outdated(path) == OutdatedReasons{.isBaseOther = true}));
     auto moved = std::make_shared<Body>(*document.bodies().withId(box));
     moved->pose = by * moved->pose;
     document.commit("Move", std::make_unique<BodyEdit>(std::vector<BodyEdit::Change>{{box, std::move(moved)}}));
-    for (const char* path : {"known", "unknown"}) QVERIFY(!outdating(path).isAny());
+    for (const char* path : {"known", "unknown"}) QVERIFY(!outdated(path).isAny());
     moveTo(stood);
-    for (const char* path : {"known", "unknown"}) QVERIFY((outdating(path) == Outdating{.part = "box1"}));
+    for (const char* path : {"known", "unknown"}) QVERIFY((outdated(path) == OutdatedReasons{.part = "box1"}));
   }
 
   // Joint 6 turns further than once round: where the robot stands, nearly a turn is behind it. The path comes from

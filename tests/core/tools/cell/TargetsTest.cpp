@@ -5,7 +5,7 @@
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellErrors.h"
 #include "document/cell/CellFrames.h"
-#include "document/cell/path/Outdating.h"
+#include "document/cell/path/OutdatedReasons.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/ConfigurationOperation.h"
 #include "tools/cell/path/PlanOperation.h"
@@ -180,7 +180,7 @@ class TargetsTest : public QObject {
     m_cell->plan(plans);
     const RobotPath path = plannedTo({{.joints = m_cell->document().joints()}, called("T")});
     QVERIFY(path.places.back().target && isSamePlace(path.places.back().target->inTool, Pose::Identity()));
-    QVERIFY(!outdating(path).isAny());
+    QVERIFY(!outdated(path).isAny());
     const Vec3 by(10.0, -5.0, 3.0);
     if (what == 0) plans.targets[0].pose.pretranslate(frame.linear().transpose() * by);
     if (what == 1) plans.frames[0].pose.pretranslate(by);
@@ -191,9 +191,9 @@ class TargetsTest : public QObject {
     }
     if (what == 3) plans.tool.translation().z() = 8.0;
     m_cell->plan(plans);
-    QVERIFY((outdating(path) == Outdating{.targets = {"T"}}));
+    QVERIFY((outdated(path) == OutdatedReasons{.targets = {"T"}}));
     const RobotPath again = plannedTo(path.places);
-    QVERIFY(!outdating(again).isAny());
+    QVERIFY(!outdated(again).isAny());
     const Pose reached = toolPose(m_cell->document().robot(), plans, again.places.back().joints);
     if (what < 3) there.pretranslate(by);
     QVERIFY(reached.isApprox(there, 1e-6));
@@ -206,10 +206,10 @@ class TargetsTest : public QObject {
     const CellPlans renamed = withTargetRenamed(plans, "T", "U");
     m_cell->plan(renamed);
     QCOMPARE(renamed.paths[0].places.back().name, std::string("U"));
-    QVERIFY((outdating(renamed.paths[0]) == Outdating{.targets = {"U"}}));
+    QVERIFY((outdated(renamed.paths[0]) == OutdatedReasons{.targets = {"U"}}));
     m_cell->plan(withoutTarget(renamed, "U"));
     QVERIFY(!m_cell->document().plans()->paths[0].places.back().target);
-    QVERIFY(!outdating(renamed.paths[0]).isAny());
+    QVERIFY(!outdated(renamed.paths[0]).isAny());
   }
 
   // So is one through a configuration that is other joint values now, also where it was removed and stored anew; not
@@ -220,19 +220,19 @@ class TargetsTest : public QObject {
     plans.configurations[1].joints[0] += 0.4;
     m_cell->plan(plans);
     RobotPath path = plannedTo({called("home"), called("away")});
-    QVERIFY(!outdating(path).isAny());
+    QVERIFY(!outdated(path).isAny());
     CellPlans without = plans;
     without.configurations.erase(without.configurations.begin());
     m_cell->plan(without);
-    QVERIFY(!outdating(path).isAny());
+    QVERIFY(!outdated(path).isAny());
     plans.configurations[0].joints[0] += 0.5e-3 * M_PI / 180.0;  // half of what programs are read back to
     m_cell->plan(plans);
-    QVERIFY(!outdating(path).isAny());
+    QVERIFY(!outdated(path).isAny());
     plans.configurations[0].joints[0] -= 0.2;
     m_cell->plan(plans);
-    QVERIFY((outdating(path) == Outdating{.configurations = {"home"}}));
+    QVERIFY((outdated(path) == OutdatedReasons{.configurations = {"home"}}));
     const RobotPath again = plannedTo(path.places);
-    QVERIFY(!outdating(again).isAny());
+    QVERIFY(!outdated(again).isAny());
     QVERIFY(again.places.front().joints == plans.configurations[0].joints);
     QVERIFY(again.places.back().joints == path.places.back().joints);
     // In files, and by another name.
@@ -248,7 +248,7 @@ class TargetsTest : public QObject {
     const RobotPath& kept = renamed.paths[0];
     QVERIFY(renamed.configuration("base") && !renamed.configuration("home"));
     QCOMPARE(kept.places.front().name, std::string("base"));
-    QVERIFY((outdating(kept) == Outdating{.configurations = {"base"}}));
+    QVERIFY((outdated(kept) == OutdatedReasons{.configurations = {"base"}}));
     QVERIFY(kept.process->values.at("from") == PathProcess::Value(std::string("base")));
     QVERIFY(kept.process->values.at("part") == PathProcess::Value(std::string("home")));
     QVERIFY(renamed.paths[1] == plans.paths[1]);
@@ -309,8 +309,8 @@ class TargetsTest : public QObject {
     if (!made) qFatal("not planned: %s", made.error().code->id);
     return made->path;
   }
-  Outdating outdating(const RobotPath& path) {
-    return outdatingOf(m_cell->document().robot(), m_cell->document().placement(), path);
+  OutdatedReasons outdated(const RobotPath& path) {
+    return outdatedReasonsOf(m_cell->document().robot(), m_cell->document().placement(), path);
   }
 
   std::unique_ptr<ArmCell> m_cell;

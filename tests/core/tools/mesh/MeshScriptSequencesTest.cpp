@@ -71,10 +71,10 @@ class Worker {
     const auto& loops = m_work.document->defects().loops;
     if (loops.empty()) return;
     const std::size_t id = below(loops.size());
-    const std::size_t deed = below(4);
-    if (deed == 0) return m_work.document->setKeptOpen(loops[id], !m_work.document->isKeptOpen(loops[id]));
-    if (deed == 1) return commit(smoothEdgeChange(m_work.key(id), {}));
-    if (deed == 2) {
+    const std::size_t change = below(4);
+    if (change == 0) return m_work.document->setKeptOpen(loops[id], !m_work.document->isKeptOpen(loops[id]));
+    if (change == 1) return commit(smoothEdgeChange(m_work.key(id), {}));
+    if (change == 2) {
       const Vertex v = mesh().from(loops[id].halfEdges[0]);
       return commit(pullChange(v, mesh().position(v) + 0.01 * Vec3(number(), number(), number())));
     }

@@ -96,7 +96,7 @@ class BodyOperationTest : public QObject {
     body.pose = poseOf({1, 2, 3}, Vec3::Zero());
     const BodySet later = BodySet().with(std::make_shared<const Body>(body));
     const OperationValues values = valuesOf({{"update", "cube"}, {"from", "/none/b.stl"}});
-    ReadBody read;
+    ImportedBody read;
     read.body.id = 1;
     read.body.geometry = *PrimitiveGeometry::make(Primitive::Sphere, {1});
     read.body.link = BodyLink{"/none/b.stl", {}, "b", LinkState::Present};

@@ -377,7 +377,7 @@ class CellPathStatusWindowTest : public QObject {
   void outdatedAndColliding() {
     RobotPath path{"weld", {{.joints = JointValues::Zero(6)}, {.joints = JointValues::Zero(6)}}};
     PathFindings found{.collisions = 1, .listed = {{1, "flange", "wall", -2.0}}};
-    found.outdating.part = "featuretype";
+    found.outdated.part = "featuretype";
     PathResult result;
     result.basis.path = path;
     result.found = found;
@@ -398,10 +398,10 @@ class CellPathStatusWindowTest : public QObject {
     stopped.found->stopsAt = 1;
     QCOMPARE(status(stopped).text, QString("plan again: featuretype has moved; line cannot be followed"));
     PathResult colliding = result;
-    colliding.found->outdating = {};
+    colliding.found->outdated = {};
     QVERIFY(!status(colliding).details.contains("lan it again") && status(colliding).text.contains("collision"));
     PathResult outdated = result;
-    outdated.found = PathFindings{.isCertified = true, .outdating = found.outdating};
+    outdated.found = PathFindings{.isCertified = true, .outdated = found.outdated};
     QCOMPARE(status(outdated).text, QString("plan again: featuretype has moved"));
   }
 

@@ -139,7 +139,7 @@ class PathCheckTest : public QObject {
     checked.blends.assign(2, 0.0);
     checked.notChecked = {{"link_2", "the table"}};
     checked.robotsMoved = {"left"};
-    checked.outdating = {
+    checked.outdated = {
         .part = "block", .isBaseOther = true, .isToolOther = true, .targets = {"a"}, .configurations = {"home"}};
     const RobotProgram program = programOf(scene, {}, path, checked);
     QVERIFY(hasRemark(program, "Not checked: link_2 with the_table."));

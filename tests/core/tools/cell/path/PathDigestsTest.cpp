@@ -105,7 +105,7 @@ class PathDigestsTest : public QObject {
     other.found.collisions = 7;
     other.found.measures = PathMeasures{2.5, 1.0 / 7.0, 0.03};
     other.found.stopsAt = 3;
-    other.found.outdating = {"box \"1\"", true, true, {"T", "U"}, {"home"}};
+    other.found.outdated = {"box \"1\"", true, true, {"T", "U"}, {"home"}};
     other.found.listed = {{1, "link \"1\"", "box\n"}};
     PathProof broken = other;
     broken.found.isCertified = true;

@@ -24,15 +24,15 @@ namespace {
 // The language of a controller that reads these motions, whatever was written.
 class ForgetfulPost : public PostProcessor {
  public:
-  explicit ForgetfulPost(std::vector<ReadMotion> motions) : m_motions(std::move(motions)) {}
+  explicit ForgetfulPost(std::vector<ParsedMotion> motions) : m_motions(std::move(motions)) {}
   const char* id() const override { return "forgetful"; }
   const char* title() const override { return "Forgetful"; }
   const char* ending() const override { return ".forgetful"; }
   std::string write(const RobotProgram&) const override { return "anything"; }
-  Result<std::vector<ReadMotion>> read(std::string_view, const RobotProgram&) const override { return m_motions; }
+  Result<std::vector<ParsedMotion>> read(std::string_view, const RobotProgram&) const override { return m_motions; }
 
  private:
-  std::vector<ReadMotion> m_motions;
+  std::vector<ParsedMotion> m_motions;
 };
 
 Waypoint exportedPlace(std::initializer_list<double> list, ProgramMotion::Kind motion = ProgramMotion::Kind::Joint) {
@@ -113,7 +113,7 @@ class PathExportTest : public QObject {
   // What does not hold any more is refused, or written with a remark when that is asked for.
   void outdated() {
     const struct {
-      Outdating outdating;
+      OutdatedReasons outdated;
       const ErrorDescription& code;
       std::vector<std::string> arguments;
       const char* remark;
@@ -125,7 +125,7 @@ class PathExportTest : public QObject {
         {{.configurations = {"home"}}, CellError::PathPlaceChanged, {"seam", "home"}, "# Outdated: home was changed"}};
     for (const auto& each : all) {
       CheckedPath known = checked(seam());
-      known.outdating = each.outdating;
+      known.outdated = each.outdated;
       const Error error = refusal(seam(), known);
       QVERIFY(error.code == each.code);
       QCOMPARE(error.arguments, each.arguments);
@@ -140,7 +140,7 @@ class PathExportTest : public QObject {
     RobotPath fast = seam();
     fast.places.back().speed = 9e3;
     QVERIFY(refusal(fast, checked(fast), postCalled("rapid")).code == PostError::TooFast);
-    std::vector<ReadMotion> motions;
+    std::vector<ParsedMotion> motions;
     for (const Waypoint& place : seam().places) motions.push_back({.kind = place.motion, .joints = place.joints});
     const ForgetfulPost right(motions);
     QVERIFY(writtenBy(right, seam(), file("right")).hasValue());
@@ -177,9 +177,9 @@ class PathExportTest : public QObject {
 
   // Motions that no program of this robot can have, with the line they are in.
   void motionsThatCannotBe() {
-    const ReadMotion start{.joints = seam().places[0].joints, .line = 3};
-    ReadMotion bad{.joints = ArmValues::Zero(5), .line = 7};
-    const auto errorOf = [&](const ReadMotion& motion) {
+    const ParsedMotion start{.joints = seam().places[0].joints, .line = 3};
+    ParsedMotion bad{.joints = ArmValues::Zero(5), .line = 7};
+    const auto errorOf = [&](const ParsedMotion& motion) {
       const auto read = opened({start, motion});
       return read ? Error{} : read.error();
     };
@@ -202,7 +202,7 @@ class PathExportTest : public QObject {
 
   // A program is of this robot, whatever was known of it; its first motion is none of a line.
   void whatIsMadeOfMotions() {
-    ReadMotion line{.kind = ProgramMotion::Kind::Linear, .joints = seam().places[0].joints, .blend = -3.0, .line = 1};
+    ParsedMotion line{.kind = ProgramMotion::Kind::Linear, .joints = seam().places[0].joints, .blend = -3.0, .line = 1};
     line.name = "first\nplace";  // no name that a cell can have
     const auto read = opened({line, line});
     QVERIFY(read && read->path.places.size() == 2);
@@ -260,7 +260,7 @@ class PathExportTest : public QObject {
     const auto written = writtenBy(*post, path, file("refused"), known, OutdatedPath::Refuse);
     return written || QFile::exists(file("refused")) ? Error{} : written.error();
   }
-  Result<ProgramPath> opened(const std::vector<ReadMotion>& motions, Progress progress = {}) {
+  Result<ProgramPath> opened(const std::vector<ParsedMotion>& motions, Progress progress = {}) {
     return pathFromProgram(*m_cell->scene(), m_cell->content(), ForgetfulPost(motions), "", progress);
   }
 

@@ -6,7 +6,7 @@
 #include "TestClass.h"
 #include "document/cell/CellErrors.h"
 #include "robot/program/PathFile.h"
-#include "tools/cell/path/OfferedClearance.h"
+#include "tools/cell/path/DefaultClearance.h"
 #include "tools/cell/path/PathCheck.h"
 
 #include <QTest>
@@ -145,18 +145,18 @@ class PlanOperationTest : public QObject {
   void theClearanceThatIsOffered() {
     const CellRobot& robot = m_cell->document().robot();
     CellPlans plans;
-    QCOMPARE(offeredClearance(robot, plans), 5.0);
-    QCOMPARE(offeredClearance(robot, plans, 1.0), 0.5);
-    QCOMPARE(offeredClearance(robot, plans, 100.0), 5.0);
-    QCOMPARE(offeredClearance(robot, plans, -2.0), 0.0);
+    QCOMPARE(defaultClearance(robot, plans), 5.0);
+    QCOMPARE(defaultClearance(robot, plans, 1.0), 0.5);
+    QCOMPARE(defaultClearance(robot, plans, 100.0), 5.0);
+    QCOMPARE(defaultClearance(robot, plans, -2.0), 0.0);
     plans.clearance = 2.0;
-    QCOMPARE(offeredClearance(robot, plans), 2.0);
-    QCOMPARE(offeredClearance(robot, plans, 1.0), 2.0);
+    QCOMPARE(defaultClearance(robot, plans), 2.0);
+    QCOMPARE(defaultClearance(robot, plans, 1.0), 2.0);
     const DhTable table{
         .name = "my arm",
         .joints = {{{.a = 300.0, .lower = -2.0, .upper = 2.0}, "a"}, {{.a = 250.0, .lower = -2.0, .upper = 2.0}, "b"}}};
     ArmCell own(table);
-    QCOMPARE(offeredClearance(own.document().robot(), CellPlans()), 0.0);
+    QCOMPARE(defaultClearance(own.document().robot(), CellPlans()), 0.0);
   }
 
   // Which legs were planned is in the file, too.

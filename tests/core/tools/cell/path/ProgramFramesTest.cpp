@@ -126,12 +126,12 @@ class ProgramFramesTest : public QObject {
   // The base, frames without a name, and what is no pose make none; the same frame of many motions makes one.
   void whatIsNone() {
     const Pose base = poseOf({0.0, 4000.0, 0.0}, {0.0, 0.0, 1.0});
-    ReadMotion named{.frame = fixture(), .frameName = "F"}, unnamed{.frame = fixture()}, inBase = named, broken = named,
-                                                                                         far = named;
+    ParsedMotion named{.frame = fixture(), .frameName = "F"}, unnamed{.frame = fixture()}, inBase = named,
+                                                                                           broken = named, far = named;
     inBase.frame = Pose::Identity();
     broken.frame->translation().x() = std::nan("");
     far.frame->translation().x() = 1e300;
-    const auto frames = framesOf({named, unnamed, inBase, broken, far, ReadMotion(), named}, base);
+    const auto frames = framesOf({named, unnamed, inBase, broken, far, ParsedMotion(), named}, base);
     QCOMPARE(frames.size(), std::size_t{1});
     QVERIFY(isAt(frames[0].pose, base * fixture()));
     QVERIFY(framesOf({}, base).empty());
@@ -141,7 +141,7 @@ class ProgramFramesTest : public QObject {
   // numbered on.
   void names() {
     for (const std::string& name : {std::string(1'000'000, 'x'), std::string("a\nb"), std::string(" jig ")}) {
-      const auto frames = framesOf({ReadMotion{.frame = fixture(), .frameName = name}}, Pose::Identity());
+      const auto frames = framesOf({ParsedMotion{.frame = fixture(), .frameName = name}}, Pose::Identity());
       QCOMPARE(frames.size(), std::size_t{1});
       QVERIFY(isBodyName(frames[0].name) && frames[0].name.size() <= 60);
     }
@@ -167,7 +167,7 @@ class ProgramFramesTest : public QObject {
       QVERIFY2(at != text.npos, post);
       const auto motions = postCalled(post)->read(text.replace(at, 7, std::string(100'000, 'x')), read);
       QVERIFY2(motions.hasValue() && motions->size() == 2, post);
-      for (const ReadMotion& motion : *motions) {
+      for (const ParsedMotion& motion : *motions) {
         QVERIFY2(motion.frame && motion.frameName.starts_with("xxx"), post);
         QVERIFY2(motion.frameName.size() <= 200, post);
       }

@@ -45,7 +45,7 @@ ToolReply DentTool::press(const PointerEvent& event) {
 ToolReply DentTool::pointer(const PointerEvent& event) {
   m_gesture.rethrow();
   if (event.kind == PointerEvent::Kind::Press) return press(event);
-  if (!m_gesture.isOnBy(event.device.has_value())) return ToolReply::Ignored;
+  if (!m_gesture.isOnFrom(event.device.has_value())) return ToolReply::Ignored;
   if (event.kind == PointerEvent::Kind::Release) return release();
   if (event.kind == PointerEvent::Kind::Drag && !event.device) feed(event);
   return ToolReply::Used;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "machining/lathe/RoundedSection.h"
+#include "machining/lathe/RoundedPolygon.h"
 
 #include <algorithm>
 #include <cassert>
@@ -39,12 +39,12 @@ std::size_t hullOf(std::span<const ProfilePoint> sorted, std::span<ProfilePoint>
 
 }  // namespace
 
-bool RoundedSection::isSound(std::span<const ProfilePoint> corners, double radius) {
+bool RoundedPolygon::isSound(std::span<const ProfilePoint> corners, double radius) {
   return !corners.empty() && corners.size() <= kMostCorners && std::isfinite(radius) && radius >= 0.0 &&
          std::all_of(corners.begin(), corners.end(), [](const ProfilePoint& p) { return p.allFinite(); });
 }
 
-RoundedSection::RoundedSection(std::span<const ProfilePoint> corners, double radius) : m_radius(radius) {
+RoundedPolygon::RoundedPolygon(std::span<const ProfilePoint> corners, double radius) : m_radius(radius) {
   assert(isSound(corners, radius));
   std::array<ProfilePoint, kMostCorners> sorted{};
   std::copy(corners.begin(), corners.end(), sorted.begin());
@@ -56,14 +56,14 @@ RoundedSection::RoundedSection(std::span<const ProfilePoint> corners, double rad
   std::copy_n(hull.begin(), m_count, m_corners.begin());
 }
 
-RoundedSection RoundedSection::moved(const ProfilePoint& by) const {
-  RoundedSection result = *this;
+RoundedPolygon RoundedPolygon::moved(const ProfilePoint& by) const {
+  RoundedPolygon result = *this;
   for (std::size_t i = 0; i < m_count; ++i) result.m_corners[i] += by;
   return result;
 }
 
-RoundedSection RoundedSection::mirrored() const {
-  RoundedSection result = *this;
+RoundedPolygon RoundedPolygon::mirrored() const {
+  RoundedPolygon result = *this;
   for (std::size_t i = 0; i < m_count; ++i) {
     const ProfilePoint& p = m_corners[m_count - 1 - i];
     result.m_corners[i] = {-p.x(), p.y()};
@@ -71,7 +71,7 @@ RoundedSection RoundedSection::mirrored() const {
   return result;
 }
 
-std::vector<ProfilePoint> RoundedSection::outline(int perCircle) const {
+std::vector<ProfilePoint> RoundedPolygon::outline(int perCircle) const {
   std::vector<ProfilePoint> line;
   if (m_radius == 0.0) line.assign(m_corners.begin(), m_corners.begin() + static_cast<std::ptrdiff_t>(m_count));
   // Each direction belongs to the corner that is furthest that way. z is the first axis of the angle.
@@ -87,15 +87,15 @@ std::vector<ProfilePoint> RoundedSection::outline(int perCircle) const {
   return line;
 }
 
-bool RoundedSection::operator==(const RoundedSection& other) const {
+bool RoundedPolygon::operator==(const RoundedPolygon& other) const {
   return m_radius == other.m_radius &&
          std::equal(corners().begin(), corners().end(), other.corners().begin(), other.corners().end());
 }
 
-SectionSweep::SectionSweep(const RoundedSection& section, const ProfilePoint& from, const ProfilePoint& to)
+SectionSweep::SectionSweep(const RoundedPolygon& section, const ProfilePoint& from, const ProfilePoint& to)
     : m_radius(section.radius()) {
   if (section.empty() || !from.allFinite() || !to.allFinite()) return;
-  std::array<ProfilePoint, 2 * RoundedSection::kMostCorners> points;
+  std::array<ProfilePoint, 2 * RoundedPolygon::kMostCorners> points;
   points.fill(ProfilePoint::Zero());
   std::size_t count = 0;
   for (const ProfilePoint& p : section.corners()) {

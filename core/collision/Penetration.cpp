@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "collision/PieceDepth.h"
+#include "collision/Penetration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +17,13 @@ constexpr std::size_t kMostFaces = 16;
 
 class WayOutSearch {
  public:
-  explicit WayOutSearch(const std::vector<MeetingShapes>& shapes) : m_shapes(shapes) {}
+  explicit WayOutSearch(const std::vector<IntersectingShapes>& shapes) : m_shapes(shapes) {}
 
   // The length of the direction does not count; nothing where it has none.
   void attempt(const Vec3& direction) {
     const double length = direction.norm();
     if (!(length > 0.0) || !std::isfinite(length)) return;
-    const WayOut way = wayOutAlong(m_shapes, direction / length);
+    const Penetration way = penetrationAlong(m_shapes, direction / length);
     if (m_hasAny && way.depth >= m_best.depth) return;
     m_best = way;
     m_hasAny = true;
@@ -46,11 +46,11 @@ class WayOutSearch {
   }
 
   bool hasAny() const { return m_hasAny; }
-  const WayOut& best() const { return m_best; }
+  const Penetration& best() const { return m_best; }
 
  private:
-  const std::vector<MeetingShapes>& m_shapes;
-  WayOut m_best;
+  const std::vector<IntersectingShapes>& m_shapes;
+  Penetration m_best;
   bool m_hasAny = false;
 };
 
@@ -64,11 +64,11 @@ Vec3 faceOf(const ConvexShape& triangle) {
 
 }  // namespace
 
-WayOut wayOutAlong(const std::vector<MeetingShapes>& shapes, const Vec3& direction) {
-  WayOut way;
+Penetration penetrationAlong(const std::vector<IntersectingShapes>& shapes, const Vec3& direction) {
+  Penetration way;
   way.depth = -std::numeric_limits<double>::infinity();
   way.normal = direction;
-  for (const MeetingShapes& pair : shapes) {
+  for (const IntersectingShapes& pair : shapes) {
     const Vec3 deepest = pair.first.support(-direction);
     const double depth = direction.dot(pair.second.support(direction) - deepest);
     if (depth <= way.depth) continue;
@@ -78,11 +78,11 @@ WayOut wayOutAlong(const std::vector<MeetingShapes>& shapes, const Vec3& directi
   return way;
 }
 
-WayOut leastWayOut(const std::vector<MeetingShapes>& shapes, const Vec3& last, bool isFirstClosed,
-                   bool isSecondClosed) {
+Penetration minimumPenetration(const std::vector<IntersectingShapes>& shapes, const Vec3& last, bool isFirstClosed,
+                               bool isSecondClosed) {
   WayOutSearch search(shapes);
   search.attempt(last);
-  const MeetingShapes& some = shapes.front();
+  const IntersectingShapes& some = shapes.front();
   for (const ConvexShape* shape : {&some.first, &some.second}) {
     if (isTriangle(*shape)) continue;
     for (Eigen::Index i = 0; i < 3; ++i) search.attemptBoth(shape->pose.linear().col(i));

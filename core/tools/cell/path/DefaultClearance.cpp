@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/cell/path/OfferedClearance.h"
+#include "tools/cell/path/DefaultClearance.h"
 
 #include "document/cell/CellArms.h"
 #include "robot/dh/DhTable.h"
@@ -9,16 +9,16 @@
 
 namespace handwheel {
 
-double offeredClearance(const CellRobot& robot, const CellPlans& plans) {
+double defaultClearance(const CellRobot& robot, const CellPlans& plans) {
   if (plans.clearance > 0.0) return plans.clearance;
   const std::size_t arm = activeArmNumber(robot, plans);
   const bool isPlain = libraryRobot(robot.arms[arm].title) && hasPlainShapes(robot.model, robot.arms, arm);
   return isPlain ? kPlainShapesClearance : plans.clearance;
 }
 
-double offeredClearance(const CellRobot& robot, const CellPlans& plans, double standoff) {
+double defaultClearance(const CellRobot& robot, const CellPlans& plans, double standoff) {
   if (plans.clearance > 0.0) return plans.clearance;
-  return std::clamp(0.5 * standoff, 0.0, offeredClearance(robot, plans));
+  return std::clamp(0.5 * standoff, 0.0, defaultClearance(robot, plans));
 }
 
 }  // namespace handwheel

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/cell/path/Outdating.h"
+#include "document/cell/path/OutdatedReasons.h"
 
 #include "base/Units.h"
 #include "document/cell/BodyCarriers.h"
@@ -28,7 +28,7 @@ BodyPointer standingPart(const PathProcess& process, const CellPlacement& cell) 
 }
 
 // A part and a robot that were moved as one still meet: only where the part is for the base counts.
-void compareStanding(const PathProcess& process, const Body& part, const Pose& base, Outdating& found) {
+void compareStanding(const PathProcess& process, const Body& part, const Pose& base, OutdatedReasons& found) {
   const Pose planned = process.base.value_or(base);
   if (isSamePlace(base.inverse(Eigen::Isometry) * part.pose, planned.inverse(Eigen::Isometry) * process.planned))
     return;
@@ -98,8 +98,8 @@ std::optional<Pose> targetInTool(const CellRobot& robot, const CellPlacement& ce
   return Pose(tool.inverse(Eigen::Isometry) * *pose);
 }
 
-Outdating outdatingOf(const CellRobot& robot, const CellPlacement& cell, const RobotPath& path) {
-  Outdating found;
+OutdatedReasons outdatedReasonsOf(const CellRobot& robot, const CellPlacement& cell, const RobotPath& path) {
+  OutdatedReasons found;
   if (path.process) {
     const BodyPointer part = standingPart(*path.process, cell);
     const auto number = armNumber(robot, path.arm);

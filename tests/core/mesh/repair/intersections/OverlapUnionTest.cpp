@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/repair/intersections/SharedWalls.h"
+#include "mesh/repair/intersections/OverlapUnion.h"
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
@@ -76,7 +76,7 @@ const Box kCube = block({0, 0, 0}, {10, 10, 10});
 }  // namespace
 
 // Solids that overlap and have walls in common become their union.
-class SharedWallsTest : public QObject {
+class OverlapUnionTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -106,7 +106,7 @@ class SharedWallsTest : public QObject {
   }
 };
 
-void SharedWallsTest::unions_data() {
+void OverlapUnionTest::unions_data() {
   QTest::addColumn<Boxes>("boxes");
   const auto row = [](const char* name, const Boxes& boxes) { QTest::newRow(name) << boxes; };
   const Vec3 ten(10, 10, 10);
@@ -128,7 +128,7 @@ void SharedWallsTest::unions_data() {
   row("touching and overlapping", {kCube, block({10, 0, 0}, ten), block({5, 2, 10}, {10, 6, 3})});
 }
 
-void SharedWallsTest::unions() {
+void OverlapUnionTest::unions() {
   QFETCH(Boxes, boxes);
   const TriangleSoup soup = surfaceOf(boxes);
   for (const NumberType numbers : {NumberType::Float32, NumberType::Float64}) {
@@ -148,7 +148,7 @@ void SharedWallsTest::unions() {
 
 // Rotated, no wall lies in another any more: all are off by the rounding of their corners. Either that is mended as for
 // upright walls, or nothing intersects.
-void SharedWallsTest::rotated() {
+void OverlapUnionTest::rotated() {
   QFETCH(Boxes, boxes);
   std::mt19937 random(7);
   std::normal_distribution<double> any;
@@ -174,7 +174,7 @@ void SharedWallsTest::rotated() {
 }
 
 // A cube and a box at every place of a grid that has walls in common with it.
-void SharedWallsTest::grids() {
+void OverlapUnionTest::grids() {
   int tried = 0;
   for (int x = 0; x < 3; ++x) {
     for (int y = 0; y < 3; ++y) {
@@ -191,13 +191,13 @@ void SharedWallsTest::grids() {
 }
 
 // The union and, inside it, what they have in common.
-void SharedWallsTest::withoutACommonWallBothStay() {
+void OverlapUnionTest::withoutACommonWallBothStay() {
   const TriangleSoup left = repaired(surfaceOf({kCube, block({5, 2, 2}, {10, 6, 6})}), NumberType::Float64);
   QVERIFY(std::abs(test::volume(left) - 1360.0) < 1e-9);
 }
 
 // Only the walls that end at a common one go.
-void SharedWallsTest::anInnerBodyStays() {
+void OverlapUnionTest::anInnerBodyStays() {
   TriangleSoup soup = surfaceOf({kCube, block({5, 0, 0}, {10, 10, 10}), block({6, 4, 4}, {2, 2, 2})});
   const TriangleSoup left = repaired(soup, NumberType::Float64);
   QVERIFY(test::countEdges(left).sound());
@@ -206,7 +206,7 @@ void SharedWallsTest::anInnerBodyStays() {
 }
 
 // Far from the common walls a small hole changes the winding numbers by little: the union has the hole.
-void SharedWallsTest::aHoleElsewhere() {
+void OverlapUnionTest::aHoleElsewhere() {
   TriangleSoup soup = surfaceOf({kCube, block({5, 0, 0}, {10, 10, 10})});
   const auto first = static_cast<std::uint32_t>(soup.points.size());
   soup.points.insert(soup.points.end(), {{0, 4, 4}, {0, 5, 4}, {0, 4, 5}});
@@ -234,7 +234,7 @@ void SharedWallsTest::aHoleElsewhere() {
 
 // Two equal prisms without a lid. Seen from the middle of the base, the lid has a solid angle Ω, and the winding number
 // in front of the base, 0 for closed ones, is -Ω / 2π.
-void SharedWallsTest::windingDoubt() {
+void OverlapUnionTest::windingDoubt() {
   const auto lidFrom = [](double height) {
     const TriangleSoup s = openPrism(height);
     return solidAngle({s.points[3], s.points[4], s.points[5]}, Vec3::Zero());
@@ -255,7 +255,7 @@ void SharedWallsTest::windingDoubt() {
   QCOMPARE(removed(1.02), std::size_t{0});
 }
 
-void SharedWallsTest::cancelled() {
+void OverlapUnionTest::cancelled() {
   TriangleSoup soup = surfaceOf({kCube, kCube});
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
   JobState state;
@@ -265,5 +265,5 @@ void SharedWallsTest::cancelled() {
   QCOMPARE(uniteAtWalls(mesh, 0, Uniting::SharedWalls), std::size_t{12});
 }
 
-HANDWHEEL_TEST(SharedWallsTest)
-#include "SharedWallsTest.moc"
+HANDWHEEL_TEST(OverlapUnionTest)
+#include "OverlapUnionTest.moc"

@@ -5,7 +5,7 @@
 // closed, manifold and oriented, has not more crossings than the input (rounded as it is), and the part is still there.
 // Made meshes always; with HANDWHEEL_DATA also the scans in that folder. Some minutes.
 #include "bench/Bars.h"
-#include "bench/SoundJudge.h"
+#include "bench/MeshValidityJudge.h"
 #include "document/formats/MeshFormat.h"
 #include "support/MeshShapes.h"
 #include "support/OneSidedShapes.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/repair/intersections/SharedWalls.h"
+#include "mesh/repair/intersections/OverlapUnion.h"
 
 #include "base/Tolerance.h"
 #include "mesh/defects/DuplicateFaces.h"

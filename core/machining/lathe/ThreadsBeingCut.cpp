@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "machining/lathe/ThreadsInWork.h"
+#include "machining/lathe/ThreadsBeingCut.h"
 
 #include "machining/TurningPass.h"
 
@@ -58,14 +58,14 @@ double heightIn(const TurnedProfile& part, TurningSide side, const ProfilePoint&
 
 }  // namespace
 
-double* ThreadsInWork::Helix::at(double z, double spacing) {
+double* ThreadsBeingCut::Helix::at(double z, double spacing) {
   const double sample = std::round(z / spacing) + static_cast<double>(beyond);
   if (!(sample >= 0.0 && sample < static_cast<double>(bottoms.size()))) return nullptr;
   return &bottoms[static_cast<std::size_t>(sample)];
 }
 
 // mm, from the axis: the envelope, or a groove that is deeper there.
-double ThreadsInWork::surfaceAt(const TurnedProfile& part, TurningSide side, double z, double angle) const {
+double ThreadsBeingCut::surfaceAt(const TurnedProfile& part, TurningSide side, double z, double angle) const {
   const double at = std::clamp(z / part.spacing(), 0.0, static_cast<double>(part.size() - 1));
   const auto i = std::min(static_cast<std::size_t>(at), part.size() - 2);
   const double share = at - static_cast<double>(i);
@@ -84,8 +84,8 @@ double ThreadsInWork::surfaceAt(const TurnedProfile& part, TurningSide side, dou
   return surface;
 }
 
-ThreadChip ThreadsInWork::chipAt(const TurnedProfile& part, const LatheTool& tool, const Place& place,
-                                 const ProfilePoint* stands) const {
+ThreadChip ThreadsBeingCut::chipAt(const TurnedProfile& part, const LatheTool& tool, const Place& place,
+                                   const ProfilePoint* stands) const {
   ThreadChip chip;
   const ThreadCut form;
   const TurningSide side = tool.side;
@@ -118,8 +118,8 @@ ThreadChip ThreadsInWork::chipAt(const TurnedProfile& part, const LatheTool& too
   return chip;
 }
 
-ThreadsInWork::Helix& ThreadsInWork::helixOf(const TurnedProfile& part, const LatheTool& tool,
-                                             const ThreadCut& thread) {
+ThreadsBeingCut::Helix& ThreadsBeingCut::helixOf(const TurnedProfile& part, const LatheTool& tool,
+                                                 const ThreadCut& thread) {
   const auto isSame = [&](const Helix& each) {
     const double apart = each.thread.offset - thread.offset, pitch = thread.pitch;
     return each.side == tool.side && each.thread.pitch == pitch && each.thread.isLeft == thread.isLeft &&
@@ -137,8 +137,8 @@ ThreadsInWork::Helix& ThreadsInWork::helixOf(const TurnedProfile& part, const La
 }
 
 // Sample by sample: what a step leaves of one, the next step takes.
-ThreadsInWork::Cut ThreadsInWork::cut(const TurnedProfile& part, const LatheTool& tool, const ThreadCut& thread,
-                                      double from, const Place& place) {
+ThreadsBeingCut::Cut ThreadsBeingCut::cut(const TurnedProfile& part, const LatheTool& tool, const ThreadCut& thread,
+                                          double from, const Place& place) {
   Cut cut;
   const ProfilePoint to = place.tip;
   const double middle = bottomOf(tool, to).y(), shift = middle - to.y(), spacing = part.spacing();

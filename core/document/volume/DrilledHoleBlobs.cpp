@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/volume/HoleBlobs.h"
+#include "document/volume/DrilledHoleBlobs.h"
 
 #include "base/JsonFields.h"
 #include "base/JsonText.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "machining/lathe/SectionCut.h"
+#include "machining/lathe/RemovedMaterial.h"
 
 #include "TestClass.h"
 
@@ -20,16 +20,16 @@ double number(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
 
-RoundedSection anySection() {
+RoundedPolygon anySection() {
   std::vector<ProfilePoint> corners;
   const int count = *rc::gen::inRange(1, 7);
   for (int i = 0; i < count; ++i) corners.emplace_back(number(0.0, 12.0), number(-6.0, 6.0));
-  return RoundedSection(corners, number(0.2, 2.0));
+  return RoundedPolygon(corners, number(0.2, 2.0));
 }
 
 // How far p is inside of the widened polygon, by the definition: the nearest point of the hull, found by trying very
 // many mixtures of its corners is too slow; so the distance to each edge, with the sign of the side.
-double depthIn(const RoundedSection& section, const ProfilePoint& p) {
+double depthIn(const RoundedPolygon& section, const ProfilePoint& p) {
   const auto corners = section.corners();
   double nearest = std::numeric_limits<double>::infinity();
   bool isInside = corners.size() >= 3;
@@ -47,7 +47,7 @@ double depthIn(const RoundedSection& section, const ProfilePoint& p) {
 struct Cover {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
 };
-Cover coverOf(const RoundedSection& section, const ProfilePoint& a, const ProfilePoint& b, double z) {
+Cover coverOf(const RoundedPolygon& section, const ProfilePoint& a, const ProfilePoint& b, double z) {
   Cover cover;
   constexpr int kPlaces = 400, kRows = 400;
   for (int i = 0; i <= kPlaces; ++i) {
@@ -64,18 +64,18 @@ Cover coverOf(const RoundedSection& section, const ProfilePoint& a, const Profil
 
 }  // namespace
 
-class SectionCutTest : public QObject {
+class RemovedMaterialTest : public QObject {
   Q_OBJECT
 
  private slots:
   void theHullOfItsCorners() {
     const std::vector<ProfilePoint> corners{{0, 0}, {2, 0}, {2, 2}, {1, 1}, {0, 2}, {0, 0}, {1, 0}};
-    const RoundedSection square(corners, 0.5);
+    const RoundedPolygon square(corners, 0.5);
     QCOMPARE(square.corners().size(), std::size_t{4});
-    QVERIFY(!RoundedSection::isSound({}, 1.0));
+    QVERIFY(!RoundedPolygon::isSound({}, 1.0));
     const ProfilePoint nan(std::nan(""), 0.0);
-    QVERIFY(!RoundedSection::isSound({&nan, 1}, 1.0));
-    QVERIFY(!RoundedSection::isSound(corners, -1.0) && !RoundedSection::isSound(corners, std::nan("")));
+    QVERIFY(!RoundedPolygon::isSound({&nan, 1}, 1.0));
+    QVERIFY(!RoundedPolygon::isSound(corners, -1.0) && !RoundedPolygon::isSound(corners, std::nan("")));
     const std::vector<ProfilePoint> line = square.outline(4);
     QCOMPARE(line.size(), std::size_t{5});
     QVERIFY(line.front() == line.back());
@@ -85,7 +85,7 @@ class SectionCutTest : public QObject {
   // What a sweep covers is what the section covers at dense places of its way.
   void theEnvelopeOfTheSweep() {
     QVERIFY(rc::check("lowest and highest agree with dense samples", [] {
-      const RoundedSection section = anySection();
+      const RoundedPolygon section = anySection();
       const ProfilePoint a(number(0.0, 20.0), number(0.0, 20.0)), b(number(0.0, 20.0), number(0.0, 20.0));
       const SectionSweep sweep(section, a, b);
       const double z = number(sweep.first() + 0.1, sweep.last() - 0.1);
@@ -109,12 +109,12 @@ class SectionCutTest : public QObject {
       const ProfilePoint a(number(5.0, 30.0), number(-5.0, 105.0)), b(number(5.0, 30.0), number(-5.0, 105.0));
       const double nose = number(0.2, 6.0);
       const ProfilePoint centre(0.0, 0.0);
-      const SectionSweep sweep(RoundedSection({&centre, 1}, nose), a, b);
+      const SectionSweep sweep(RoundedPolygon({&centre, 1}, nose), a, b);
       for (const TurningSide side : {TurningSide::Outside, TurningSide::Bore}) {
         TurnedProfile expected(kStock, 0.5), part(kStock, 0.5);
         const double before = part.volume();
         side == TurningSide::Outside ? expected.cut(a, b, nose) : expected.cutBore(a, b, nose);
-        const SectionCut preview = previewCut(part, sweep, side), cut = cutSection(part, sweep, side);
+        const RemovedMaterial preview = previewCut(part, sweep, side), cut = cutSection(part, sweep, side);
         for (std::size_t i = 0; i < part.size(); ++i) {
           RC_ASSERT(std::abs(part.radius(i) - expected.radius(i)) < 1e-9);
           RC_ASSERT(std::abs(part.inner(i) - expected.inner(i)) < 1e-9);
@@ -129,8 +129,8 @@ class SectionCutTest : public QObject {
   void measuresWhatItRemoves() {
     TurnedProfile part(kStock, 0.01);
     const std::vector<ProfilePoint> corners{{0, 0}, {0, 3}, {25, 3}, {25, 0}};
-    const SectionSweep plunge(RoundedSection(corners, 0.0), {25.0, 50.0}, {15.0, 50.0});
-    const SectionCut cut = cutSection(part, plunge, TurningSide::Outside);
+    const SectionSweep plunge(RoundedPolygon(corners, 0.0), {25.0, 50.0}, {15.0, 50.0});
+    const RemovedMaterial cut = cutSection(part, plunge, TurningSide::Outside);
     QVERIFY(std::abs(cut.area / (5.0 * 3.0) - 1.0) < 0.005);
     QVERIFY(std::abs(cut.volume / (M_PI * (400.0 - 225.0) * 3.0) - 1.0) < 0.005);
     QCOMPARE(cut.depth, 5.0);
@@ -141,7 +141,7 @@ class SectionCutTest : public QObject {
     QVERIFY(cutSection(part, plunge, TurningSide::Outside).isEmpty());
     // A blade of 2 mm reaches 3 mm deep.
     const std::vector<ProfilePoint> low{{0, 0}, {0, 3}, {2, 3}, {2, 0}};
-    const SectionSweep deep(RoundedSection(low, 0.0), {15.0, 10.0}, {15.0, 10.0});
+    const SectionSweep deep(RoundedPolygon(low, 0.0), {15.0, 10.0}, {15.0, 10.0});
     QVERIFY(std::abs(previewCut(part, deep, TurningSide::Outside).beyond - 3.0) < 1e-12);
   }
 
@@ -149,7 +149,7 @@ class SectionCutTest : public QObject {
     const TurnedProfile ring = TurnedProfile::fromRadii({10, 10, 10, 10}, {6, 6, 6, 6}, 3.0);
     const auto block = [](double low, double high) {
       const std::vector<ProfilePoint> corners{{low, 0.5}, {low, 2.5}, {high, 2.5}, {high, 0.5}};
-      return SectionSweep(RoundedSection(corners, 0.0), {0, 0}, {0, 0});
+      return SectionSweep(RoundedPolygon(corners, 0.0), {0, 0}, {0, 0});
     };
     QVERIFY(!(overlapOf(ring, block(-5.9, 5.9), 10.0).depth > 0.0));
     QVERIFY(!(overlapOf(ring, block(10.0, 20.0), 10.0).depth > 0.0));
@@ -161,8 +161,8 @@ class SectionCutTest : public QObject {
 
   void distancesOfSections() {
     QVERIFY(rc::check("as of dense points of their borders", [] {
-      const RoundedSection a = anySection();
-      const RoundedSection b = anySection().moved({number(-20.0, 20.0), number(-20.0, 20.0)});
+      const RoundedPolygon a = anySection();
+      const RoundedPolygon b = anySection().moved({number(-20.0, 20.0), number(-20.0, 20.0)});
       const double distance = distanceBetween(a, b);
       RC_ASSERT(std::abs(distance - distanceBetween(b, a)) < 1e-9);
       double deepest = -1e9;
@@ -179,7 +179,7 @@ class SectionCutTest : public QObject {
 
   void nothingOfNoNumber() {
     const ProfilePoint corner(0, 0);
-    const RoundedSection disc({&corner, 1}, 1.0);
+    const RoundedPolygon disc({&corner, 1}, 1.0);
     TurnedProfile part(kStock, 1.0);
     const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
     for (const double bad : {nan, inf, -inf}) {
@@ -189,11 +189,11 @@ class SectionCutTest : public QObject {
       QVERIFY(cutSection(part, sweep, TurningSide::Bore).isEmpty());
       QVERIFY(!(overlapOf(part, sweep, 20.0).depth > 0.0));
     }
-    QVERIFY(SectionSweep(RoundedSection(), {0, 0}, {1, 1}).empty());
+    QVERIFY(SectionSweep(RoundedPolygon(), {0, 0}, {1, 1}).empty());
     QVERIFY(cutSection(part, SectionSweep(disc, {1e300, 1e300}, {1e301, 1e300}), TurningSide::Outside).isEmpty());
     QVERIFY(part == TurnedProfile(kStock, 1.0));
   }
 };
 
-HANDWHEEL_TEST(SectionCutTest)
-#include "SectionCutTest.moc"
+HANDWHEEL_TEST(RemovedMaterialTest)
+#include "RemovedMaterialTest.moc"

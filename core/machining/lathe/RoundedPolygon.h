@@ -11,15 +11,15 @@ namespace handwheel {
 
 // The section of a cutting tool: a convex polygon offset by a radius. In (r, z). mm. With a radius of 0 its corners are
 // sharp; one corner alone is a disc, or a point.
-class RoundedSection {
+class RoundedPolygon {
  public:
   static constexpr std::size_t kMostCorners = 12;
 
   // Empty: covers nothing.
-  RoundedSection() = default;
+  RoundedPolygon() = default;
   // The hull of at most kMostCorners finite points, and a finite radius of at least 0; a caller with other input checks
   // isSound() of it first.
-  RoundedSection(std::span<const ProfilePoint> corners, double radius);
+  RoundedPolygon(std::span<const ProfilePoint> corners, double radius);
   static bool isSound(std::span<const ProfilePoint> corners, double radius);
 
   bool empty() const { return m_count == 0; }
@@ -27,13 +27,13 @@ class RoundedSection {
   std::span<const ProfilePoint> corners() const { return {m_corners.data(), m_count}; }
   double radius() const { return m_radius; }
 
-  RoundedSection moved(const ProfilePoint& by) const;
+  RoundedPolygon moved(const ProfilePoint& by) const;
   // Mirrored at the axis.
-  RoundedSection mirrored() const;
+  RoundedPolygon mirrored() const;
   // Its boundary as a closed polyline with this many points to a full circle.
   std::vector<ProfilePoint> outline(int perCircle) const;
 
-  bool operator==(const RoundedSection& other) const;
+  bool operator==(const RoundedPolygon& other) const;
 
  private:
   std::array<ProfilePoint, kMostCorners> m_corners{};
@@ -46,7 +46,7 @@ class RoundedSection {
 class SectionSweep {
  public:
   // Places that are not finite: covers nothing.
-  SectionSweep(const RoundedSection& section, const ProfilePoint& from, const ProfilePoint& to);
+  SectionSweep(const RoundedPolygon& section, const ProfilePoint& from, const ProfilePoint& to);
 
   bool empty() const { return m_lower.count == 0; }
   double first() const { return m_first; }  // mm, the least z that it covers
@@ -61,7 +61,7 @@ class SectionSweep {
  private:
   // The side of the hull that faces the axis, from the least z to the largest; of the other side mirrored.
   struct Chain {
-    std::array<ProfilePoint, 2 * RoundedSection::kMostCorners> points{};
+    std::array<ProfilePoint, 2 * RoundedPolygon::kMostCorners> points{};
     std::size_t count = 0;
     void add(const ProfilePoint& p);
     double at(double z, double radius) const;

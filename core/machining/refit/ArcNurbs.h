@@ -13,6 +13,6 @@ namespace handwheel {
 // before ends. Inner knots are double, so every joint is a pole and may be a sharp corner: the same as a double pole
 // over single knots, with one pole less. Arcs are parted where their tangent is parallel to an axis, so that no pole is
 // outside of the box of its arc, nor across the axis of the part. O(segments).
-ProfileNet netOf(std::span<const ProfileSegment> segments);
+ProfileNurbs nurbsOf(std::span<const ProfileSegment> segments);
 
 }  // namespace handwheel

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/workpiece/DrawnWorkpiece.h"
+#include "document/workpiece/WorkpieceFromDrawing.h"
 
 #include "base/NumberText.h"
 #include "document/workpiece/WorkpieceProperties.h"

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "machining/TurnedProfile.h"
-#include "machining/lathe/RoundedSection.h"
+#include "machining/lathe/RoundedPolygon.h"
 
 namespace handwheel {
 
 // The material that a cut removes.
-struct SectionCut {
+struct RemovedMaterial {
   TurnedProfile::Range changed;
   double area = 0.0;    // mm², in the half plane through the axis
   double volume = 0.0;  // mm³
@@ -16,7 +16,7 @@ struct SectionCut {
   double beyond = 0.0;  // mm: how far what leaves reaches past all of the section, where there is no edge
 
   bool isEmpty() const { return changed.isEmpty(); }
-  void add(const SectionCut& other);
+  void add(const RemovedMaterial& other);
   double meanRadius() const { return area > 0.0 ? volume / (2.0 * M_PI * area) : 0.0; }  // mm, by Pappus
 };
 
@@ -24,10 +24,10 @@ struct SectionCut {
 TurnedProfile::Range samplesWithin(const TurnedProfile& profile, double first, double last);
 
 // Removes what the sweep covers, and all that is on that side of it. O(samples under the sweep).
-SectionCut cutSection(TurnedProfile& profile, const SectionSweep& sweep, TurningSide side);
+RemovedMaterial cutSection(TurnedProfile& profile, const SectionSweep& sweep, TurningSide side);
 
 // What cutSection() would remove.
-SectionCut previewCut(const TurnedProfile& profile, const SectionSweep& sweep, TurningSide side);
+RemovedMaterial previewCut(const TurnedProfile& profile, const SectionSweep& sweep, TurningSide side);
 
 // How deep a sweep is in material where it must not be, as a holder or a jaw. At most 0: it is not. The material lies
 // on both sides of the axis, as the part turns. within: mm, a radius that no material exceeds. O(samples under the
@@ -39,6 +39,6 @@ struct SectionOverlap {
 SectionOverlap overlapOf(const TurnedProfile& profile, const SectionSweep& sweep, double within);
 
 // How far two convex sections are apart, at least; 0 where they meet. mm. O(corners of one × those of the other).
-double distanceBetween(const RoundedSection& a, const RoundedSection& b);
+double distanceBetween(const RoundedPolygon& a, const RoundedPolygon& b);
 
 }  // namespace handwheel

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "machining/refit/ArcNet.h"
+#include "machining/refit/ArcNurbs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ class NetBuilder {
     }
   }
 
-  ProfileNet take() {
+  ProfileNurbs take() {
     m_net.knots.push_back(m_net.knots.back());
     return std::move(m_net);
   }
@@ -68,12 +68,12 @@ class NetBuilder {
     m_net.weights.push_back(weight);
   }
 
-  ProfileNet m_net;
+  ProfileNurbs m_net;
 };
 
 }  // namespace
 
-ProfileNet netOf(std::span<const ProfileSegment> segments) {
+ProfileNurbs nurbsOf(std::span<const ProfileSegment> segments) {
   NetBuilder builder(segments.front().from);
   for (const ProfileSegment& segment : segments) {
     if (segment.isArc())

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "machining/lathe/SectionCut.h"
+#include "machining/lathe/RemovedMaterial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace handwheel {
 namespace {
 
 // Counts the change of a sample from one radius to another.
-void countChange(SectionCut& cut, std::size_t i, double before, double after, double spacing) {
+void countChange(RemovedMaterial& cut, std::size_t i, double before, double after, double spacing) {
   cut.changed.extend({i, i + 1});
   cut.area += std::abs(before - after) * spacing;
   cut.volume += M_PI * std::abs(before * before - after * after) * spacing;
@@ -20,8 +20,8 @@ void countChange(SectionCut& cut, std::size_t i, double before, double after, do
 
 // Calls change(sample, the radius it would have), which tells whether that is a change.
 template <class Change>
-SectionCut cutWith(const TurnedProfile& profile, const SectionSweep& sweep, TurningSide side, Change change) {
-  SectionCut cut;
+RemovedMaterial cutWith(const TurnedProfile& profile, const SectionSweep& sweep, TurningSide side, Change change) {
+  RemovedMaterial cut;
   if (sweep.empty()) return cut;
   const TurnedProfile::Range under = samplesWithin(profile, sweep.first(), sweep.last());
   for (std::size_t i = under.first; i < under.last; ++i) {
@@ -69,7 +69,7 @@ bool segmentsCross(const ProfilePoint& a, const ProfilePoint& b, const ProfilePo
 
 }  // namespace
 
-void SectionCut::add(const SectionCut& other) {
+void RemovedMaterial::add(const RemovedMaterial& other) {
   changed.extend(other.changed);
   area += other.area;
   volume += other.volume;
@@ -85,13 +85,13 @@ TurnedProfile::Range samplesWithin(const TurnedProfile& profile, double first, d
   return {from, to + 1};
 }
 
-SectionCut cutSection(TurnedProfile& profile, const SectionSweep& sweep, TurningSide side) {
+RemovedMaterial cutSection(TurnedProfile& profile, const SectionSweep& sweep, TurningSide side) {
   return cutWith(profile, sweep, side, [&](std::size_t i, double left) {
     return side == TurningSide::Outside ? profile.limitOuter(i, left) : profile.limitInner(i, left);
   });
 }
 
-SectionCut previewCut(const TurnedProfile& profile, const SectionSweep& sweep, TurningSide side) {
+RemovedMaterial previewCut(const TurnedProfile& profile, const SectionSweep& sweep, TurningSide side) {
   return cutWith(profile, sweep, side, [](std::size_t, double left) { return std::isfinite(left); });
 }
 
@@ -111,7 +111,7 @@ SectionOverlap overlapOf(const TurnedProfile& profile, const SectionSweep& sweep
   return deepest;
 }
 
-double distanceBetween(const RoundedSection& a, const RoundedSection& b) {
+double distanceBetween(const RoundedPolygon& a, const RoundedPolygon& b) {
   const auto p = a.corners(), q = b.corners();
   if (p.empty() || q.empty()) return std::numeric_limits<double>::infinity();
   if (isInConvex(p, q[0]) || isInConvex(q, p[0])) return 0.0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/volume/exercise/HolePicture.h"
+#include "document/volume/exercise/DrilledHolePicture.h"
 
 #include "volume/VolumeSampler.h"
 

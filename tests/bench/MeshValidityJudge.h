@@ -16,8 +16,8 @@
 #include <random>
 #include <vector>
 
-// Judges a repaired file against its input, independently of this program's code. Topology by counting edges after
-// equal places became one vertex, crossings and distances by CGAL with exact predicates.
+// Judges the validity of a repaired file against its input, independently of this program's code. Topology by counting
+// edges after equal places became one vertex, crossings and distances by CGAL with exact predicates.
 namespace handwheel::bench {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/mesh/MeshSurface.h"
+#include "tools/mesh/MeshContactSurface.h"
 
 #include "haptics/contact/TouchableSurface.h"
 

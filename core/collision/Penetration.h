@@ -8,25 +8,26 @@
 
 namespace handwheel {
 
-// Two convex shapes that meet, in one frame.
-struct MeetingShapes {
+// Two convex shapes that intersect, in one frame.
+struct IntersectingShapes {
   ConvexShape first, second;
 };
 
-// How to take shapes apart that meet: all of the first ones move along the normal by the depth.
-struct WayOut {
+// How deep some shapes penetrate others. Moved along the normal by the depth, the first ones are apart.
+struct Penetration {
   double depth = 0.0;           // mm
   Vec3 normal = Vec3::UnitZ();  // of unit length
   Vec3 deepest = Vec3::Zero();  // the point of the first ones that is deepest in the second
 };
 
-// The way out along that direction, which has unit length.
-WayOut wayOutAlong(const std::vector<MeetingShapes>& shapes, const Vec3& direction);
+// The penetration along a direction of unit length.
+Penetration penetrationAlong(const std::vector<IntersectingShapes>& shapes, const Vec3& direction);
 
 // The least of those along the shapes' faces and, of solids, their edges and what lies between; and along `last`, the
 // direction in which they were apart, if it is not zero. isFirstClosed, isSecondClosed: their triangles know an
 // outside, into which alone the way leads. Not empty: the shapes.
-WayOut leastWayOut(const std::vector<MeetingShapes>& shapes, const Vec3& last, bool isFirstClosed, bool isSecondClosed);
+Penetration minimumPenetration(const std::vector<IntersectingShapes>& shapes, const Vec3& last, bool isFirstClosed,
+                               bool isSecondClosed);
 
 // The point of a solid's surface nearest to a point, and the way to leave it there, in the frame of the solid.
 struct SolidNearest {

@@ -20,11 +20,11 @@ struct ThreadChip {
 
 // The thread grooves of a part while one more is being cut. They are those that it had, and what has been cut since.
 // The profile, which is the envelope, does not know them. One thread.
-class ThreadsInWork {
+class ThreadsBeingCut {
  public:
   static constexpr std::size_t kMostHelices = 64;  // that are known since the work began; the oldest is forgotten
 
-  explicit ThreadsInWork(std::shared_ptr<const PartThreads> threads = nullptr) : m_threads(std::move(threads)) {}
+  explicit ThreadsBeingCut(std::shared_ptr<const PartThreads> threads = nullptr) : m_threads(std::move(threads)) {}
 
   // Where a tool is in a part: its tip in the half plane of this angle about the axis.
   struct Place {
@@ -39,7 +39,7 @@ class ThreadsInWork {
   // Takes it, on a helix that the tool follows from its tip at z = from (mm) to the place. The areas of the cut are
   // those of the section on its way about the axis, so that volume = 2π r · area; the edge is that of its last chip.
   struct Cut {
-    SectionCut removed;
+    RemovedMaterial removed;
     double edge = 0.0;  // mm
   };
   Cut cut(const TurnedProfile& part, const LatheTool& tool, const ThreadCut& thread, double from, const Place& place);

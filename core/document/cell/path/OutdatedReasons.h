@@ -13,8 +13,8 @@ namespace handwheel {
 
 struct CellRobot;
 
-// What a path was planned for and does not lead to any more.
-struct Outdating {
+// The reasons why a planned path is out of date.
+struct OutdatedReasons {
   std::string part = {};               // that it leads along, where that stands elsewhere now
   bool isBaseOther = false;            // its robot stands elsewhere than when its curve was planned
   bool isToolOther = false;            // its curve was planned with another centre point of the tool
@@ -24,12 +24,12 @@ struct Outdating {
   bool isAny() const {
     return isToolOther || isBaseOther || !part.empty() || !targets.empty() || !configurations.empty();
   }
-  bool operator==(const Outdating&) const = default;
+  bool operator==(const OutdatedReasons&) const = default;
 };
 
 // What has changed so for a path, with the other robots where they stand. What is not there any more does not count.
 // O(places · links + bodies).
-Outdating outdatingOf(const CellRobot& robot, const CellPlacement& cell, const RobotPath& path);
+OutdatedReasons outdatedReasonsOf(const CellRobot& robot, const CellPlacement& cell, const RobotPath& path);
 
 // Where a target is for the tool of this robot (CellPlans::arm) at these joint values of it; none where it is missing.
 std::optional<Pose> targetInTool(const CellRobot& robot, const CellPlacement& cell, std::string_view arm,
