@@ -26,7 +26,7 @@ struct PairHint {
 // The closest points of two pieces where they are nearer than `enough`, else none: they are not. Poses: of their frames
 // in the world. Any thread.
 //
-// Of what meets the depth is that of the closest way out for boxes, cylinders and spheres (by directions that are
+// Of what meets the depth is the smallest penetration for boxes, cylinders and spheres (by directions that are
 // tried, so never too small; exact without cylinders). Of triangles it is the least way, of some, on which those that
 // cross come apart: a bound, as meshes may be open. tolerance: mm that the points of meshes may be further from each
 // other than the closest ones.
@@ -46,7 +46,7 @@ bool areMeeting(const CollisionPiece& a, const Pose& poseA, const CollisionPiece
 // A place where two pieces touch, or nearly.
 struct PieceContact {
   std::uint32_t first = kNone, second = kNone;  // triangles, by their numbers in the soups; kNone: a solid
-  // Of these two alone: apart, they have a distance; where they meet, the distance is the depth of their least way out,
+  // Of these two alone: apart, they have a distance; where they meet, the distance is their smallest penetration,
   // of some that are tried, and the points are where they touch last on it.
   ClosestPoints points;
 };

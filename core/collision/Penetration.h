@@ -23,9 +23,9 @@ struct Penetration {
 // The penetration along a direction of unit length.
 Penetration penetrationAlong(const std::vector<IntersectingShapes>& shapes, const Vec3& direction);
 
-// The least of those along the shapes' faces and, of solids, their edges and what lies between; and along `last`, the
-// direction in which they were apart, if it is not zero. isFirstClosed, isSecondClosed: their triangles know an
-// outside, into which alone the way leads. Not empty: the shapes.
+// The smallest penetration along the normals of the shapes' faces and, of solids, their edges and what lies between;
+// and along `last`, the direction in which they were apart, if it is not zero. isFirstClosed, isSecondClosed: their
+// triangles know an outside, into which alone the normal leads. Not empty: the shapes.
 Penetration minimumPenetration(const std::vector<IntersectingShapes>& shapes, const Vec3& last, bool isFirstClosed,
                                bool isSecondClosed);
 

@@ -57,15 +57,15 @@ class TimedApplication : public QApplication {
   CpuTimes m_composed;
 };
 
-// Works with a window of its own and notes how long each piece of work keeps the window's thread.
-class Person {
+// A user of a window, with the times that its thread was busy. One time for each piece of work.
+class SimulatedUser {
  public:
-  Person(TimedApplication& application, Bars& bars)
+  SimulatedUser(TimedApplication& application, Bars& bars)
       : m_application(application), m_bars(bars), m_view(m_driver.find<Viewport>("viewport")) {
     m_application.watch(m_view);
     std::printf("%-26s %8s %8s   %8s\n", "longest event, ms", "CPU", "clock", "drawing");
   }
-  ~Person() { m_application.watch(nullptr); }
+  ~SimulatedUser() { m_application.watch(nullptr); }
 
   // How long the work and all that follows from it keep the thread busy, until the window has come to rest.
   void does(const char* what, const std::function<void()>& work, double bar = kBarMs) {

@@ -11,7 +11,7 @@
 #include <clocale>
 
 using namespace handwheel;
-using bench::Person;
+using bench::SimulatedUser;
 
 namespace {
 
@@ -34,111 +34,111 @@ QString fileIn(const QTemporaryDir& folder) {
   return path;
 }
 
-void repairs(Person& person) {
-  auto& driver = person.driver();
-  person.does("choose a hole", [&] { driver.clickDefect(DefectKind::Hole, 3); });
-  person.does("fill it", [&] { person.trigger("fillHole"); });
-  person.does("undo", [&] { person.trigger("undo"); });
-  person.does("redo", [&] { person.trigger("redo"); });
-  person.does("keep a hole open", [&] {
+void repairs(SimulatedUser& user) {
+  auto& driver = user.driver();
+  user.does("choose a hole", [&] { driver.clickDefect(DefectKind::Hole, 3); });
+  user.does("fill it", [&] { user.trigger("fillHole"); });
+  user.does("undo", [&] { user.trigger("undo"); });
+  user.does("redo", [&] { user.trigger("redo"); });
+  user.does("keep a hole open", [&] {
     driver.clickDefect(DefectKind::Hole, 5);
-    person.trigger("keepOpen");
+    user.trigger("keepOpen");
   });
-  person.does("repair all", [&] { person.trigger("repairAll"); });
-  person.does("undo of it", [&] { person.trigger("undo"); });
+  user.does("repair all", [&] { user.trigger("repairAll"); });
+  user.does("undo of it", [&] { user.trigger("undo"); });
 }
 
-void selects(Person& person) {
-  auto& driver = person.driver();
-  person.does("take up the select tool", [&] { person.trigger("selectTool"); });
-  person.waits("connected faces", [&] {
-    person.choose("toolDock", "mode", 3);
-    QTest::mouseClick(&person.view(), Qt::LeftButton, {}, person.at(0.2, 0.55));
+void selects(SimulatedUser& user) {
+  auto& driver = user.driver();
+  user.does("take up the select tool", [&] { user.trigger("selectTool"); });
+  user.waits("connected faces", [&] {
+    user.choose("toolDock", "mode", 3);
+    QTest::mouseClick(&user.view(), Qt::LeftButton, {}, user.at(0.2, 0.55));
     return true;
   });
-  person.waits("brush", [&] {
-    person.choose("toolDock", "mode", 1);
-    return person.drag(Qt::LeftButton, person.at(0.2, 0.5), person.at(0.5, 0.6));
+  user.waits("brush", [&] {
+    user.choose("toolDock", "mode", 1);
+    return user.drag(Qt::LeftButton, user.at(0.2, 0.5), user.at(0.5, 0.6));
   });
-  person.waits("lasso", [&] {
-    person.choose("toolDock", "mode", 2);
-    return person.drag(Qt::LeftButton, person.at(0.1, 0.1), person.at(0.9, 0.8));
+  user.waits("lasso", [&] {
+    user.choose("toolDock", "mode", 2);
+    return user.drag(Qt::LeftButton, user.at(0.1, 0.1), user.at(0.9, 0.8));
   });
-  person.does("select all", [&] { driver.find<QAbstractButton>("toolAction/all")->click(); });
-  person.does("invert the selection", [&] { driver.find<QAbstractButton>("toolAction/invert")->click(); });
-  person.waits("brush again", [&] {
-    person.choose("toolDock", "mode", 1);
-    return person.drag(Qt::LeftButton, person.at(0.2, 0.5), person.at(0.5, 0.6));
+  user.does("select all", [&] { driver.find<QAbstractButton>("toolAction/all")->click(); });
+  user.does("invert the selection", [&] { driver.find<QAbstractButton>("toolAction/invert")->click(); });
+  user.waits("brush again", [&] {
+    user.choose("toolDock", "mode", 1);
+    return user.drag(Qt::LeftButton, user.at(0.2, 0.5), user.at(0.5, 0.6));
   });
-  person.does("delete the selection", [&] { driver.find<QAbstractButton>("toolAction/delete")->click(); });
-  person.does("take up the measuring tool", [&] { person.trigger("measureTool"); });
-  person.waits("measure", [&] {
-    QTest::mouseClick(&person.view(), Qt::LeftButton, {}, person.at(0.2, 0.55));
-    QTest::mouseClick(&person.view(), Qt::LeftButton, {}, person.at(0.7, 0.55));
+  user.does("delete the selection", [&] { driver.find<QAbstractButton>("toolAction/delete")->click(); });
+  user.does("take up the measuring tool", [&] { user.trigger("measureTool"); });
+  user.waits("measure", [&] {
+    QTest::mouseClick(&user.view(), Qt::LeftButton, {}, user.at(0.2, 0.55));
+    QTest::mouseClick(&user.view(), Qt::LeftButton, {}, user.at(0.7, 0.55));
     return true;
   });
 }
 
-void looks(Person& person) {
-  person.waits("orbit", [&] { return person.drag(Qt::MiddleButton, person.at(0.5, 0.5), person.at(0.7, 0.4)); });
-  person.waits("hover", [&] {
-    for (int i = 0; i < 50; ++i) QTest::mouseMove(&person.view(), person.at(0.1 + 0.016 * i, 0.5));
+void looks(SimulatedUser& user) {
+  user.waits("orbit", [&] { return user.drag(Qt::MiddleButton, user.at(0.5, 0.5), user.at(0.7, 0.4)); });
+  user.waits("hover", [&] {
+    for (int i = 0; i < 50; ++i) QTest::mouseMove(&user.view(), user.at(0.1 + 0.016 * i, 0.5));
     return true;
   });
   for (const char* action : {"shadedWithEdges", "shaded", "viewTop", "fitView", "clipModel", "fidelityDockToggle",
                              "statusDockToggle", "logDockToggle", "searchCommands"}) {
-    person.does(action, [&, action] { person.trigger(action); });
+    user.does(action, [&, action] { user.trigger(action); });
   }
 }
 
 // Qt styles every widget of the window anew, at once.
-void changesTheme(Person& person) {
+void changesTheme(SimulatedUser& user) {
   for (const char* what : {"dark theme", "light theme", "dark theme again"}) {
-    person.does(what, [&] { person.trigger("darkTheme"); });
+    user.does(what, [&] { user.trigger("darkTheme"); });
   }
 }
 
 // Colours by distance, a brush on the surface, and a plane through it.
-void shapes(Person& person) {
-  auto& driver = person.driver();
-  person.does("deviation colours", [&] { person.trigger("deviation"); });
-  person.does("another range of them", [&] { emit driver.find<DeviationPanel>("deviationPanel")->rangeChosen(1.0); });
-  person.does("without them", [&] { person.trigger("deviation"); });
-  person.does("take up the sculpt tool", [&] { person.trigger("sculptTool"); });
-  person.does("all of the mesh", [&] { driver.find<QAbstractButton>("toolAction/whole")->click(); });
-  const QPoint place = person.at(0.2, 0.55);
-  person.waits("a dab", [&] {
-    QTest::mouseClick(&person.view(), Qt::LeftButton, {}, place);
+void shapes(SimulatedUser& user) {
+  auto& driver = user.driver();
+  user.does("deviation colours", [&] { user.trigger("deviation"); });
+  user.does("another range of them", [&] { emit driver.find<DeviationPanel>("deviationPanel")->rangeChosen(1.0); });
+  user.does("without them", [&] { user.trigger("deviation"); });
+  user.does("take up the sculpt tool", [&] { user.trigger("sculptTool"); });
+  user.does("all of the mesh", [&] { driver.find<QAbstractButton>("toolAction/whole")->click(); });
+  const QPoint place = user.at(0.2, 0.55);
+  user.waits("a dab", [&] {
+    QTest::mouseClick(&user.view(), Qt::LeftButton, {}, place);
     return true;
   });
   if (!driver.find<QAction>("undo")->isEnabled()) qFatal("the dab missed");
-  person.waits("a stroke", [&] { return person.drag(Qt::LeftButton, place, person.at(0.3, 0.6)); });
-  person.does("leave the tool", [&] { person.trigger("selectTool"); });
-  person.does("a section", [&] { person.trigger("clipModel"); });
+  user.waits("a stroke", [&] { return user.drag(Qt::LeftButton, place, user.at(0.3, 0.6)); });
+  user.does("leave the tool", [&] { user.trigger("selectTool"); });
+  user.does("a section", [&] { user.trigger("clipModel"); });
   for (const int axis : {0, 1, 2}) {
-    person.does((std::string("a section across ") + "XYZ"[axis]).c_str(),
-                [&] { person.choose("viewDock", "clip_axis", axis); });
+    user.does((std::string("a section across ") + "XYZ"[axis]).c_str(),
+              [&] { user.choose("viewDock", "clip_axis", axis); });
   }
 }
 
-void files(Person& person, const QTemporaryDir& folder, const QString& path) {
-  auto& driver = person.driver();
-  person.does("ask for a name", [&] { person.trigger("saveFileAs"); });
-  person.waits("save", [&] { return driver.enterFileName("saveDialog", folder.filePath("saved.handwheel")); });
-  person.does("a second document", [&] { driver.window().openPaths({path}); });
-  person.does("back to the first", [&] { driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0); });
+void files(SimulatedUser& user, const QTemporaryDir& folder, const QString& path) {
+  auto& driver = user.driver();
+  user.does("ask for a name", [&] { user.trigger("saveFileAs"); });
+  user.waits("save", [&] { return driver.enterFileName("saveDialog", folder.filePath("saved.handwheel")); });
+  user.does("a second document", [&] { driver.window().openPaths({path}); });
+  user.does("back to the first", [&] { driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0); });
 }
 
 // A window of its own for each kind of work, so that one can be measured alone (--benchmark_filter).
-void add(const char* name, const std::function<void(Person&, const QTemporaryDir&, const QString& path)>& work) {
+void add(const char* name, const std::function<void(SimulatedUser&, const QTemporaryDir&, const QString& path)>& work) {
   benchmark::RegisterBenchmark(name,
                                [work](benchmark::State& state) {
                                  const QTemporaryDir folder;
                                  const QString path = fileIn(folder);
                                  for (auto _ : state) {
-                                   Person person(*application, bars);
-                                   person.does("open", [&] { person.driver().window().openPaths({path}); });
-                                   work(person, folder, path);
+                                   SimulatedUser user(*application, bars);
+                                   user.does("open", [&] { user.driver().window().openPaths({path}); });
+                                   work(user, folder, path);
                                  }
                                })
       ->Unit(benchmark::kSecond)
@@ -157,8 +157,8 @@ int main(int argc, char** argv) {
   QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
   QCoreApplication::setApplicationName(QStringLiteral("HandwheelBench"));
   applyTheme(app, ThemeKind::Light);
-  const auto alone = [](void (*work)(Person&)) {
-    return [work](Person& person, const QTemporaryDir&, const QString&) { work(person); };
+  const auto alone = [](void (*work)(SimulatedUser&)) {
+    return [work](SimulatedUser& user, const QTemporaryDir&, const QString&) { work(user); };
   };
   add("looks", alone(looks));
   add("theme", alone(changesTheme));

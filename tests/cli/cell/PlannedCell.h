@@ -23,18 +23,18 @@ class PlannedCell {
          "cell.handwheel"});
     run({"body", "cell.handwheel", "--add", "box:100,200,800", "--at", "450,0,400", "-o", "cell.handwheel"});
   }
-  Ran run(const QStringList& words) const { return m_bench.run(words); }
-  QByteArray read(const QString& name) const { return m_bench.content(name); }
+  Ran run(const QStringList& words) const { return m_fixture.run(words); }
+  QByteArray read(const QString& name) const { return m_fixture.content(name); }
   // Of a table of motions: its heading and rows, without remarks.
   QList<QByteArray> rowsOf(const QString& name) const {
     QList<QByteArray> lines = read(name).split('\n');
     lines.removeIf([](const QByteArray& line) { return line.startsWith('#'); });
     return lines;
   }
-  void put(const QString& name, const QByteArray& content) const { m_bench.put(name, content); }
+  void put(const QString& name, const QByteArray& content) const { m_fixture.put(name, content); }
 
  private:
-  Fixture m_bench;
+  Fixture m_fixture;
 };
 
 }  // namespace handwheel

@@ -23,7 +23,7 @@ const QByteArray kBar = R"(<robot name='bar'><link name='foot'/>
 class TwoBars {
  public:
   TwoBars() {
-    m_bench.put("bar.urdf", kBar);
+    m_fixture.put("bar.urdf", kBar);
     done({"robot", "bar.urdf", "--add", "bar.urdf", "--name", "right", "--at", "700,0,0", "--turn", "0,0,180"});
     for (const QString& arm : {QString("bar"), QString("right")}) {
       const QString joint = arm == "bar" ? "turn" : "right_turn";
@@ -31,7 +31,7 @@ class TwoBars {
       done({"configuration", "cell.handwheel", "--arm", arm, "--joints", joint + "=-1", "--add", arm + " down"});
     }
   }
-  Ran run(const QStringList& words) const { return m_bench.run(words); }
+  Ran run(const QStringList& words) const { return m_fixture.run(words); }
   // Writes the cell.
   Ran done(const QStringList& words) const {
     Ran ran = run(words + QStringList{"-o", "cell.handwheel"});
@@ -39,11 +39,11 @@ class TwoBars {
     return ran;
   }
   nlohmann::json described() const { return jsonOf(run({"inspect", "cell.handwheel", "--json"}).out)["document"]; }
-  void put(const QString& name, const QByteArray& content) const { m_bench.put(name, content); }
-  QByteArray read(const QString& name) const { return m_bench.content(name); }
+  void put(const QString& name, const QByteArray& content) const { m_fixture.put(name, content); }
+  QByteArray read(const QString& name) const { return m_fixture.content(name); }
 
  private:
-  Fixture m_bench;
+  Fixture m_fixture;
 };
 
 }  // namespace

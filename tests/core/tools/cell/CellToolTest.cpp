@@ -34,8 +34,8 @@ class CellFixture {
     cube.pose = poseOf({0, 500, 0}, {0, 0, 0.3});
     document().commit("Add", std::move(addBodyEdit(document().bodies(), cube)).value());
   }
-  RobotCellDocument& document() { return m_bench.document(); }
-  CellTool tool(const std::string& part) { return CellTool(document(), selection, m_bench.picking(part)); }
+  RobotCellDocument& document() { return m_fixture.document(); }
+  CellTool tool(const std::string& part) { return CellTool(document(), selection, m_fixture.picking(part)); }
   Vec3 place() { return document().bodies().withId(1)->pose.translation(); }
   void raise(double z) {
     Body cube = *document().bodies().withId(1);
@@ -55,7 +55,7 @@ class CellFixture {
   BodySelection selection;
 
  private:
-  Fixture m_bench;
+  Fixture m_fixture;
 };
 
 // Where the tool shows the cube.

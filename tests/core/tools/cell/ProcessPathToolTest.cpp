@@ -22,7 +22,7 @@ class ProcessFixture {
     cube.pose.translation() = Vec3(0, 500, 0);
     document().commit("Add", std::move(addBodyEdit(document().bodies(), cube)).value());
   }
-  RobotCellDocument& document() { return m_bench.document(); }
+  RobotCellDocument& document() { return m_fixture.document(); }
   // half: mm that the part reaches to either side; else whatever is pointed to is the part.
   ProcessPathTool tool(double half = 1e9) {
     ProcessPathServices services;
@@ -41,7 +41,7 @@ class ProcessFixture {
   bool isPrepared = true;
 
  private:
-  Fixture m_bench;
+  Fixture m_fixture;
 };
 
 void click(ProcessPathTool& tool, double x, double y) {
