@@ -103,6 +103,11 @@ RandomUser::RandomUser(MainWindow& window, std::uint32_t seed)
     m_opened[open] = {contentOf(*open), open->document.history()->index()};
   });
   connect(&m_tabs, &DocumentTabs::closing, this, &RandomUser::watchClosing);
+  // A button with a menu waits within its press until something is chosen there, or the menu is closed.
+  connect(&m_menus, &QTimer::timeout, this, [this] {
+    if (qobject_cast<QMenu*>(QApplication::activePopupWidget())) pressKey();
+  });
+  m_menus.start(50);
 }
 
 void RandomUser::makeFiles() {

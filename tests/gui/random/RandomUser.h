@@ -8,6 +8,7 @@
 #include <QPointer>
 #include <QStringList>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <functional>
 #include <map>
 #include <random>
@@ -72,6 +73,7 @@ class RandomUser : public QObject {
   MainWindow& m_window;
   DocumentTabs& m_tabs;
   std::mt19937 m_random;
+  QTimer m_menus;  // answers menus that wait
   QTemporaryDir m_folder;
   QStringList m_files;
   QStringList m_problems;
