@@ -55,7 +55,7 @@ void CommandModel::setQuery(const QString& query) {
 }
 
 QAction* CommandModel::action(const QModelIndex& index) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return nullptr;
+  if (!index.isValid() || !checkIndex(index)) return nullptr;  // none is chosen where nothing was found
   return m_commands[static_cast<std::size_t>(m_found[static_cast<std::size_t>(index.row())])].action;
 }
 
