@@ -105,8 +105,8 @@ class RandomUseTest : public QObject {
 };
 
 HANDWHEEL_TEST_RUN(RandomUseTest, [](int argc, char** argv) {
-  const QTemporaryDir home;  // pictures, recent files and autosaves of this run alone
-  for (const char* name : {"HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME"})
+  const QTemporaryDir home;  // pictures and recent files of this run alone
+  for (const char* name : {"HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
     qputenv(name, QFile::encodeName(home.path()));
   QDir::setCurrent(home.path());
   return runWindowTest<RandomUseTest>(argc, argv);

@@ -14,7 +14,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QPushButton>
-#include <QStandardPaths>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -57,10 +56,7 @@ class AutosaveTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QSettings().setValue("autosaveSeconds", 5);
-  }
+  void initTestCase() { QSettings().setValue("autosaveSeconds", 5); }
 
   void init() { QDir(QString::fromStdString(recoveryFolder().string())).removeRecursively(); }
 

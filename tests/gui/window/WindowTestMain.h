@@ -15,14 +15,16 @@
 
 namespace handwheel::test {
 
-// Runs a test of the window, with settings in a temporary folder. Otherwise as the program starts.
+// Runs a test of the window, with settings and autosaves in a temporary folder. Otherwise as the program starts.
+// Classes run beside each other: none may find, or remove, what another stores for recovery.
 template <class Test>
 int runWindowTest(int argc, char** argv) {
   Viewport::prepareApplication();
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
-  const QTemporaryDir settings;
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  const QTemporaryDir folder;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
+  qputenv("XDG_DATA_HOME", QFile::encodeName(folder.path()));
   QCoreApplication::setOrganizationName("Handwheel");
   QCoreApplication::setApplicationName("HandwheelTest");
   EnglishPlurals plurals;

@@ -6,7 +6,6 @@
 #include "window/documents/DocumentTabs.h"
 
 #include <QProcess>
-#include <QStandardPaths>
 #include <csignal>
 
 using namespace handwheel;
@@ -14,7 +13,10 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr const char* kVictim = "HANDWHEEL_VICTIM";  // set in the process that is killed
+// Set in the process that is killed: the folder of data of the one that looks at what it left.
+constexpr const char* kVictim = "HANDWHEEL_VICTIM";
+constexpr const char* kDataFolder = "XDG_DATA_HOME";
+constexpr const char* kLowest = "lowest";  // the file in it with the height of the surface at the kill, in mm
 
 // The paths of the autosaves.
 QStringList autosaves() {
@@ -49,10 +51,8 @@ class GlobeRecoveryTest : public QObject {
 
  private slots:
   void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
     QSettings().setValue("autosaveSeconds", 600);  // no finished edit waits for that
-    if (!qEnvironmentVariableIsSet(kVictim))
-      QDir(QString::fromStdString(recoveryFolder().string())).removeRecursively();
+    if (qEnvironmentVariableIsSet(kVictim)) qputenv(kDataFolder, qgetenv(kVictim));
   }
 
   // Runs in a process of its own: radius 33 and a dent, which is autosaved by itself; then a gesture without an end.
@@ -68,7 +68,7 @@ class GlobeRecoveryTest : public QObject {
     QTest::mouseRelease(globe.view, Qt::LeftButton, {}, globe.view->rect().center());
     QCOMPARE(globe.document().history()->count(), 2);
     QVERIFY(QTest::qWaitFor(isAutosaved, 30000));
-    QFile expected(qEnvironmentVariable(kVictim));
+    QFile expected(QDir(qEnvironmentVariable(kVictim)).filePath(kLowest));
     const double lowest = globe.lowestShown();
     QVERIFY(expected.open(QIODevice::WriteOnly) && expected.write(QByteArray::number(lowest, 'g', 17)) > 0);
     expected.close();
@@ -79,16 +79,16 @@ class GlobeRecoveryTest : public QObject {
 
   void comesBackAfterAKill() {
     if (qEnvironmentVariableIsSet(kVictim)) QSKIP("the process that is killed");
-    const QTemporaryDir folder;
+    const QString folder = qEnvironmentVariable(kDataFolder);
     QProcess victim;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(kVictim, folder.filePath("lowest"));
+    environment.insert(kVictim, folder);
     victim.setProcessEnvironment(environment);
     victim.setProcessChannelMode(QProcess::ForwardedChannels);
     victim.start(QCoreApplication::applicationFilePath(), {"GlobeRecoveryTest", "isKilled"});
     QVERIFY(victim.waitForFinished(120000));
     QCOMPARE(victim.exitStatus(), QProcess::CrashExit);
-    QFile lowest(folder.filePath("lowest"));
+    QFile lowest(QDir(folder).filePath(kLowest));
     QVERIFY(lowest.open(QIODevice::ReadOnly));
 
     GlobeWindow globe;

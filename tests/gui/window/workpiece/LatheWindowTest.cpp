@@ -14,7 +14,6 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <cmath>
@@ -403,9 +402,8 @@ class LatheWindowTest : public QObject {
 
   // Killed while the feed runs, the program offers what was cut up to the last autosave.
   void aKilledPassComesBack() {
-    QStandardPaths::setTestModeEnabled(true);
     const QString folder = QString::fromStdString(recoveryFolder().string());
-    QDir(folder).removeRecursively();
+    QDir(folder).removeRecursively();  // of the tests before
     QSettings().setValue("autosaveSeconds", 5);
     {
       LatheWindow window;
