@@ -24,7 +24,7 @@ std::string namesIn(const nlohmann::json& list) {
 }
 
 // Why a path does not lead to what it was planned for any more.
-std::string outdatingText(const nlohmann::json& path) {
+std::string outdatedText(const nlohmann::json& path) {
   std::string text;
   const auto add = [&](const std::string& reason) { text += (text.empty() ? ", outdated: " : "; ") + reason; };
   if (path.contains("part_moved")) add(path["part_moved"].get<std::string>() + " has moved");
@@ -85,7 +85,7 @@ std::string plansText(const nlohmann::json& described, const std::string& before
   }
   for (const nlohmann::json& path : listAt(described, "paths")) {
     add("path " + path["name"].get<std::string>() + ", " + std::to_string(path["places"].get<std::size_t>()) +
-        " places" + outdatingText(path) + verifiedText(path));
+        " places" + outdatedText(path) + verifiedText(path));
   }
   const nlohmann::json pairs = listAt(described, "may_touch");
   for (std::size_t i = 0; i < std::min(pairs.size(), kMostPairs); ++i)

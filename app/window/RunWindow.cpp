@@ -27,13 +27,13 @@ constexpr int kWorkers = 6;
 // A library call that does not return is not waited for longer when the program ends.
 constexpr int kPatienceMs = 1000;
 
-struct Wishes {
+struct StartOptions {
   QStringList files;
   QString screenshot;  // empty: none
   bool dark = false;
 };
 
-Wishes readArguments(const QApplication& application) {
+StartOptions readArguments(const QApplication& application) {
   QCommandLineParser parser;
   parser.addPositionalArgument(QStringLiteral("files"), QStringLiteral("Mesh files to open."));
   const QCommandLineOption screenshot(QStringLiteral("screenshot"), QStringLiteral("Save a picture and quit."),
@@ -53,9 +53,9 @@ bool isDisplayThere() {
   return false;
 }
 
-ThemeKind startTheme(const Wishes& wishes) {
+ThemeKind startTheme(const StartOptions& options) {
   const bool dark = QSettings().value(QStringLiteral("darkTheme"), systemTheme() == ThemeKind::Dark).toBool();
-  return wishes.dark || (wishes.screenshot.isEmpty() && dark) ? ThemeKind::Dark : ThemeKind::Light;
+  return options.dark || (options.screenshot.isEmpty() && dark) ? ThemeKind::Dark : ThemeKind::Light;
 }
 
 }  // namespace
@@ -70,8 +70,8 @@ int runWindow(int argc, char** argv, const KindSet& kinds, std::vector<std::uniq
   QCoreApplication::setApplicationVersion(QStringLiteral(HANDWHEEL_VERSION));
   QGuiApplication::setDesktopFileName(QStringLiteral("handwheel"));  // so that the window has the entry's icon
   const Translations translations(loadPreferences().language);
-  const Wishes wishes = readArguments(application);
-  applyTheme(application, startTheme(wishes));
+  const StartOptions options = readArguments(application);
+  applyTheme(application, startTheme(options));
   QApplication::setWindowIcon(icon(QStringLiteral("handwheel"), themeColours(ThemeKind::Light).accent));
 
   QThreadPool workers;
@@ -79,12 +79,12 @@ int runWindow(int argc, char** argv, const KindSet& kinds, std::vector<std::uniq
   int code = 0;
   {
     MainWindow window(workers, kinds, std::move(drivers));
-    window.openPaths(wishes.files);
+    window.openPaths(options.files);
     window.show();
-    if (wishes.screenshot.isEmpty()) window.offerRecovery();
-    if (wishes.screenshot.isEmpty()) window.openDevices();
-    if (wishes.screenshot.isEmpty()) window.calibrateWhenIdle();
-    if (!wishes.screenshot.isEmpty()) takeScreenshot(window, wishes.screenshot);
+    if (options.screenshot.isEmpty()) window.offerRecovery();
+    if (options.screenshot.isEmpty()) window.openDevices();
+    if (options.screenshot.isEmpty()) window.calibrateWhenIdle();
+    if (!options.screenshot.isEmpty()) takeScreenshot(window, options.screenshot);
     code = QApplication::exec();
   }
   // Everything is saved by now.

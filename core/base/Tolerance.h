@@ -126,7 +126,7 @@ inline constexpr double kContactSkin = 0x1p-27;
 // The width up to which gaps are closed before a scan is used for haptic contact.
 inline constexpr double kContactGap = 0x1p-12;
 // Corners across a gap are merged when it is narrower than this share of the open edges at them. A strip would form a
-// step there: the borders are seldom equally high, and a proxy stops at a step of a micrometre.
+// step there: the borders are rarely equally high, and a proxy stops at a step of a micrometre.
 inline constexpr double kContactGapEdge = 0.25;
 // The distance within which the surface is searched after an edit that may have buried a haptic proxy.
 inline constexpr double kContactBuried = 0.01;

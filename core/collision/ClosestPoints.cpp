@@ -124,18 +124,18 @@ class PiecePair {
   // unlike at the deepest corner, both of them are.
   ClosestPoints lastTouch(const PairTraversal::Leaves& leaves) const {
     const IntersectingShapes shapes = shapesOf(leaves);
-    const Penetration way = minimumPenetration({shapes}, Vec3::Zero(), isClosedMesh(m_first), isClosedMesh(m_second));
-    const double depth = std::max(0.0, way.depth), whole = depth + m_a.margin() + m_b.margin();
+    const Penetration found = minimumPenetration({shapes}, Vec3::Zero(), isClosedMesh(m_first), isClosedMesh(m_second));
+    const double depth = std::max(0.0, found.depth), whole = depth + m_a.margin() + m_b.margin();
     constexpr double kShare = 0.01, kLeast = 1e-3;  // mm
-    const Vec3 moved = (depth + std::max(kShare * depth, kLeast)) * way.normal;
+    const Vec3 moved = (depth + std::max(kShare * depth, kLeast)) * found.normal;
     ConvexShape first = shapes.first;
     for (Vec3& corner : first.corners) corner += moved;
     first.pose.pretranslate(moved);
     const ConvexNearest touch = nearestOf(first, shapes.second, std::numeric_limits<double>::infinity());
     const bool isKnown = touch.distance > 0.0;  // else lost in rounding
-    const Vec3 deepest = isKnown ? Vec3(touch.first - moved) : way.deepest;
-    const Vec3 other = isKnown ? touch.second : Vec3(way.deepest + depth * way.normal);
-    return inWorld(-whole, deepest - m_a.margin() * way.normal, other + m_b.margin() * way.normal, way.normal);
+    const Vec3 deepest = isKnown ? Vec3(touch.first - moved) : found.deepest;
+    const Vec3 other = isKnown ? touch.second : Vec3(found.deepest + depth * found.normal);
+    return inWorld(-whole, deepest - m_a.margin() * found.normal, other + m_b.margin() * found.normal, found.normal);
   }
 
   // Of leaves that meet.
@@ -144,10 +144,10 @@ class PiecePair {
     shapes.reserve(meeting.size());
     for (const PairTraversal::Leaves& leaves : meeting) shapes.push_back(shapesOf(leaves));
     const Vec3 last = m_world.linear().transpose() * hint.normal;
-    const Penetration way = minimumPenetration(shapes, last, isClosedMesh(m_first), isClosedMesh(m_second));
-    const double depth = std::max(0.0, way.depth) + m_a.margin() + m_b.margin();
-    const Vec3 deepest = way.deepest - m_a.margin() * way.normal;
-    return inWorld(-depth, deepest, deepest + depth * way.normal, way.normal);
+    const Penetration found = minimumPenetration(shapes, last, isClosedMesh(m_first), isClosedMesh(m_second));
+    const double depth = std::max(0.0, found.depth) + m_a.margin() + m_b.margin();
+    const Vec3 deepest = found.deepest - m_a.margin() * found.normal;
+    return inWorld(-depth, deepest, deepest + depth * found.normal, found.normal);
   }
 
   // One is inside of the other without meeting its surface: out by the closest point of that, with all of it.

@@ -27,9 +27,9 @@ struct PairHint {
 // in the world. Any thread.
 //
 // Of what meets the depth is the smallest penetration for boxes, cylinders and spheres (by directions that are
-// tried, so never too small; exact without cylinders). Of triangles it is the least way, of some, on which those that
-// cross come apart: a bound, as meshes may be open. tolerance: mm that the points of meshes may be further from each
-// other than the closest ones.
+// tried, so never too small; exact without cylinders). Of triangles it is the smallest, of some directions, by which
+// those that cross come apart: a bound, as meshes may be open. tolerance: mm that the points of meshes may be further
+// from each other than the closest ones.
 std::optional<ClosestPoints> closestPoints(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b,
                                            const Pose& poseB, double enough, PairHint& hint, QueryCounts& counts,
                                            double tolerance = 0.0);

@@ -10,22 +10,22 @@ namespace handwheel {
 namespace {
 
 // Triangles whose directions are tried. Each direction is measured on all meeting pairs, so all of them would take the
-// square of their number in every cycle. A direction that is left out makes the way longer, never too short: what is
+// square of their number in every cycle. A direction that is left out makes the depth larger, never too small: what is
 // found always takes the shapes apart. In slight contact few triangles meet, and the direction in which the shapes were
 // apart before is tried in any case.
 constexpr std::size_t kMostFaces = 16;
 
-class WayOutSearch {
+class PenetrationSearch {
  public:
-  explicit WayOutSearch(const std::vector<IntersectingShapes>& shapes) : m_shapes(shapes) {}
+  explicit PenetrationSearch(const std::vector<IntersectingShapes>& shapes) : m_shapes(shapes) {}
 
   // The length of the direction does not count; nothing where it has none.
   void attempt(const Vec3& direction) {
     const double length = direction.norm();
     if (!(length > 0.0) || !std::isfinite(length)) return;
-    const Penetration way = penetrationAlong(m_shapes, direction / length);
-    if (m_hasAny && way.depth >= m_best.depth) return;
-    m_best = way;
+    const Penetration found = penetrationAlong(m_shapes, direction / length);
+    if (m_hasAny && found.depth >= m_best.depth) return;
+    m_best = found;
     m_hasAny = true;
   }
   void attemptBoth(const Vec3& direction) {
@@ -65,22 +65,22 @@ Vec3 faceOf(const ConvexShape& triangle) {
 }  // namespace
 
 Penetration penetrationAlong(const std::vector<IntersectingShapes>& shapes, const Vec3& direction) {
-  Penetration way;
-  way.depth = -std::numeric_limits<double>::infinity();
-  way.normal = direction;
+  Penetration found;
+  found.depth = -std::numeric_limits<double>::infinity();
+  found.normal = direction;
   for (const IntersectingShapes& pair : shapes) {
     const Vec3 deepest = pair.first.support(-direction);
     const double depth = direction.dot(pair.second.support(direction) - deepest);
-    if (depth <= way.depth) continue;
-    way.depth = depth;
-    way.deepest = deepest;
+    if (depth <= found.depth) continue;
+    found.depth = depth;
+    found.deepest = deepest;
   }
-  return way;
+  return found;
 }
 
 Penetration minimumPenetration(const std::vector<IntersectingShapes>& shapes, const Vec3& last, bool isFirstClosed,
                                bool isSecondClosed) {
-  WayOutSearch search(shapes);
+  PenetrationSearch search(shapes);
   search.attempt(last);
   const IntersectingShapes& some = shapes.front();
   for (const ConvexShape* shape : {&some.first, &some.second}) {

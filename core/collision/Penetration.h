@@ -25,7 +25,7 @@ Penetration penetrationAlong(const std::vector<IntersectingShapes>& shapes, cons
 
 // The smallest penetration along the normals of the shapes' faces and, of solids, their edges and what lies between;
 // and along `last`, the direction in which they were apart, if it is not zero. isFirstClosed, isSecondClosed: their
-// triangles know an outside, into which alone the normal leads. Not empty: the shapes.
+// triangles know an outside: only directions out of it are tried. Not empty: the shapes.
 Penetration minimumPenetration(const std::vector<IntersectingShapes>& shapes, const Vec3& last, bool isFirstClosed,
                                bool isSecondClosed);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exercise/Exercise.h"
 
+#include "base/NumberText.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -23,7 +25,7 @@ bool isFigure(const std::optional<double>& value) {
 }
 
 bool isIdSign(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  return isLetter(c) || isDigit(c) || c == '_' || c == '-';
 }
 
 bool isLong(const std::string& text) {

@@ -12,22 +12,22 @@ namespace handwheel {
 
 namespace {
 
-bool arePolesSound(const ProfileNurbs& net) {
+bool arePolesSound(const ProfileNurbs& nurbs) {
   constexpr double most = ProfileCurve::kLargestCoordinate;
-  return std::all_of(net.poles.begin(), net.poles.end(), [](const ProfilePoint& p) {
+  return std::all_of(nurbs.poles.begin(), nurbs.poles.end(), [](const ProfilePoint& p) {
     return p.x() >= 0.0 && p.x() <= most && std::abs(p.y()) <= most;  // false for NaN
   });
 }
 
-bool areWeightsSound(const ProfileNurbs& net) {
+bool areWeightsSound(const ProfileNurbs& nurbs) {
   constexpr double most = ProfileCurve::kLargestWeight;
-  return net.weights.size() == net.poles.size() &&
-         std::all_of(net.weights.begin(), net.weights.end(), [](double w) { return w >= 1.0 / most && w <= most; });
+  return nurbs.weights.size() == nurbs.poles.size() &&
+         std::all_of(nurbs.weights.begin(), nurbs.weights.end(), [](double w) { return w >= 1.0 / most && w <= most; });
 }
 
-bool areKnotsSound(const ProfileNurbs& net) {
-  const auto& knots = net.knots;
-  const std::size_t degree = static_cast<std::size_t>(net.degree), count = net.poles.size();
+bool areKnotsSound(const ProfileNurbs& nurbs) {
+  const auto& knots = nurbs.knots;
+  const std::size_t degree = static_cast<std::size_t>(nurbs.degree), count = nurbs.poles.size();
   constexpr double most = ProfileCurve::kLargestCoordinate;
   if (knots.size() != count + degree + 1) return false;
   if (!(std::abs(knots.front()) <= most && std::abs(knots.back()) <= most)) return false;
@@ -57,17 +57,17 @@ Eigen::Vector3d blossom(std::array<Eigen::Vector3d, kHighestDegree + 1> poles, i
   return poles[degree];
 }
 
-BezierArc arcOf(const ProfileNurbs& net, std::size_t k) {
+BezierArc arcOf(const ProfileNurbs& nurbs, std::size_t k) {
   BezierArc arc;
-  arc.degree = net.degree;
-  const std::size_t first = k - static_cast<std::size_t>(net.degree);
-  arc.origin = net.poles[first];
+  arc.degree = nurbs.degree;
+  const std::size_t first = k - static_cast<std::size_t>(nurbs.degree);
+  arc.origin = nurbs.poles[first];
   std::array<Eigen::Vector3d, kHighestDegree + 1> local;
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(net.degree); ++i) {
-    const ProfilePoint p = net.poles[first + i] - arc.origin;
-    local[i] = net.weights[first + i] * Eigen::Vector3d(p.x(), p.y(), 1.0);
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(nurbs.degree); ++i) {
+    const ProfilePoint p = nurbs.poles[first + i] - arc.origin;
+    local[i] = nurbs.weights[first + i] * Eigen::Vector3d(p.x(), p.y(), 1.0);
   }
-  for (int i = 0; i <= net.degree; ++i) arc.poles[i] = blossom(local, net.degree, &net.knots[k], i);
+  for (int i = 0; i <= nurbs.degree; ++i) arc.poles[i] = blossom(local, nurbs.degree, &nurbs.knots[k], i);
   return arc;
 }
 
@@ -108,37 +108,37 @@ double sweep(const BezierArc& arc, double whole, double error, int depth) {
 
 }  // namespace
 
-Result<ProfileCurve> ProfileCurve::make(ProfileNurbs net) {
+Result<ProfileCurve> ProfileCurve::make(ProfileNurbs nurbs) {
   const auto malformed = [](const char* what) { return Error{ErrorCode::ElementMalformed, {"profile", what}, {}, {}}; };
-  if (net.degree < 1 || net.degree > kHighestDegree) return malformed("its degree must be 1, 2 or 3");
-  if (net.poles.size() > kMostPoles) {
+  if (nurbs.degree < 1 || nurbs.degree > kHighestDegree) return malformed("its degree must be 1, 2 or 3");
+  if (nurbs.poles.size() > kMostPoles) {
     return Error{
-        ErrorCode::FileTooLarge, {"poles", std::to_string(net.poles.size()), std::to_string(kMostPoles)}, {}, {}};
+        ErrorCode::FileTooLarge, {"poles", std::to_string(nurbs.poles.size()), std::to_string(kMostPoles)}, {}, {}};
   }
-  if (net.poles.size() < static_cast<std::size_t>(net.degree) + 1) return malformed("it has too few poles");
-  if (!arePolesSound(net)) return malformed("a pole is across the axis, too far away or not finite");
-  if (!areWeightsSound(net)) return malformed("a weight is missing, not positive or too large");
-  if (!areKnotsSound(net)) return malformed("its knots do not fit its poles");
+  if (nurbs.poles.size() < static_cast<std::size_t>(nurbs.degree) + 1) return malformed("it has too few poles");
+  if (!arePolesSound(nurbs)) return malformed("a pole is across the axis, too far away or not finite");
+  if (!areWeightsSound(nurbs)) return malformed("a weight is missing, not positive or too large");
+  if (!areKnotsSound(nurbs)) return malformed("its knots do not fit its poles");
 
   ProfileCurve curve;
-  for (std::size_t k = static_cast<std::size_t>(net.degree); k < net.poles.size(); ++k) {
-    if (net.knots[k] == net.knots[k + 1]) continue;
-    curve.m_arcs.push_back(arcOf(net, k));
-    curve.m_breaks.push_back(net.knots[k]);
+  for (std::size_t k = static_cast<std::size_t>(nurbs.degree); k < nurbs.poles.size(); ++k) {
+    if (nurbs.knots[k] == nurbs.knots[k + 1]) continue;
+    curve.m_arcs.push_back(arcOf(nurbs, k));
+    curve.m_breaks.push_back(nurbs.knots[k]);
   }
-  curve.m_breaks.push_back(net.knots.back());
-  curve.m_net = std::move(net);
+  curve.m_breaks.push_back(nurbs.knots.back());
+  curve.m_nurbs = std::move(nurbs);
   return curve;
 }
 
 Result<ProfileCurve> ProfileCurve::polyline(std::vector<ProfilePoint> points) {
-  ProfileNurbs net;
-  net.weights.assign(points.size(), 1.0);
-  net.knots.push_back(0.0);
-  for (std::size_t i = 0; i < points.size(); ++i) net.knots.push_back(static_cast<double>(i));
-  net.knots.push_back(net.knots.back());
-  net.poles = std::move(points);
-  return make(std::move(net));
+  ProfileNurbs nurbs;
+  nurbs.weights.assign(points.size(), 1.0);
+  nurbs.knots.push_back(0.0);
+  for (std::size_t i = 0; i < points.size(); ++i) nurbs.knots.push_back(static_cast<double>(i));
+  nurbs.knots.push_back(nurbs.knots.back());
+  nurbs.poles = std::move(points);
+  return make(std::move(nurbs));
 }
 
 double ProfileCurve::volume() const {

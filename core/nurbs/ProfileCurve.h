@@ -32,15 +32,15 @@ class ProfileCurve {
   static constexpr double kLargestWeight = 1e6;      // and the least is 1 over it
 
   // O(poles). Errors: FileTooLarge {poles, count, limit}, ElementMalformed {"profile", what is wrong}.
-  static Result<ProfileCurve> make(ProfileNurbs net);
+  static Result<ProfileCurve> make(ProfileNurbs nurbs);
   // Straight lines through at least two points; one unit of the parameter for each.
   static Result<ProfileCurve> polyline(std::vector<ProfilePoint> points);
 
-  const ProfileNurbs& net() const { return m_net; }
-  double from() const { return m_net.knots.front(); }
-  double to() const { return m_net.knots.back(); }
+  const ProfileNurbs& nurbs() const { return m_nurbs; }
+  double from() const { return m_nurbs.knots.front(); }
+  double to() const { return m_nurbs.knots.back(); }
 
-  bool isClosed() const { return m_net.poles.front() == m_net.poles.back() && m_net.poles.front().x() > 0.0; }
+  bool isClosed() const { return m_nurbs.poles.front() == m_nurbs.poles.back() && m_nurbs.poles.front().x() > 0.0; }
 
   // The volume (mm³) between the curve, the flat ends through its first and last point, and the axis; within a closed
   // curve. By adaptive quadrature: exact where an arc's weights are equal, else to tolerance::kQuadrature of the
@@ -64,7 +64,7 @@ class ProfileCurve {
   ProfileCurve() = default;
   Location locate(double u) const;
 
-  ProfileNurbs m_net;
+  ProfileNurbs m_nurbs;
   std::vector<BezierArc> m_arcs;
   std::vector<double> m_breaks;  // different knots: one more than arcs
 };

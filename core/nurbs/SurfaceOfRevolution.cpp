@@ -19,22 +19,22 @@ RevolutionPoint SurfaceOfRevolution::at(double u, double v) const {
   return result;
 }
 
-SurfaceNurbs SurfaceOfRevolution::net() const {
-  const ProfileNurbs& profile = m_profile.net();
+SurfaceNurbs SurfaceOfRevolution::nurbs() const {
+  const ProfileNurbs& profile = m_profile.nurbs();
   const auto circle = unit_circle::poles();
   const auto circleWeights = unit_circle::weights();
-  SurfaceNurbs net;
-  net.profileDegree = profile.degree;
-  net.circleKnots = unit_circle::knots();
-  net.profileKnots = profile.knots;
+  SurfaceNurbs nurbs;
+  nurbs.profileDegree = profile.degree;
+  nurbs.circleKnots = unit_circle::knots();
+  nurbs.profileKnots = profile.knots;
   for (std::size_t i = 0; i < 9; ++i) {
     for (std::size_t j = 0; j < profile.poles.size(); ++j) {
       const ProfilePoint& p = profile.poles[j];
-      net.poles[i].emplace_back(p.x() * circle[i].x(), p.x() * circle[i].y(), p.y());
-      net.weights[i].push_back(circleWeights[i] * profile.weights[j]);
+      nurbs.poles[i].emplace_back(p.x() * circle[i].x(), p.x() * circle[i].y(), p.y());
+      nurbs.weights[i].push_back(circleWeights[i] * profile.weights[j]);
     }
   }
-  return net;
+  return nurbs;
 }
 
 }  // namespace handwheel

@@ -15,7 +15,7 @@ struct RevolutionPoint {
   Vec3 normal;     // unit, away from the material; zero only where the profile is a single point
 };
 
-// The control net of a tensor-product surface of revolution. Its degree is 2 along the circle with nine columns, the
+// A surface of revolution as a rational B-spline (NURBS). Its degree is 2 along the circle with nine columns, the
 // profile's degree along the profile. poles[i][j] and weights[i][j]: i along the circle, j along the profile.
 struct SurfaceNurbs {
   int profileDegree = 1;
@@ -34,7 +34,7 @@ class SurfaceOfRevolution {
   // u: 0…1 round the axis, from +x over +y; v: the parameter of the profile. O(log poles).
   RevolutionPoint at(double u, double v) const;
 
-  SurfaceNurbs net() const;
+  SurfaceNurbs nurbs() const;
 
  private:
   ProfileCurve m_profile;

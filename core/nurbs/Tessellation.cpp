@@ -56,7 +56,7 @@ void addBand(TriangleSoup& soup, const Ring& low, std::uint32_t lowFirst, const 
 // The finest tolerance for which there are not too many triangles, up to a factor of two.
 Error tooFine(const ProfileCurve& profile, const TessellationOptions& options, Progress progress) {
   double size = 0.0;
-  for (const ProfilePoint& pole : profile.net().poles) size = std::max(size, pole.x());
+  for (const ProfilePoint& pole : profile.nurbs().poles) size = std::max(size, pole.x());
   TessellationOptions coarser = options;
   coarser.chord = std::max(options.chord, kFinest * size);
   Result<std::vector<Ring>> rings = Error{};

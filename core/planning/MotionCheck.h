@@ -13,7 +13,7 @@ namespace handwheel {
 struct MotionCheckSettings {
   double clearance = 0.0;     // mm that the robot keeps from what stands around it, at least
   double ownClearance = 0.0;  // mm that its links keep from each other
-  // mm: what comes nearer to the clearance than this is not told apart from what does not keep it.
+  // mm: what comes nearer to the clearance than this is not distinguished from what does not keep it.
   double resolution = 0.05;
 
   bool operator==(const MotionCheckSettings&) const = default;

@@ -36,9 +36,9 @@ std::string plainName(std::string_view name) {
   return plain.empty() ? "robot" : plain;
 }
 
-std::string freeLinkName(const RobotModel& robot, const std::string& wish) {
-  std::string name = wish;
-  for (int number = 2; linkNamed(robot, name) != kNone; ++number) name = wish + '_' + std::to_string(number);
+std::string freeLinkName(const RobotModel& robot, const std::string& preferred) {
+  std::string name = preferred;
+  for (int number = 2; linkNamed(robot, name) != kNone; ++number) name = preferred + '_' + std::to_string(number);
   return name;
 }
 
@@ -203,8 +203,8 @@ RobotModel withBaseAt(RobotModel robot, const RobotArm& arm, const Pose& base) {
   return robot;
 }
 
-std::string freeArmName(const RobotModel& robot, std::span<const RobotArm> arms, std::string_view wish) {
-  const std::string plain = plainName(wish);
+std::string freeArmName(const RobotModel& robot, std::span<const RobotArm> arms, std::string_view preferred) {
+  const std::string plain = plainName(preferred);
   const auto isTaken = [&](const std::string& name) {
     const auto begins = [&](const auto& each) { return each.name.starts_with(name + '_'); };
     return std::any_of(arms.begin(), arms.end(), [&](const RobotArm& arm) { return arm.name == name; }) ||

@@ -54,8 +54,8 @@ RobotModel withoutArm(const RobotModel& robot, std::span<const RobotArm> arms, s
 // The model with a robot moved to another pose. It must not be the one on the root.
 RobotModel withBaseAt(RobotModel robot, const RobotArm& arm, const Pose& base);
 
-// A name for another robot: the wish, or that with "_2", "_3", …, so that neither a robot has it nor a link or joint
-// begins with it and "_". What is no letter, digit or "-" becomes "_".
-std::string freeArmName(const RobotModel& robot, std::span<const RobotArm> arms, std::string_view wish);
+// A name for another robot: the preferred one, or that with "_2", "_3", …, so that neither a robot has it nor a link or
+// joint begins with it and "_". What is no letter, digit or "-" becomes "_".
+std::string freeArmName(const RobotModel& robot, std::span<const RobotArm> arms, std::string_view preferred);
 
 }  // namespace handwheel

@@ -18,8 +18,8 @@ Result<std::shared_ptr<const RevolvedGeometry>> RevolvedGeometry::make(ProfileCu
 }
 
 std::size_t RevolvedGeometry::bytes() const {
-  const ProfileNurbs& net = m_profile.net();
-  return net.poles.size() * sizeof(ProfilePoint) + (net.weights.size() + net.knots.size()) * sizeof(double) +
+  const ProfileNurbs& nurbs = m_profile.nurbs();
+  return nurbs.poles.size() * sizeof(ProfilePoint) + (nurbs.weights.size() + nurbs.knots.size()) * sizeof(double) +
          m_profile.arcs().size_bytes();
 }
 

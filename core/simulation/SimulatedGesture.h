@@ -39,7 +39,7 @@ class SimulatedGesture {
   // SimulationInput.
   void feed(const Vec3& place, std::optional<double> time = {}, double period = TipState().period,
             double pressure = 1.0);
-  // Nothing more is fed, nor comes of the device. The simulation is told so after all that has arrived, and goes on
+  // Nothing more is fed, nor comes of the device. The simulation is informed after all that has arrived, and goes on
   // with what is left. False: there was no room, to be asked again. end() is to follow.
   bool close();
   // Ends it, and gives the simulation after all that has arrived. restart() is to follow. Throws what a step throws.

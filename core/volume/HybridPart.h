@@ -50,7 +50,7 @@ class HybridPart {
   void make(std::span<const VoxelIndex> tiles);
   // Makes these, as far as they meet the part, and gives nothing back.
   void makeAlso(std::span<const VoxelIndex> tiles);
-  // Makes the tiles of the part that this box meets, mm, and holds them until it is told another; an empty box: none.
+  // Makes the tiles of the part that this box meets, mm, and holds them until it is given another; an empty box: none.
   // Returns whether these are others than before.
   bool hold(const Box& place);
   // Blocks of left() that were changed: they are kept.

@@ -57,7 +57,7 @@ class TimedApplication : public QApplication {
   CpuTimes m_composed;
 };
 
-// A user of a window, with the times that its thread was busy. One time for each piece of work.
+// A simulated user of a window. Prints how long each piece of work keeps the thread of the window busy.
 class SimulatedUser {
  public:
   SimulatedUser(TimedApplication& application, Bars& bars)

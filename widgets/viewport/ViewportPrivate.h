@@ -76,7 +76,7 @@ class Viewport::Private {
 
   NavigationPreset preset = NavigationPreset::Handwheel;
   std::function<bool(const PointerInput&)> sink;
-  std::optional<double> pressure;  // of the pen, as it was last told
+  std::optional<double> pressure;  // of the pen, as it was last reported
   Qt::MouseButtons taken;          // held buttons whose press the sink accepted
   Qt::MouseButtons followed;       // held buttons whose press the camera got
   bool isClick = false;            // the press may still become a click

@@ -49,7 +49,7 @@ Result<CellPlans> withSrdf(CellPlans plans, const std::string& path, const Robot
   return changed ? changed : named(changed.error());
 }
 
-// What is to be told of a path that was opened.
+// What is to be reported of a path that was opened.
 struct OpenedPath {
   TakenFrames frames = {};
   std::vector<std::string> remarks = {};  // programRemarks()

@@ -63,10 +63,10 @@ Result<PlanningSet> readPair(const fs::path& file) {
   const fs::path other = file.parent_path() / otherName;
   const fs::path &scene = pair.isScene ? file : other, &request = pair.isScene ? other : file;
   const Result<std::string> world = readFileHead(scene, YamlLimits::kMostBytes + 1),
-                            wish = readFileHead(request, YamlLimits::kMostBytes + 1);
+                            query = readFileHead(request, YamlLimits::kMostBytes + 1);
   if (!world) return inFile(world.error(), scene);
-  if (!wish) return inFile(wish.error(), request);
-  Result<PlanningSet> set = readMoveItProblem(*world, *wish, problemName(scene));
+  if (!query) return inFile(query.error(), request);
+  Result<PlanningSet> set = readMoveItProblem(*world, *query, problemName(scene));
   if (set) return set;
   const auto& arguments = set.error().arguments;
   return inFile(set.error(), !arguments.empty() && arguments[0].starts_with(kRequest) ? request : scene);

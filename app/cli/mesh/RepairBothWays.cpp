@@ -258,7 +258,7 @@ int runManyBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
   FilesBothWays repairs(repairOptions(arguments), timeLimit);
   repairs.repair(plan.files);
   const std::vector<RepairWayRow>& rows = repairs.rows();
-  // What was repaired until then is told, too.
+  // What was repaired until then is reported, too.
   if (arguments.has("report"))
     if (const Status written = writeFileAtomically(report, ending == ".csv" ? csvText(rows) : htmlText(rows)); !written)
       return fail(written.error());

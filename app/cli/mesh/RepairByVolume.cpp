@@ -129,8 +129,8 @@ Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRep
   const Result<TriangleSoup> soup = surfaceIn(input, request);
   if (!soup) return soup.error();
   RepairedByVolume done;
-  const VolumeRepairParameters wish{request.voxel.value_or(0.0), request.gaps, request.wall};
-  done.voxel = voxelFor(wish, usualVoxel(*soup, request.values.of(volumeVoxelsSetting())));
+  const VolumeRepairParameters parameters{request.voxel.value_or(0.0), request.gaps, request.wall};
+  done.voxel = voxelFor(parameters, usualVoxel(*soup, request.values.of(volumeVoxelsSetting())));
   const TriangleSoup solid = request.wall > 0.0 ? wallsOf(*soup, request.wall) : *soup;
   const VolumeRepairOptions options{
       .voxel = done.voxel, .gaps = request.gaps, .within = request.values.of(volumeReductionSetting())};

@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostMarked = 100;  // more could not be told from each other
+constexpr std::size_t kMostMarked = 100;  // more could not be distinguished
 
 }  // namespace
 

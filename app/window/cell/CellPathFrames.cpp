@@ -20,8 +20,8 @@ BodyPointer CellPaths::bodyForPlaces() const {
 void CellPaths::storeFrame() {
   m_document->document.settle();  // the hand may lead the robot
   CellPlans changed = plans();
-  const std::string wish = tr("Frame %1").arg(changed.frames.size() + 1).toStdString();
-  NamedFrame frame{.name = changed.frameNames().take(wish)};
+  const std::string preferred = tr("Frame %1").arg(changed.frames.size() + 1).toStdString();
+  NamedFrame frame{.name = changed.frameNames().take(preferred)};
   const BodyPointer body = bodyForPlaces();
   if (body) frame.body = body->id;
   frame = frameAt(std::move(frame), toolPose(cell().robot(), changed, seenJoints()), seenPlacement());

@@ -35,7 +35,7 @@ void CellPaths::verifyAgain() {
   const RobotPath* const present = path();
   if (!present) return;
   if (!scene()) return reportUnprepared();
-  m_checks.verify(*present, PathChecks::Wish::Again);
+  m_checks.verify(*present, PathChecks::Request::Again);
 }
 
 // What a person asked for, which is known already in most cases: that it was done is to be seen.

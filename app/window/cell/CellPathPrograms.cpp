@@ -80,7 +80,7 @@ void CellPaths::requestProgram() {
     asked.actionText = m_verify.text();
     asked.action = answer([this] { m_verify.trigger(); });
   } else if (known->outdated.isAny()) {
-    asked.detail = outdatingReasons(known->outdated).join(QLatin1Char(' '));
+    asked.detail = outdatedSentences(known->outdated).join(QLatin1Char(' '));
     asked.actionText = tr("Plan it again");
     asked.action = answer([this] { m_again.trigger(); });
     asked.otherText = tr("Export it as it is");
@@ -226,7 +226,7 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
                                      .arg(QLatin1String(post.title()), QString::fromStdString(written.otherRobot));
   }
   const OutdatedReasons& outdated = checked.outdated;
-  for (const QString& reason : outdatingReasons(outdated)) detail += QLatin1Char(' ') + reason;
+  for (const QString& reason : outdatedSentences(outdated)) detail += QLatin1Char(' ') + reason;
   if (outdated.isAny()) detail += QLatin1Char(' ') + tr("A comment of the program says so.");
   emit message({isOther || outdated.isAny() ? Message::Weight::Warning : Message::Weight::Info,
                 tr("%1 was written").arg(QFileInfo(file).fileName()),

@@ -86,8 +86,8 @@ void CellPaths::select(const DocumentTab& tab, const PlanTree::Entry& entry) {
 void CellPaths::store() {
   m_document->document.settle();  // the hand may lead the robot
   CellPlans changed = plans();
-  const std::string wish = tr("Configuration %1").arg(changed.configurations.size() + 1).toStdString();
-  const std::string name = changed.freePlaceName(wish);
+  const std::string preferred = tr("Configuration %1").arg(changed.configurations.size() + 1).toStdString();
+  const std::string name = changed.freePlaceName(preferred);
   changed.configurations.push_back({name, seenJoints(), changed.arm});
   if (!commit(tr("Store %1").arg(QString::fromStdString(name)), std::move(changed))) return;
   m_tree->select({Kind::Configuration, name});
@@ -116,8 +116,8 @@ void CellPaths::reportStored(const DocumentTab& tab, const QString& title, const
 void CellPaths::storeTarget() {
   m_document->document.settle();  // the hand may lead the robot
   CellPlans changed = plans();
-  const std::string wish = tr("Target %1").arg(changed.targets.size() + 1).toStdString();
-  NamedTarget target{.name = changed.freePlaceName(wish)};
+  const std::string preferred = tr("Target %1").arg(changed.targets.size() + 1).toStdString();
+  NamedTarget target{.name = changed.freePlaceName(preferred)};
   const RobotModel& robot = cell().robot().model;
   target.pose = toolPose(cell().robot(), changed, seenJoints());
   const BodyPointer body = bodyForPlaces();

@@ -141,19 +141,19 @@ std::shared_ptr<const CheckedPath> PathChecks::of(const RobotPath& path) const {
   return state.last && state.change == BasisChange::Nothing ? state.last->checked : nullptr;
 }
 
-void PathChecks::verify(const RobotPath& path, Wish wish) {
+void PathChecks::verify(const RobotPath& path, Request request) {
   const auto now = content();
   const auto scene = sceneFor(path, *now);
   if (!scene) return;
   const State state = stateOf(path);
   if (state.isUnderWay) {
-    m_run->isAsked |= wish == Wish::Again;
+    m_run->isAsked |= request == Request::Again;
     return;
   }
   // What was only stored is verified again.
   const bool isKnown =
       state.last && state.change == BasisChange::Nothing && (state.last->checked || !state.last->found);
-  if (wish != Wish::Again && isKnown) return;
+  if (request != Request::Again && isKnown) return;
   const FidelityValues& fidelity = m_parts.fidelity.values();
   const PathCheckSettings settings{
       .clearance = now->plans->clearanceOf(path),
@@ -163,7 +163,7 @@ void PathChecks::verify(const RobotPath& path, Wish wish) {
   if (m_run && (m_isAllAsked || !m_waiting.empty())) m_waiting.push_back(m_run->basis.path.name);
   m_parts.jobs.cancelOf(this);
   const std::uint64_t run = ++m_runs;
-  m_run = Run{basisOf(*now, path), wish == Wish::Again, wish == Wish::OfAll, run};
+  m_run = Run{basisOf(*now, path), request == Request::Again, request == Request::OfAll, run};
   Job job;
   job.name = tr("Verifying %1").arg(QString::fromStdString(path.name));
   job.owner = this;
@@ -276,12 +276,12 @@ void PathChecks::goOn() {
   if (!m_document || !m_collisions.isReady()) return;
   const auto now = content();
   if (const auto asked = std::exchange(m_asked, {})) {
-    if (const RobotPath* const path = now->plans->path(*asked)) verify(*path, Wish::Again);
+    if (const RobotPath* const path = now->plans->path(*asked)) verify(*path, Request::Again);
   }
   while (!m_run && !m_waiting.empty()) {
     const RobotPath* const path = now->plans->path(m_waiting.front());
     m_waiting.pop_front();
-    if (path && path->places.size() >= 2) verify(*path, Wish::OfAll);
+    if (path && path->places.size() >= 2) verify(*path, Request::OfAll);
   }
   if (!m_run && std::exchange(m_isAllAsked, false)) emit allVerified();
 }

@@ -42,7 +42,7 @@ class PathChecks : public QObject {
     bool isUnderWay = false;
   };
   // Again: even if it is known, and verified() follows. OfAll: one of all that a person asked for.
-  enum class Wish { Known, Again, OfAll };
+  enum class Request { Known, Again, OfAll };
 
   PathChecks(const WindowContext& parts, CellCollisions& collisions, QObject* parent);
   ~PathChecks() override;
@@ -56,7 +56,7 @@ class PathChecks : public QObject {
 
   // Begins to verify a path, unless its result is known. What is under way for another path or another state of it
   // ends. Nothing happens where the cell is not prepared for its robot.
-  void verify(const RobotPath& path, Wish wish = Wish::Known);
+  void verify(const RobotPath& path, Request request = Request::Known);
   // All paths of all robots whose results are not known, one after the other; allVerified() follows.
   void verifyAll();
   // To be called when a path got another name: what is stored of it goes along.

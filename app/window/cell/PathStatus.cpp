@@ -76,7 +76,7 @@ class Words {
     QStringList lines{tr("Verified at %1.").arg(m_locale.toString(result.at, QLocale::ShortFormat))};
     if (!result.found) return lines + QStringList{result.problem};
     const PathFindings& found = *result.found;
-    lines += outdatingReasons(found.outdated);
+    lines += outdatedSentences(found.outdated);
     if (found.outdated.isAny()) lines += tr("Plan it again.");
     if (found.stopsAt)
       return lines + QStringList{tr("The straight line to place %1 leaves the reach of the arm or the limits of its "
@@ -166,7 +166,7 @@ QString linkedDetails(const PathStatus& status) {
   return lines.join(QStringLiteral("<br>"));
 }
 
-QStringList outdatingReasons(const OutdatedReasons& outdated) {
+QStringList outdatedSentences(const OutdatedReasons& outdated) {
   QStringList reasons;
   if (!outdated.part.empty()) {
     reasons +=

@@ -25,7 +25,7 @@ PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, L
 QString clearanceText(double least, LengthUnit unit, const QLocale& locale);
 
 // Why a path does not lead to what it was planned for any more, a sentence each.
-QStringList outdatingReasons(const OutdatedReasons& outdated);
+QStringList outdatedSentences(const OutdatedReasons& outdated);
 
 // Pairs that may touch, of which nothing is proven: the first of them, and how many more there are. None: empty.
 QString notCheckedText(const std::vector<std::pair<std::string, std::string>>& pairs);

@@ -43,7 +43,7 @@ PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
     if (m_isFilling || column != 0) return;
     if (!indexWidget(indexFromItem(item))) return emit renameRequested(entryOf(item), item->text(0).trimmed());
     m_renamed = entryOf(item);
-    m_wishedName = item->text(0).trimmed();
+    m_newName = item->text(0).trimmed();
   });
 }
 
@@ -51,7 +51,7 @@ PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
 void PlanTree::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
   QTreeWidget::closeEditor(editor, hint);
   const Entry renamed = std::exchange(m_renamed, Entry());
-  if (renamed.kind != Entry::Kind::None) emit renameRequested(renamed, m_wishedName);
+  if (renamed.kind != Entry::Kind::None) emit renameRequested(renamed, m_newName);
 }
 
 PlanTree::Entry PlanTree::entryOf(const QTreeWidgetItem* item) const {

@@ -53,7 +53,7 @@ class PlanTree : public QTreeWidget {
 
   bool m_isFilling = false;
   Entry m_renamed;  // by the editor that is about to close
-  QString m_wishedName;
+  QString m_newName;
 };
 
 }  // namespace handwheel

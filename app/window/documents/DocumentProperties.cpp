@@ -29,7 +29,7 @@ DocumentProperties::DocumentProperties(PropertyList& list, QObject* parent) : QO
 
 void DocumentProperties::setDocument(Document* document, Listed listed) {
   if (m_document) m_document->disconnect(this);
-  if (document != m_document) m_list.setProperties({});  // a text that was refused must not be told to another one
+  if (document != m_document) m_list.setProperties({});  // a text that was refused must not be shown for another one
   m_document = document;
   m_listed = std::move(listed);
   if (document) connect(document, &Document::changed, this, &DocumentProperties::show);

@@ -17,7 +17,7 @@ namespace handwheel {
 
 namespace {
 
-// Files that are gone are told apart by their names: Qt takes all of them for the same.
+// Files that are gone are distinguished by their names: Qt takes all of them for the same.
 bool isFileOf(const Document& document, const QFileInfo& wanted) {
   if (document.file().path.empty()) return false;
   const QFileInfo own(document.path());

@@ -349,7 +349,7 @@ void FileActions::decideNext(std::map<const DocumentTab*, std::uint64_t> decided
     closing->second.push_back([this, decided, then] { decideNext(decided, then); });
     return;
   }
-  m_closing[document];  // a second wish to close it waits
+  m_closing[document];  // a second request to close it waits
   decide(document, [=, this](bool isDecided) mutable {
     m_closing.erase(document);
     if (!isDecided) return;

@@ -157,14 +157,14 @@ void FileLoader::reportDamagedChanges(const Document& document, const std::files
   const QString title = tr("The last changes of %1 cannot be read").arg(document.name());
   m_log.add(title + QStringLiteral(": ") + QFile::decodeName(recovery::damagedFile(autosave).c_str()), {},
             LogEntry::Weight::Warning);
-  Message told{Message::Weight::Warning,
-               title,
-               tr("It is recovered as it was autosaved before them."),
-               tr("Their file is kept and listed in the Log; it can be discarded at the next start."),
-               {},
-               {}};
-  told.about = &document;
-  emit message(told);
+  Message notice{Message::Weight::Warning,
+                 title,
+                 tr("It is recovered as it was autosaved before them."),
+                 tr("Their file is kept and listed in the Log; it can be discarded at the next start."),
+                 {},
+                 {}};
+  notice.about = &document;
+  emit message(notice);
 }
 
 void FileLoader::reportNotes(const Document& document) {

@@ -245,7 +245,7 @@ void ExerciseEditor::connectMoves(Rows& rows, const QString& text, Move moved) {
 void ExerciseEditor::setDocument(ExerciseDocument* document) {
   if (m_document) m_document->disconnect(this);
   if (document != m_document) {
-    // A text that was refused must not be told to another one.
+    // A text that was refused must not be shown for another one.
     for (PropertyList* list : {m_task, m_criteria.properties, m_steps.properties}) list->setProperties({});
   }
   m_document = document;

@@ -26,7 +26,7 @@ namespace handwheel {
 
 namespace {
 
-// Of what draws the tip so many snap distances are looked at around it: seldom anew, and never much.
+// Of what draws the tip so many snap distances are looked at around it: rarely anew, and never much.
 constexpr double kReach = 16.0;
 constexpr double kNeverAgain = std::numeric_limits<double>::infinity();  // mm
 

@@ -346,7 +346,7 @@ void ClayLayersView::applyWanted() {
   }
   if (!m_wanted) return;
   const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
-  volume().settle();  // a stroke that is ending comes first, also where this is told of the same
+  volume().settle();  // a stroke that is ending comes first, also where this is called for the same
   apply(wanted);
 }
 
@@ -362,21 +362,21 @@ void ClayLayersView::set(int layer, const char* what, const PropertyValue& value
 }
 
 void ClayLayersView::warn(const Error& error) {
-  Message told{Message::Weight::Warning, tr("The layer stays as it is"), errorSentence(error), errorAdvice(error)};
-  told.about = &m_document->document;
-  emit message(told);
+  Message notice{Message::Weight::Warning, tr("The layer stays as it is"), errorSentence(error), errorAdvice(error)};
+  notice.about = &m_document->document;
+  emit message(notice);
 }
 
 void ClayLayersView::refuse() {
   const auto& layers = volume().volume()->layers;
   if (!layers) return;
-  Message told{
+  Message notice{
       Message::Weight::Warning, tr("The top layer takes no strokes"),
       tr("“%1” is off, or its strength is below 100 %.").arg(QString::fromStdString(layers->all().back().name)),
       tr("Turn it on at full strength, or add a layer: the panel Layers has both.")};
-  told.about = &m_document->document;
-  told.isOver = [document = &volume()] { return takesStrokes(*document->volume()); };
-  emit message(told);
+  notice.about = &m_document->document;
+  notice.isOver = [document = &volume()] { return takesStrokes(*document->volume()); };
+  emit message(notice);
 }
 
 }  // namespace handwheel

@@ -114,10 +114,10 @@ ReshapeServices ReshapeActions::services() {
   services.bodies = [this] { return bodies(); };
   services.addFile = [this] { addFile(); };
   services.failed = [this](const Error& error) {
-    Message told{Message::Weight::Warning, tr("The volume cannot be changed like that"), errorSentence(error),
-                 errorAdvice(error)};
-    told.about = m_document ? &m_document->document : nullptr;
-    emit message(told);
+    Message notice{Message::Weight::Warning, tr("The volume cannot be changed like that"), errorSentence(error),
+                   errorAdvice(error)};
+    notice.about = m_document ? &m_document->document : nullptr;
+    emit message(notice);
   };
   return services;
 }

@@ -66,7 +66,7 @@ QString number(double value, int digits) {
 }  // namespace
 
 // The figures are a line of their own above, so that all of it fits into 1024 pixels: levers, wheels, events. A window
-// that leaves less shows the left part of it: what has happened last is told there, too.
+// that leaves less shows the left part of it: what has happened last is shown there, too.
 LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("lathePanel"));
   auto* levers = new QVBoxLayout;

@@ -74,7 +74,7 @@ class LatheView : public QObject {
   std::map<const QObject*, Left> m_left;          // of each document
   const WorkpieceDocument* m_document = nullptr;  // of the lathe that was made last
   const WorkpieceDocument* m_ringsOf = nullptr;   // whose rings the panel has
-  int m_returns = 0;                              // of the tool, as they were told last
+  int m_returns = 0;                              // of the tool, as they were reported last
   std::pair<bool, bool> m_was;                    // live, and with a pass under way
   bool m_isPushed = false;                        // a space mouse moves the slides
   int m_quiet = 0;                                // timeouts of m_sounding since the lathe was live

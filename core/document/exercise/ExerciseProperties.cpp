@@ -221,7 +221,7 @@ Status setLimitByHand(MarkingCriterion& c, std::optional<double>& limit, const s
   return set;
 }
 
-// Another figure that is measured elsewhere has to be told where.
+// Another figure that is measured elsewhere needs to be given where.
 void setFigure(MarkingCriterion& c, const MeasurementType& figure, const std::vector<MeasurementType>& types) {
   const MeasurementType* const before = measurementType(types, c.figure);
   if (!before || before->arguments != figure.arguments) c.arguments.assign(figure.arguments.size(), 0.0);

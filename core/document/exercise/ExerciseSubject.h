@@ -52,7 +52,7 @@ struct ReportPicture {
   ExerciseText caption;
 };
 
-// A figure that is told whether or not a mark is given for it.
+// A figure that is reported whether or not a mark is given for it.
 struct ReportMeasurement {
   std::string figure;  // id of its type: "force"
   double value = 0.0;

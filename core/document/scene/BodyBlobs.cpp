@@ -149,11 +149,11 @@ class BodyReading {
   }
 
   // Counts on from the last number for the same name, as a file may have it often.
-  std::string freeName(const std::string& wish) {
-    std::size_t& number = m_numbers[wish];
+  std::string freeName(const std::string& preferred) {
+    std::size_t& number = m_numbers[preferred];
     std::string name;
     do {
-      name = numberedBodyName(wish, ++number);
+      name = numberedBodyName(preferred, ++number);
     } while (!m_names.insert(name).second);
     return name;
   }

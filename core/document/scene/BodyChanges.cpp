@@ -119,17 +119,17 @@ bool isBodyName(std::string_view name) {
          std::none_of(name.begin(), name.end(), isControl) && isUtf8(name);
 }
 
-std::string numberedBodyName(std::string_view wish, std::size_t number) {
+std::string numberedBodyName(std::string_view preferred, std::size_t number) {
   constexpr std::size_t kMostDigits = 8;
-  if (!isBodyName(wish)) wish = "body";
-  if (number < 2) return std::string(wish);
-  return std::string(shortened(wish, kLongestBodyName - kMostDigits)) + ' ' + std::to_string(number);
+  if (!isBodyName(preferred)) preferred = "body";
+  if (number < 2) return std::string(preferred);
+  return std::string(shortened(preferred, kLongestBodyName - kMostDigits)) + ' ' + std::to_string(number);
 }
 
-std::string freeBodyName(const BodySet& bodies, std::string_view wish) {
+std::string freeBodyName(const BodySet& bodies, std::string_view preferred) {
   std::size_t number = 1;
-  while (bodies.withName(numberedBodyName(wish, number))) ++number;
-  return numberedBodyName(wish, number);
+  while (bodies.withName(numberedBodyName(preferred, number))) ++number;
+  return numberedBodyName(preferred, number);
 }
 
 }  // namespace handwheel

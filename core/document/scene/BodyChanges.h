@@ -36,10 +36,11 @@ std::unique_ptr<Edit> showBodiesEdit(const BodySet& bodies, std::span<const Body
 // Whether a text can be the name of a body: UTF-8, one line, neither empty nor too long, no space at either end.
 bool isBodyName(std::string_view name);
 
-// The wish, from the second on with a number: "wish 2". "body" for a wish that cannot be a name.
-std::string numberedBodyName(std::string_view wish, std::size_t number);
+// The preferred name, from the second on with a number: "name 2". "body" for one that cannot be a name.
+std::string numberedBodyName(std::string_view preferred, std::size_t number);
 
-// A name that no body has: the wish if possible, or "wish 2", "wish 3", … "body" for a wish that cannot be a name.
-std::string freeBodyName(const BodySet& bodies, std::string_view wish);
+// A name that no body has: the preferred one if possible, or "name 2", "name 3", … "body" for one that cannot be a
+// name.
+std::string freeBodyName(const BodySet& bodies, std::string_view preferred);
 
 }  // namespace handwheel

@@ -36,13 +36,13 @@ Result<GeometryPointer> readMesh(const json& described, const std::string& folde
 
 json writeRevolved(const BodyGeometry& geometry, const std::string& folder, Container& container) {
   const auto& revolved = dynamic_cast<const RevolvedGeometry&>(geometry);
-  const ProfileNurbs& net = revolved.profile().net();
+  const ProfileNurbs& nurbs = revolved.profile().nurbs();
   std::vector<double> poles;
-  for (std::size_t i = 0; i < net.poles.size(); ++i)
-    poles.insert(poles.end(), {net.poles[i].x(), net.poles[i].y(), net.weights[i]});
+  for (std::size_t i = 0; i < nurbs.poles.size(); ++i)
+    poles.insert(poles.end(), {nurbs.poles[i].x(), nurbs.poles[i].y(), nurbs.weights[i]});
   writeArray<double>(container, folder + "/poles", poles, 3);
-  writeArray<double>(container, folder + "/knots", net.knots);
-  return {{"chord", revolved.chord()}, {"degree", static_cast<unsigned>(net.degree)}, {"poles", net.poles.size()}};
+  writeArray<double>(container, folder + "/knots", nurbs.knots);
+  return {{"chord", revolved.chord()}, {"degree", static_cast<unsigned>(nurbs.degree)}, {"poles", nurbs.poles.size()}};
 }
 
 Result<GeometryPointer> readRevolved(const json& described, const std::string& folder, const Container& container,
@@ -53,14 +53,14 @@ Result<GeometryPointer> readRevolved(const json& described, const std::string& f
   const auto poles = readArray<double>(container, folder + "/poles", count, 3);
   const auto knots = readArray<double>(container, folder + "/knots", count + degree + 1);
   if (!poles.lost.empty() || !knots.lost.empty() || poles.values.size() != 3 * count) return damaged;
-  ProfileNurbs net;
-  net.degree = static_cast<int>(degree);
-  net.knots = knots.values;
+  ProfileNurbs nurbs;
+  nurbs.degree = static_cast<int>(degree);
+  nurbs.knots = knots.values;
   for (std::size_t i = 0; i < poles.values.size(); i += 3) {
-    net.poles.emplace_back(poles.values[i], poles.values[i + 1]);
-    net.weights.push_back(poles.values[i + 2]);
+    nurbs.poles.emplace_back(poles.values[i], poles.values[i + 1]);
+    nurbs.weights.push_back(poles.values[i + 2]);
   }
-  Result<ProfileCurve> profile = ProfileCurve::make(std::move(net));
+  Result<ProfileCurve> profile = ProfileCurve::make(std::move(nurbs));
   if (!profile) return profile.error();
   const auto chord = described.find("chord");
   const bool isGiven = chord != described.end() && chord->is_number();

@@ -19,7 +19,7 @@ nlohmann::json finiteOrNull(double value) {
 
 std::string stretchText(const FinishInterval& stretch, const std::string& grade) {
   const double ra = stretch.reading.roughness;
-  return "Ra " + (std::isfinite(ra) ? roundedText(ra, 3) + " µm" : std::string("not to be told")) +
+  return "Ra " + (std::isfinite(ra) ? roundedText(ra, 3) + " µm" : std::string("not known")) +
          (grade.empty() ? "" : " (" + grade + ")") + ", Z " + shownText(stretch.from) + " to " + shownText(stretch.to);
 }
 

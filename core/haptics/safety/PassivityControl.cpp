@@ -30,7 +30,7 @@ void PassivityControl::observe(const Vec3& position, double period) {
     const Vec3 force = acting();
     m_energy += -force.dot(step) + friction;
     // In free space there is no credit to gather but what pays for entering a wall, which a force that is so late
-    // answers so late: the friction since. In contact a cap, lest long sliding hides what comes later.
+    // answers so late: the friction since. In contact a cap, so that long sliding does not hide what comes later.
     m_energy = std::min(m_energy, force.isZero(0.0) ? recentFriction() : m_settings.energyLimit);
     m_velocity = step / period;
   }

@@ -41,7 +41,7 @@ void SnapSum::add(const Term& term) {
   if (m_size == 2 * m_most + 2) keepNearest();
 }
 
-// Those that may act and the first that may not, which stands last. In linear time, and seldom: a heap takes longer.
+// Those that may act and the first that may not, which stands last. In linear time, and rarely: a heap takes longer.
 void SnapSum::keepNearest() {
   const auto begin = m_terms.begin();
   const auto last = begin + static_cast<std::ptrdiff_t>(m_most);

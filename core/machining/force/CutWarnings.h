@@ -66,7 +66,7 @@ inline constexpr double kLeastChipByEdge = 0.3;
 std::vector<CutWarning> warningsFor(const CutConditions& cut, const CutForces& forces, const CuttingEdge& edge,
                                     const SlenderWork& work, const SpindleDrive& drive, const CutRules& rules = {});
 
-// The thinnest chip whose thickness is told in digits, mm.
+// The thinnest chip whose thickness is stated in digits, mm.
 inline constexpr double kLeastShownChip = 1e-3;
 
 // The rule in English, one sentence with the value and the limit.

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// The section of a cutting tool: a convex polygon offset by a radius. In (r, z). mm. With a radius of 0 its corners are
-// sharp; one corner alone is a disc, or a point.
+// A convex polygon offset by a radius, in (r, z), mm. The section of a tool or of a part of the lathe. With a radius of
+// 0 its corners are sharp; one corner alone is a disc, or a point.
 class RoundedPolygon {
  public:
   static constexpr std::size_t kMostCorners = 12;

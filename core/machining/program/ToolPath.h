@@ -51,7 +51,7 @@ struct ToolPath {
     std::string text;  // English
   };
   std::vector<ToolMove> moves;
-  std::vector<Note> notes;   // what was done differently than it stands there
+  std::vector<Note> notes;   // what was done differently than written
   double time = 0.0;         // s, of all moves and tool changes
   std::uint64_t blocks = 0;  // executed
 };

@@ -30,12 +30,12 @@ std::vector<double> partings(const ProfileSegment& arc) {
 class NetBuilder {
  public:
   explicit NetBuilder(const ProfilePoint& start) {
-    m_net.degree = 2;
-    m_net.knots = {0.0, 0.0, 0.0};
+    m_nurbs.degree = 2;
+    m_nurbs.knots = {0.0, 0.0, 0.0};
     push(start, 1.0);
   }
 
-  void line(const ProfilePoint& to) { piece(0.5 * (m_net.poles.back() + to), 1.0, to); }
+  void line(const ProfilePoint& to) { piece(0.5 * (m_nurbs.poles.back() + to), 1.0, to); }
 
   void arc(const ProfileSegment& arc) {
     const ProfilePoint centre = arc.centre();
@@ -51,24 +51,24 @@ class NetBuilder {
   }
 
   ProfileNurbs take() {
-    m_net.knots.push_back(m_net.knots.back());
-    return std::move(m_net);
+    m_nurbs.knots.push_back(m_nurbs.knots.back());
+    return std::move(m_nurbs);
   }
 
  private:
   void piece(const ProfilePoint& middle, double weight, const ProfilePoint& to) {
     push(middle, weight);
     push(to, 1.0);
-    const double knot = std::floor(m_net.knots.back()) + 1.0;
-    m_net.knots.push_back(knot);
-    m_net.knots.push_back(knot);
+    const double knot = std::floor(m_nurbs.knots.back()) + 1.0;
+    m_nurbs.knots.push_back(knot);
+    m_nurbs.knots.push_back(knot);
   }
   void push(const ProfilePoint& pole, double weight) {
-    m_net.poles.emplace_back(std::max(0.0, pole.x()), pole.y());  // rounding must not carry it across the axis
-    m_net.weights.push_back(weight);
+    m_nurbs.poles.emplace_back(std::max(0.0, pole.x()), pole.y());  // rounding must not carry it across the axis
+    m_nurbs.weights.push_back(weight);
   }
 
-  ProfileNurbs m_net;
+  ProfileNurbs m_nurbs;
 };
 
 }  // namespace

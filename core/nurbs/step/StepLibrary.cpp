@@ -108,20 +108,20 @@ struct Knots {
 };
 
 Handle(Geom_BSplineSurface) mantleOf(const ProfileCurve& piece) {
-  const SurfaceNurbs net = SurfaceOfRevolution(piece).net();
-  const int columns = static_cast<int>(net.poles.size()), rows = static_cast<int>(net.poles[0].size());
+  const SurfaceNurbs nurbs = SurfaceOfRevolution(piece).nurbs();
+  const int columns = static_cast<int>(nurbs.poles.size()), rows = static_cast<int>(nurbs.poles[0].size());
   TColgp_Array2OfPnt poles(1, columns, 1, rows);
   TColStd_Array2OfReal weights(1, columns, 1, rows);
   for (int i = 0; i < columns; ++i) {
     for (int j = 0; j < rows; ++j) {
-      const Vec3& p = net.poles[i][j];
+      const Vec3& p = nurbs.poles[i][j];
       poles.SetValue(i + 1, j + 1, gp_Pnt(p.x(), p.y(), p.z()));
-      weights.SetValue(i + 1, j + 1, net.weights[i][j]);
+      weights.SetValue(i + 1, j + 1, nurbs.weights[i][j]);
     }
   }
-  const Knots circle(net.circleKnots), profile(net.profileKnots);
+  const Knots circle(nurbs.circleKnots), profile(nurbs.profileKnots);
   return new Geom_BSplineSurface(poles, weights, circle.valueArray(), profile.valueArray(), circle.multiplicityArray(),
-                                 profile.multiplicityArray(), 2, net.profileDegree);
+                                 profile.multiplicityArray(), 2, nurbs.profileDegree);
 }
 
 // The flat end at a height: a disc inside the mantle's very circle.
@@ -155,18 +155,18 @@ ProfileNurbs withoutExcess(ProfileNurbs piece) {
 // The profile cut where it may have corners: other programs do not expect them within a surface. Pieces without extent
 // or on the axis are left out.
 std::vector<ProfileCurve> smoothPieces(const ProfileCurve& profile) {
-  const ProfileNurbs& net = profile.net();
-  const auto degree = static_cast<std::size_t>(net.degree);
+  const ProfileNurbs& nurbs = profile.nurbs();
+  const auto degree = static_cast<std::size_t>(nurbs.degree);
   std::vector<ProfileCurve> pieces;
   std::size_t first = 0;
-  for (std::size_t i = 1; i < net.poles.size(); ++i) {
-    const bool isEnd = i + 1 == net.poles.size();
-    if (!isEnd && net.knots[i + 1] != net.knots[i + degree]) continue;
+  for (std::size_t i = 1; i < nurbs.poles.size(); ++i) {
+    const bool isEnd = i + 1 == nurbs.poles.size();
+    if (!isEnd && nurbs.knots[i + 1] != nurbs.knots[i + degree]) continue;
     ProfileNurbs piece;
-    piece.degree = net.degree;
-    piece.poles.assign(net.poles.begin() + first, net.poles.begin() + i + 1);
-    piece.weights.assign(net.weights.begin() + first, net.weights.begin() + i + 1);
-    piece.knots.assign(net.knots.begin() + first, net.knots.begin() + i + degree + 2);
+    piece.degree = nurbs.degree;
+    piece.poles.assign(nurbs.poles.begin() + first, nurbs.poles.begin() + i + 1);
+    piece.weights.assign(nurbs.weights.begin() + first, nurbs.weights.begin() + i + 1);
+    piece.knots.assign(nurbs.knots.begin() + first, nurbs.knots.begin() + i + degree + 2);
     piece.knots.front() = piece.knots[1];
     piece.knots.back() = piece.knots[piece.knots.size() - 2];
     first = i;
@@ -189,7 +189,7 @@ Result<TopoDS_Solid> solidOf(const ProfileCurve& profile, const Message_Progress
   for (const ProfileCurve& piece : pieces) {
     sewing.Add(BRepBuilderAPI_MakeFace(mantleOf(piece), Precision::Confusion()).Face());
   }
-  for (const ProfilePoint& rim : {pieces.front().net().poles.front(), pieces.back().net().poles.back()}) {
+  for (const ProfilePoint& rim : {pieces.front().nurbs().poles.front(), pieces.back().nurbs().poles.back()}) {
     if (rim.x() > 0.0 && !profile.isClosed()) sewing.Add(discOf(rim));
   }
   sewing.Perform(range);

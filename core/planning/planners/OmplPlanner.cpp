@@ -129,7 +129,7 @@ ob::PlannerPtr plannerFor(std::string_view id, const ob::SpaceInformationPtr& sp
   return std::make_shared<og::EST>(space);
 }
 
-// Whatever a planner does with what it is told: the path that it hands over is proven as a whole.
+// Whatever a planner does with its input: the path that it hands over is proven as a whole.
 bool isProven(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check,
               const Progress& progress) {
   for (std::size_t i = 1; i < path.size(); ++i) {

@@ -126,12 +126,12 @@ Result<std::map<std::string, double>> startOf(const Json& request) {
 }  // namespace
 
 Result<PlanningSet> readMoveItProblem(std::string_view scene, std::string_view request, const std::string& name) {
-  const Result<Json> world = parseYaml(scene, "scene"), wish = parseYaml(request, "request");
+  const Result<Json> world = parseYaml(scene, "scene"), query = parseYaml(request, "request");
   if (!world) return world.error();
-  if (!wish) return wish.error();
-  const auto goal = goalOf(*wish);
+  if (!query) return query.error();
+  const auto goal = goalOf(*query);
   if (!goal) return goal.error();
-  const auto start = startOf(*wish);
+  const auto start = startOf(*query);
   if (!start) return start.error();
   const Result<Json> shapes = shapesOf(*world);
   if (!shapes) return shapes.error();

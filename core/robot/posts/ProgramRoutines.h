@@ -30,7 +30,7 @@ class ProgramRoutines {
 
   // The statements in the order in which they are carried out: those outside of routines, else those of `first`, else
   // those of the one routine that no other calls; calls are replaced by what is called. called: the routine that a
-  // statement calls; empty: none. Errors: ElementMalformed where it is not told which routine is the first, one calls
+  // statement calls; empty: none. Errors: ElementMalformed where it is not given which routine is the first, one calls
   // itself, or there are too many statements.
   Result<std::vector<ProgramStatement>> unrolled(
       const std::string& first, const std::function<std::string(std::string_view statement)>& called) const;

@@ -58,12 +58,12 @@ std::string plainFrameName(const RobotProgram& program) {
 
 // With a number, where another frame is called so.
 std::string prefixedFrameName(const RobotProgram& program) {
-  const std::string wish = kFramePrefix + plainFrameName(program);
-  std::string name = wish;
+  const std::string preferred = kFramePrefix + plainFrameName(program);
+  std::string name = preferred;
   const auto isSame = [&](const std::string& other) {
     return lowerCase(identifierOf(other, kLongestShared)) == lowerCase(name);
   };
-  for (int n = 2; std::ranges::any_of(program.otherFrames, isSame); ++n) name = wish + "_" + std::to_string(n);
+  for (int n = 2; std::ranges::any_of(program.otherFrames, isSame); ++n) name = preferred + "_" + std::to_string(n);
   return name;
 }
 

@@ -113,9 +113,9 @@ class RapidWriting {
   std::string target(const char* type, const std::string& numbers, const ProgramMotion& motion) {
     if (motion.name.empty()) return numbers;
     constexpr std::size_t kLongestNumber = 7;
-    const std::string wish = "p_" + identifierOf(motion.name, kLongestRapidName - kLongestNumber - 2);
-    std::string name = wish;
-    for (std::size_t n = 2; !m_names.insert(lowerCase(name)).second; ++n) name = wish + "_" + std::to_string(n);
+    const std::string preferred = "p_" + identifierOf(motion.name, kLongestRapidName - kLongestNumber - 2);
+    std::string name = preferred;
+    for (std::size_t n = 2; !m_names.insert(lowerCase(name)).second; ++n) name = preferred + "_" + std::to_string(n);
     m_targets += std::string("  LOCAL CONST ") + type + " " + name + ":=" + numbers + ";\n";
     return name;
   }

@@ -140,7 +140,7 @@ class JsonPost : public PostProcessor {
   const char* title() const override { return "JSON"; }
   const char* ending() const override { return ".program.json"; }
 
-  // A motion a line: with each number on a line of its own, the longest programs would be too large to be read.
+  // A motion a line: with each number on a line of its own, long programs would be too large to be read.
   std::string write(const RobotProgram& program) const override {
     constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
     nlohmann::ordered_json json = {{"version", 1},

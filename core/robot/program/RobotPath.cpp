@@ -23,12 +23,12 @@ bool areSame(const std::map<std::string, Pose, std::less<>>& one,
 
 }  // namespace
 
-std::string FreeNames::take(const std::string& wish) {
-  if (m_taken.insert(wish).second) return wish;
-  std::size_t& number = m_numbers.try_emplace(wish, 1).first->second;
+std::string FreeNames::take(const std::string& preferred) {
+  if (m_taken.insert(preferred).second) return preferred;
+  std::size_t& number = m_numbers.try_emplace(preferred, 1).first->second;
   std::string name;
   do {
-    name = wish + ' ' + std::to_string(++number);
+    name = preferred + ' ' + std::to_string(++number);
   } while (!m_taken.insert(name).second);
   return name;
 }

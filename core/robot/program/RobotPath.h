@@ -106,12 +106,12 @@ struct NamedTarget {
   bool operator==(const NamedTarget& other) const;
 };
 
-// Gives each thing a name that no other has: the one that is wished for, or that with the least number from 2 on that
+// Gives each thing a name that no other has: the preferred one, or that with the least number from 2 on that
 // makes it another one. Counts on from the last number, so that n names take O(n).
 class FreeNames {
  public:
   void add(const std::string& taken) { m_taken.insert(taken); }
-  std::string take(const std::string& wish);
+  std::string take(const std::string& preferred);
 
  private:
   std::unordered_set<std::string> m_taken;
@@ -147,8 +147,8 @@ struct CellPlans {
   FreeNames pathNames() const;
   FreeNames placeNames() const;  // neither of a configuration nor of a target
   FreeNames frameNames() const;
-  std::string freePathName(const std::string& wish) const { return pathNames().take(wish); }
-  std::string freePlaceName(const std::string& wish) const { return placeNames().take(wish); }
+  std::string freePathName(const std::string& preferred) const { return pathNames().take(preferred); }
+  std::string freePlaceName(const std::string& preferred) const { return placeNames().take(preferred); }
   std::size_t bytes() const;                                                                      // about
   double clearanceOf(const RobotPath& path) const { return path.clearance.value_or(clearance); }  // mm
   // What a path has to have of its own to keep this, mm.

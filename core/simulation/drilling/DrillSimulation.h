@@ -42,9 +42,9 @@ struct DrillFeed {
   Vec3 way = -Vec3::UnitZ();  // where it goes, of length 1; of a saw not against the axis
 };
 
-// The simulation of drilling: the volume loses what the head passes in a gesture. What that takes is told to the servo
-// loop, whose hand is held back by it. A part of triangles has voxels only near the head, and near the tip of a device,
-// which feels them.
+// The simulation of drilling: the volume loses what the head passes in a gesture. What that takes is passed to the
+// servo loop, whose hand is held back by it. A part of triangles has voxels only near the head, and near the tip of a
+// device, which feels them.
 class DrillSimulation : public Simulation {
  public:
   // feed: none for a device, whose tip is the centre of the head and whose stylus is the shank. plan: none: straight on

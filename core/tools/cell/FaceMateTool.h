@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // Tool that places a body with one of its faces on another face. That is a face of another body, or of the robot: the
-// first click takes the face of the body that is to be placed, the second the face that it shall lie on. The body is
+// first click takes the face of the body that is to be placed, the second the face that it is to lie on. The body is
 // shown there, with an offset and a turn that can be changed; committing is one edit. By the mouse, or by the ray of a
 // device.
 class FaceMateTool : public Tool {

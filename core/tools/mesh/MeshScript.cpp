@@ -29,7 +29,7 @@
 namespace handwheel {
 namespace {
 
-// The wish of a step that is a change; what is wrong with the words is in the reader.
+// The change that a step makes; what is wrong with the words is in the reader.
 using MakeChange = MeshChange (*)(ScriptLineReader&, const OperationValues&, const MeshDocument&);
 using DoStep = ScriptLineOutcome (*)(ScriptLineReader&, const OperationValues&, MeshDocument&, Progress);
 

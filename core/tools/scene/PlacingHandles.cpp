@@ -10,7 +10,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kRingPieces = 64;
-constexpr double kGrip = 0.15;      // of an arrow from its centre, where the arrows cannot be told apart
+constexpr double kGrip = 0.15;      // of an arrow from its centre, where the arrows cannot be distinguished
 constexpr double kArrowHead = 0.1;  // of an arrow
 constexpr int kArrowPieces = 24;    // of an arrow that are looked at
 

@@ -105,7 +105,7 @@ void ReshapeTool::chooseUsual() {
 }
 
 void ReshapeTool::drop() {
-  ++m_request;  // first: what is cancelled is told at once
+  ++m_request;  // first: what is cancelled is reported at once
   m_services.cancel();
   m_isWorking = m_isToCommit = false;
   m_made.reset();

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The volume of the first level set among grids, or of the first fog volume. Errors: LibraryFailed with the
+// The volume of the first level set, or else of the first fog volume. Errors: LibraryFailed with the
 // reason.
 Result<VdbVolume> volumeOfGrids(const openvdb::GridPtrVec& grids);
 

@@ -14,7 +14,7 @@ class PlansTextTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A proof of a former state of the cell is told as one: only where nothing has changed is the path verified.
+  // A proof of a former state of the cell is reported as one: only where nothing has changed is the path verified.
   void proofs() {
     nlohmann::json path{{"name", "weld"}, {"places", 6}, {"outdated", false}};
     const auto text = [&] { return plansText({{"paths", {path}}, {"may_touch", nlohmann::json::array()}}); };

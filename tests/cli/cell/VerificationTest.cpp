@@ -33,7 +33,7 @@ class VerificationTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A program with another tool than the cell, which has none, is told of with both, and what it is stored with.
+  // A program with another tool than the cell, which has none, is reported with both, and what it is stored with.
   void theToolOfAProgram() {
     const PlannedCell cell;
     const auto program = [](const QByteArray& tool) -> QByteArray {

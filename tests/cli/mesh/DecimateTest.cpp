@@ -109,7 +109,7 @@ class DecimateTest : public QObject {
     QCOMPARE(decimateInspected(fixture, "b.off")["triangles"].get<int>(), 12);
   }
 
-  // What OpenMesh does not support is told with what to do, and that helps.
+  // What OpenMesh does not support is reported with what to do, and that helps.
   void quadricsOfADefectiveScan() {
     const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
     if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");

@@ -239,8 +239,8 @@ class ClayTest : public QObject {
     QCOMPARE(hidden["layer"]["strength"].get<double>(), 0.0);
     QVERIFY(hidden["layer"]["blocks"].get<int>() > 0);
     const auto volumeOf = [&](const char* file) {
-      const auto told = nlohmann::json::parse(fixture.run({"inspect", file, "--json"}).out.toStdString());
-      return told["document"]["volume"].get<double>();
+      const auto reported = nlohmann::json::parse(fixture.run({"inspect", file, "--json"}).out.toStdString());
+      return reported["document"]["volume"].get<double>();
     };
     for (const char* strength : {"1", "0.5"}) {
       const QString word = QStringLiteral("layer.1.strength=") + QLatin1String(strength);

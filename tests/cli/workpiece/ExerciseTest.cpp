@@ -80,7 +80,7 @@ class ExerciseTest : public QObject {
     QCOMPARE(html.count("data:image/png;base64,"), 7 + 1 + 2);
     QVERIFY2(blueShare(html, "work0-picture-0") < 0.01, "what is left of the model solution");
     QVERIFY2(blueShare(html, "work1-picture-0") > 0.1, "what is left of the bar");
-    // Force and power are told as numbers: those that the marks have.
+    // Force and power are stated as numbers: those that the marks have.
     QCOMPARE(ada["figures"].size(), std::size_t{2});
     for (const nlohmann::json& figure : ada["figures"])
       for (const nlohmann::json& mark : ada["marks"])
@@ -419,7 +419,7 @@ class ExerciseTest : public QObject {
     }
   }
 
-  // One point is told as one.
+  // One point is written as one.
   void aSinglePoint() {
     const Fixture fixture;
     QFile file(kShaftExercise);

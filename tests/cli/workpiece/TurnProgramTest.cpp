@@ -167,7 +167,8 @@ class TurnProgramTest : public QObject {
     QCOMPARE(fixture.run({"program", "none.svg", "-o", "x.ngc"}).code, 1);
   }
 
-  // A sleeve of 24 mm inside: without a drill its bore stays solid, 12 mm from the wall to the axis, and that is told.
+  // A sleeve of 24 mm inside: without a drill its bore stays solid, 12 mm from the wall to the axis, and that is
+  // reported.
   void aBoreThatIsLeftIsTold() {
     const Fixture fixture;
     QByteArray drawing = "0\nSECTION\n2\nENTITIES\n";

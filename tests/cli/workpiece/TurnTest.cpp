@@ -211,7 +211,7 @@ class TurnTest : public QObject {
     }
   }
 
-  // Passes that are lost of the work that is repeated are told.
+  // Passes that are lost of the work that is repeated are reported.
   void damageOfTheRecordedWorkIsSaid() {
     const Fixture fixture;
     fixture.put("p.csv", kPath);

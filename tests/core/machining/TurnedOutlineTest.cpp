@@ -49,9 +49,9 @@ class TurnedOutlineTest : public QObject {
  private slots:
   void aBar() {
     const TurnedCurves curves = onlyPiece(TurnedProfile({40.0, 60.0, 0.0}, 0.5));
-    QCOMPARE(curves.outside.net().poles.size(), std::size_t{3});
-    QVERIFY(curves.outside.net().poles[0] == ProfilePoint(20.0, 5.0));
-    QVERIFY(curves.outside.net().poles[2] == ProfilePoint(20.0, 65.0));
+    QCOMPARE(curves.outside.nurbs().poles.size(), std::size_t{3});
+    QVERIFY(curves.outside.nurbs().poles[0] == ProfilePoint(20.0, 5.0));
+    QVERIFY(curves.outside.nurbs().poles[2] == ProfilePoint(20.0, 65.0));
   }
 
   // Each as a solid of Open CASCADE and as triangles: valid, and of the volume of the profile.

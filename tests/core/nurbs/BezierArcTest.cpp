@@ -19,8 +19,8 @@ class BezierArcTest : public QObject {
 
 namespace {
 
-ProfileCurve curve(ProfileNurbs net) {
-  return ProfileCurve::make(std::move(net)).value();
+ProfileCurve curve(ProfileNurbs nurbs) {
+  return ProfileCurve::make(std::move(nurbs)).value();
 }
 
 double distanceToSegment(const ProfilePoint& p, const ProfilePoint& a, const ProfilePoint& b) {
@@ -33,7 +33,7 @@ double distanceToSegment(const ProfilePoint& p, const ProfilePoint& a, const Pro
 
 void BezierArcTest::arcsStayWithinTheirChordError() {
   QVERIFY(rc::check("sampled", [] {
-    const ProfileCurve c = curve(test::randomNet());
+    const ProfileCurve c = curve(test::randomNurbs());
     for (const BezierArc& arc : c.arcs()) {
       for (int i = 0; i <= 20; ++i) {
         const ProfilePoint p = arc.derivatives(i / 20.0)[0];
@@ -43,7 +43,7 @@ void BezierArcTest::arcsStayWithinTheirChordError() {
   }));
   // A parabola leaves its chord by half of what its middle pole does, a cubic with two poles alike by three quarters,
   // a quarter of a circle by 1 - √½.
-  const auto error = [](ProfileNurbs net) { return curve(std::move(net)).arcs()[0].chordError(); };
+  const auto error = [](ProfileNurbs nurbs) { return curve(std::move(nurbs)).arcs()[0].chordError(); };
   QCOMPARE(error({2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {3, 1}, {1, 2}}, {1, 1, 1}}), 1.0);
   QCOMPARE(error({3, {0, 0, 0, 0, 1, 1, 1, 1}, {{1, 0}, {3, 0}, {3, 2}, {1, 2}}, {1, 1, 1, 1}}), 1.5);
   QCOMPARE(error(test::sphere(1.0, 0.0)), 1.0 - std::sqrt(0.5));
@@ -51,7 +51,7 @@ void BezierArcTest::arcsStayWithinTheirChordError() {
 
 void BezierArcTest::halvesAreTheSameCurve() {
   QVERIFY(rc::check("each runs over half of the parameter", [] {
-    const ProfileCurve c = curve(test::randomNet());
+    const ProfileCurve c = curve(test::randomNurbs());
     const BezierArc& arc = c.arcs().front();
     const auto [left, right] = arc.halves();
     const double t = test::between(0.0, 1.0);

@@ -29,8 +29,8 @@ class ProfileCurveTest : public QObject {
 
 namespace {
 
-ProfileCurve profileCurveCurve(ProfileNurbs net) {
-  auto made = ProfileCurve::make(std::move(net));
+ProfileCurve profileCurveCurve(ProfileNurbs nurbs) {
+  auto made = ProfileCurve::make(std::move(nurbs));
   if (!made) qFatal("%s", made.error().arguments.back().c_str());
   return std::move(made.value());
 }
@@ -39,19 +39,19 @@ ProfileCurve profileCurveCurve(ProfileNurbs net) {
 
 void ProfileCurveTest::isTheTextbooksCurve() {
   QVERIFY(rc::check("de Boor's recursion gives the same point", [] {
-    const ProfileNurbs net = test::randomNet();
-    const ProfileCurve c = profileCurveCurve(net);
-    const double u = *rc::gen::arbitrary<bool>() ? test::between(c.from(), c.to()) : *rc::gen::elementOf(net.knots);
-    RC_ASSERT((c.point(u) - test::pointByDefinition(net, u)).norm() < 1e-12);
+    const ProfileNurbs nurbs = test::randomNurbs();
+    const ProfileCurve c = profileCurveCurve(nurbs);
+    const double u = *rc::gen::arbitrary<bool>() ? test::between(c.from(), c.to()) : *rc::gen::elementOf(nurbs.knots);
+    RC_ASSERT((c.point(u) - test::pointByDefinition(nurbs, u)).norm() < 1e-12);
   }));
 }
 
 void ProfileCurveTest::derivativeIsTheLimitOfDifferences() {
   QVERIFY(rc::check("inside an arc", [] {
-    const ProfileNurbs net = test::randomNet();
-    const ProfileCurve c = profileCurveCurve(net);
+    const ProfileNurbs nurbs = test::randomNurbs();
+    const ProfileCurve c = profileCurveCurve(nurbs);
     const double u = test::between(c.from(), c.to()), h = 1e-5;
-    for (double knot : net.knots) RC_PRE(std::abs(u - knot) > 2.0 * h);
+    for (double knot : nurbs.knots) RC_PRE(std::abs(u - knot) > 2.0 * h);
     const ProfilePoint slope = (c.point(u + h) - c.point(u - h)) / (2.0 * h);
     // The error of a central difference is h²/6 of the third derivative, which weights of 0.2…5 over spans of 0.01 and
     // poles within 20 let grow to some 1e9.
@@ -99,10 +99,10 @@ void ProfileCurveTest::halfCircleIsExact() {
 
 void ProfileCurveTest::keepsItsShapeFarFromTheOrigin() {
   QVERIFY(rc::check("at 1e7 mm only the last digits of the place are lost", [] {
-    ProfileNurbs net = test::randomNet();
-    const ProfileCurve near = profileCurveCurve(net);
-    for (ProfilePoint& p : net.poles) p.y() += 1e7;
-    const ProfileCurve far = profileCurveCurve(net);
+    ProfileNurbs nurbs = test::randomNurbs();
+    const ProfileCurve near = profileCurveCurve(nurbs);
+    for (ProfilePoint& p : nurbs.poles) p.y() += 1e7;
+    const ProfileCurve far = profileCurveCurve(nurbs);
     const double u = test::between(near.from(), near.to());
     RC_ASSERT((far.point(u) - near.point(u) - ProfilePoint(0, 1e7)).norm() < 2e-8);
     // Poles are rounded to 2e-9 there, and a derivative multiplies that by degree · weights / span.
@@ -185,9 +185,9 @@ void ProfileCurveTest::refusesNetsThatAreNone() {
   QFETCH(QList<double>, knots);
   QFETCH(QList<double>, radii);
   QFETCH(QList<double>, weights);
-  ProfileNurbs net{degree, {knots.begin(), knots.end()}, {}, {weights.begin(), weights.end()}};
-  for (double r : radii) net.poles.emplace_back(r, double(net.poles.size()));
-  const auto made = ProfileCurve::make(net);
+  ProfileNurbs nurbs{degree, {knots.begin(), knots.end()}, {}, {weights.begin(), weights.end()}};
+  for (double r : radii) nurbs.poles.emplace_back(r, double(nurbs.poles.size()));
+  const auto made = ProfileCurve::make(nurbs);
   QVERIFY(!made);
   QCOMPARE(made.error().code, ErrorCode::ElementMalformed);
 }

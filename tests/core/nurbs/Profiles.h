@@ -25,12 +25,12 @@ inline double basis(const std::vector<double>& knots, std::size_t i, int degree,
   return sum;
 }
 
-inline ProfilePoint pointByDefinition(const ProfileNurbs& net, double u) {
+inline ProfilePoint pointByDefinition(const ProfileNurbs& nurbs, double u) {
   ProfilePoint sum(0, 0);
   double weights = 0.0;
-  for (std::size_t i = 0; i < net.poles.size(); ++i) {
-    const double share = net.weights[i] * basis(net.knots, i, net.degree, u);
-    sum += share * net.poles[i];
+  for (std::size_t i = 0; i < nurbs.poles.size(); ++i) {
+    const double share = nurbs.weights[i] * basis(nurbs.knots, i, nurbs.degree, u);
+    sum += share * nurbs.poles[i];
     weights += share;
   }
   return sum / weights;
@@ -41,25 +41,25 @@ inline double between(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
 
-// Sound nets of any degree, with simple and multiple inner knots, double poles, poles on the axis, uneven weights.
-inline ProfileNurbs randomNet() {
-  ProfileNurbs net;
-  net.degree = *rc::gen::inRange(1, 4);
+// Sound profiles of any degree, with simple and multiple inner knots, double poles, poles on the axis, uneven weights.
+inline ProfileNurbs randomNurbs() {
+  ProfileNurbs nurbs;
+  nurbs.degree = *rc::gen::inRange(1, 4);
   const auto spans = *rc::gen::inRange(1, 7);
-  net.knots.assign(net.degree + 1, 0.0);
+  nurbs.knots.assign(nurbs.degree + 1, 0.0);
   double knot = 0.0;
   for (int i = 1; i < spans; ++i) {
     knot += between(0.01, 2.0);
-    net.knots.insert(net.knots.end(), *rc::gen::inRange(1, net.degree + 1), knot);
+    nurbs.knots.insert(nurbs.knots.end(), *rc::gen::inRange(1, nurbs.degree + 1), knot);
   }
-  net.knots.insert(net.knots.end(), net.degree + 1, knot + between(0.01, 2.0));
-  while (net.poles.size() + net.degree + 1 < net.knots.size()) {
-    const bool isDouble = !net.poles.empty() && *rc::gen::inRange(0, 5) == 0;
-    net.poles.push_back(isDouble ? net.poles.back()
-                                 : ProfilePoint(std::max(0.0, between(-2.0, 10.0)), between(-20.0, 20.0)));
-    net.weights.push_back(between(0.2, 5.0));
+  nurbs.knots.insert(nurbs.knots.end(), nurbs.degree + 1, knot + between(0.01, 2.0));
+  while (nurbs.poles.size() + nurbs.degree + 1 < nurbs.knots.size()) {
+    const bool isDouble = !nurbs.poles.empty() && *rc::gen::inRange(0, 5) == 0;
+    nurbs.poles.push_back(isDouble ? nurbs.poles.back()
+                                   : ProfilePoint(std::max(0.0, between(-2.0, 10.0)), between(-20.0, 20.0)));
+    nurbs.weights.push_back(between(0.2, 5.0));
   }
-  return net;
+  return nurbs;
 }
 
 // A half circle from pole to pole, exact.

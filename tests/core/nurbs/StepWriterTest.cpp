@@ -91,9 +91,9 @@ void StepWriterTest::holdsTheNinePoleSurface() {
   QVERIFY(text.contains("MANIFOLD_SOLID_BREP"));
   QVERIFY(text.contains("B_SPLINE_SURFACE_WITH_KNOTS((3,2,2,2,3),(2,2),"));
   // Nine columns of two poles.
-  const auto net = QRegularExpression("B_SPLINE_SURFACE\\(2,1,\\(((?:\\(#\\d+,#\\d+\\),?)+)\\)").match(text);
-  QVERIFY(net.hasMatch());
-  QCOMPARE(net.captured(1).count('('), 9);
+  const auto nurbs = QRegularExpression("B_SPLINE_SURFACE\\(2,1,\\(((?:\\(#\\d+,#\\d+\\),?)+)\\)").match(text);
+  QVERIFY(nurbs.hasMatch());
+  QCOMPARE(nurbs.captured(1).count('('), 9);
   // Reals have a point, as the standard demands, and all their digits.
   QVERIFY(!text.contains(QRegularExpression("CARTESIAN_POINT\\('',\\([^)]*[(,]-?\\d+[,)]")));
   QVERIFY(text.contains("7.0710678118654757E-01"));
@@ -129,13 +129,13 @@ void StepWriterTest::shoulders() {
 // A tube with a fillet of radius 3 in its bore: closed, of degree 2, straight lines as such.
 void StepWriterTest::tube() {
   const double w = std::sqrt(0.5);
-  ProfileNurbs net;
-  net.degree = 2;
-  net.knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 6};
-  net.poles = {{20, 0},  {20, 20}, {20, 40}, {15, 40}, {10, 40},  {10, 31.5}, {10, 23},
-               {10, 20}, {7, 20},  {7, 10},  {7, 0},   {13.5, 0}, {20, 0}};
-  net.weights = {1, 1, 1, 1, 1, 1, 1, w, 1, 1, 1, 1, 1};
-  const ProfileCurve profile = ProfileCurve::make(net).value();
+  ProfileNurbs nurbs;
+  nurbs.degree = 2;
+  nurbs.knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 6};
+  nurbs.poles = {{20, 0},  {20, 20}, {20, 40}, {15, 40}, {10, 40},  {10, 31.5}, {10, 23},
+                 {10, 20}, {7, 20},  {7, 10},  {7, 0},   {13.5, 0}, {20, 0}};
+  nurbs.weights = {1, 1, 1, 1, 1, 1, 1, w, 1, 1, 1, 1, 1};
+  const ProfileCurve profile = ProfileCurve::make(nurbs).value();
   QVERIFY(profile.isClosed());
   // The bore: two cylinders and the solid of a quarter circle around (7, 23).
   const double quarter = 49.0 * 3.0 + 14.0 * M_PI * 9.0 / 4.0 + 2.0 * 27.0 / 3.0;
@@ -155,15 +155,15 @@ void StepWriterTest::tube() {
 
 void StepWriterTest::anyShaft() {
   QVERIFY(rc::check("a spline of rising height", [] {
-    ProfileNurbs net = test::randomNet();
-    for (std::size_t i = 0; i < net.poles.size(); ++i) net.poles[i] = {1.0 + net.poles[i].x(), 3.0 * double(i)};
-    const ProfileCurve profile = ProfileCurve::make(net).value();
+    ProfileNurbs nurbs = test::randomNurbs();
+    for (std::size_t i = 0; i < nurbs.poles.size(); ++i) nurbs.poles[i] = {1.0 + nurbs.poles[i].x(), 3.0 * double(i)};
+    const ProfileCurve profile = ProfileCurve::make(nurbs).value();
     double volume = 0.0;  // π ∫ r² z' du
-    for (std::size_t k = 0; k + 1 < net.knots.size(); ++k) {
+    for (std::size_t k = 0; k + 1 < nurbs.knots.size(); ++k) {
       const auto ring = [&](double u) { return std::pow(profile.point(u).x(), 2) * profile.derivative(u).y(); };
-      if (net.knots[k] == net.knots[k + 1]) continue;
-      volume += M_PI * boost::math::quadrature::gauss_kronrod<double, 31>::integrate(ring, net.knots[k],
-                                                                                     net.knots[k + 1], 20, 1e-12);
+      if (nurbs.knots[k] == nurbs.knots[k + 1]) continue;
+      volume += M_PI * boost::math::quadrature::gauss_kronrod<double, 31>::integrate(ring, nurbs.knots[k],
+                                                                                     nurbs.knots[k + 1], 20, 1e-12);
     }
     RC_ASSERT(std::abs(profile.volume() / volume - 1) < 1e-10);
     const StepFileReport report = reportOn(profile);

@@ -26,14 +26,14 @@ class SurfaceOfRevolutionTest : public QObject {
 
 namespace {
 
-Vec3 pointByDefinition(const SurfaceNurbs& net, double u, double v) {
+Vec3 pointByDefinition(const SurfaceNurbs& nurbs, double u, double v) {
   Vec3 sum = Vec3::Zero();
   double weights = 0.0;
   for (std::size_t i = 0; i < 9; ++i) {
-    for (std::size_t j = 0; j < net.poles[i].size(); ++j) {
-      const double share = net.weights[i][j] * test::basis(net.circleKnots, i, 2, u) *
-                           test::basis(net.profileKnots, j, net.profileDegree, v);
-      sum += share * net.poles[i][j];
+    for (std::size_t j = 0; j < nurbs.poles[i].size(); ++j) {
+      const double share = nurbs.weights[i][j] * test::basis(nurbs.circleKnots, i, 2, u) *
+                           test::basis(nurbs.profileKnots, j, nurbs.profileDegree, v);
+      sum += share * nurbs.poles[i][j];
       weights += share;
     }
   }
@@ -41,7 +41,7 @@ Vec3 pointByDefinition(const SurfaceNurbs& net, double u, double v) {
 }
 
 SurfaceOfRevolution randomSurface() {
-  return SurfaceOfRevolution(ProfileCurve::make(test::randomNet()).value());
+  return SurfaceOfRevolution(ProfileCurve::make(test::randomNurbs()).value());
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ void SurfaceOfRevolutionTest::isTheTensorProductOfItsNet() {
   QVERIFY(rc::check("by the definition", [] {
     const SurfaceOfRevolution s = randomSurface();
     const double u = test::between(0, 1), v = test::between(s.profile().from(), s.profile().to());
-    RC_ASSERT((s.at(u, v).position - pointByDefinition(s.net(), u, v)).norm() < 1e-11);
+    RC_ASSERT((s.at(u, v).position - pointByDefinition(s.nurbs(), u, v)).norm() < 1e-11);
   }));
 }
 
@@ -69,7 +69,7 @@ void SurfaceOfRevolutionTest::derivativesAreLimitsOfDifferences() {
   QVERIFY(rc::check("away from knots", [] {
     const SurfaceOfRevolution s = randomSurface();
     const double u = test::between(0, 1), v = test::between(s.profile().from(), s.profile().to()), h = 1e-5;
-    for (double knot : s.profile().net().knots) RC_PRE(std::abs(v - knot) > 2 * h);
+    for (double knot : s.profile().nurbs().knots) RC_PRE(std::abs(v - knot) > 2 * h);
     for (double knot : unit_circle::knots()) RC_PRE(std::abs(u - knot) > 2 * h);
     const Vec3 byU = (s.at(u + h, v).position - s.at(u - h, v).position) / (2 * h);
     const Vec3 byV = (s.at(u, v + h).position - s.at(u, v - h).position) / (2 * h);

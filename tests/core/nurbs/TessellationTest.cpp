@@ -44,8 +44,8 @@ TriangleSoup tessellated(const ProfileCurve& profile, double chord) {
   return std::move(soup.value());
 }
 
-ProfileCurve tessellationCurve(ProfileNurbs net) {
-  return ProfileCurve::make(std::move(net)).value();
+ProfileCurve tessellationCurve(ProfileNurbs nurbs) {
+  return ProfileCurve::make(std::move(nurbs)).value();
 }
 
 }  // namespace
@@ -196,7 +196,7 @@ void TessellationTest::flatShoulder() {
 
 void TessellationTest::anyProfileIsClosedAndNear() {
   QVERIFY(rc::check("random splines", [] {
-    const ProfileCurve profile = tessellationCurve(test::randomNet());
+    const ProfileCurve profile = tessellationCurve(test::randomNurbs());
     const double chord = std::pow(10.0, test::between(-2, 1));
     TessellationOptions options;
     options.chord = chord;

@@ -150,7 +150,7 @@ class LatheThreadingTest : public QObject {
     QCOMPARE(pass.askedSpeeds[static_cast<std::size_t>(slowest - pass.speeds.begin())], kThreadSpeed);
   }
 
-  // A hand that lets the button go stops the slides, which it has told to go further.
+  // A hand that lets the button go stops the slides, which it has commanded to go further.
   void aHandLetsGo() {
     LatheFixture fixture;
     fixture.loop.setGesture(1);

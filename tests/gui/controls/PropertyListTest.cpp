@@ -179,7 +179,7 @@ void PropertyListTest::editsOfEachKind() {
                                               {"material", 2.0, false}}));
 }
 
-// A text of numbers is shown and typed with the decimal separator of the user, and told with points.
+// A text of numbers is shown and typed with the decimal separator of the user, and reported with points.
 void PropertyListTest::numbersInTexts() {
   PropertyListFixture fixture;
   fixture.list.setLocale(QLocale(QLocale::German));
@@ -234,7 +234,7 @@ void PropertyListTest::longTexts() {
   QCOMPARE(field->toPlainText(), QString("another"));
 }
 
-// What is typed is told before it is saved or hidden, and typing goes on.
+// What is typed is reported before it is saved or hidden, and typing goes on.
 void PropertyListTest::typedTextIsTold() {
   PropertyListFixture fixture;
   auto* note = fixture.find<QLineEdit>("note", "propertyText");

@@ -92,7 +92,7 @@ class PropertyRemarksTest : public QObject {
     QCOMPARE(form.remarks().text(), QStringLiteral("Points: ") + QLatin1String(kNoLimit));
   }
 
-  // The field that is meant is told by its label, too.
+  // The field that is meant is named by its label, too.
   void theLabelLooksBad() {
     RemarkedForm form;
     const auto labelled = [&](const char* id) {

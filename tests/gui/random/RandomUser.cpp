@@ -107,7 +107,6 @@ RandomUser::RandomUser(MainWindow& window, std::uint32_t seed)
   connect(&m_menus, &QTimer::timeout, this, [this] {
     if (qobject_cast<QMenu*>(QApplication::activePopupWidget())) pressKey();
   });
-  m_menus.start(50);
 }
 
 void RandomUser::makeFiles() {
@@ -159,7 +158,9 @@ void RandomUser::act() {
       &RandomUser::switchDocument, &RandomUser::switchDocument, &RandomUser::cancelJob,    &RandomUser::searchCommand};
   // What is chosen there may be the command that closes.
   if (const auto* palette = m_window.findChild<CommandPalette*>(); palette && palette->isVisible()) m_mayClose = true;
+  m_menus.start(50);
   if (!answerDialogs()) (this->*kActions[upTo(static_cast<int>(std::size(kActions)))])();
+  m_menus.stop();
   QTest::qWait(upTo(30));
   if (oneIn(40)) {
     note(QStringLiteral("waits for the jobs"));

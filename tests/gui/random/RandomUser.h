@@ -73,7 +73,7 @@ class RandomUser : public QObject {
   MainWindow& m_window;
   DocumentTabs& m_tabs;
   std::mt19937 m_random;
-  QTimer m_menus;  // answers menus that wait
+  QTimer m_menus;  // during an action: answers menus that wait within it
   QTemporaryDir m_folder;
   QStringList m_files;
   QStringList m_problems;

@@ -253,9 +253,9 @@ class ViewportMouseTest : public ViewportFixture {
     const QPoint at(300, 250);
     const auto withPen = [&](QEvent::Type ofPen, QEvent::Type ofMouse, double pressure, Qt::MouseButton button,
                              Qt::MouseButtons held) {
-      QTabletEvent told(ofPen, &pen, at, m_view->mapToGlobal(at), pressure, 0, 0, 0, 0, 0, {}, button, held);
-      QApplication::sendEvent(m_view.get(), &told);
-      QVERIFY(!told.isAccepted());  // so that Qt sends this
+      QTabletEvent reported(ofPen, &pen, at, m_view->mapToGlobal(at), pressure, 0, 0, 0, 0, 0, {}, button, held);
+      QApplication::sendEvent(m_view.get(), &reported);
+      QVERIFY(!reported.isAccepted());  // so that Qt sends this
       QMouseEvent mouse(ofMouse, at, m_view->mapToGlobal(at), button, held, {}, &pen);
       QApplication::sendEvent(m_view.get(), &mouse);
     };

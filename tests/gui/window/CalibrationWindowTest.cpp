@@ -87,9 +87,9 @@ class CalibrationWindowTest : public QObject {
       QCOMPARE(driver.find<QPushButton>("calibrateButton")->text(), QString("Measure this machine"));
       QVERIFY(driver.text("calibrationText").contains("measured on this machine"));
     }
-    Fixture b;
-    QVERIFY(b.choice.calibration().curves.contains("servo.rate"));
-    QVERIFY(!b.choice.calibration().curves.contains("mesh.piece_edges"));
+    Fixture fixture;
+    QVERIFY(fixture.choice.calibration().curves.contains("servo.rate"));
+    QVERIFY(!fixture.choice.calibration().curves.contains("mesh.piece_edges"));
   }
 
   void itIsACommandToo() {
@@ -104,27 +104,27 @@ class CalibrationWindowTest : public QObject {
   void whatWasKeptHolds() {
     keep(jsonOf(FidelityChoice().registry(), slowMachine()));
     const FidelityChoice shipped;
-    Fixture b;
-    QVERIFY(b.calibrator.problem().isEmpty());
+    Fixture fixture;
+    QVERIFY(fixture.calibrator.problem().isEmpty());
     for (const auto* entry : machineDependent(shipped.registry())) {
       const double value = entry->setting.standard;
-      const auto here = b.choice.predicted(entry->setting.id, value),
+      const auto here = fixture.choice.predicted(entry->setting.id, value),
                  there = shipped.predicted(entry->setting.id, value);
       QCOMPARE(here->cost, 2.0 * there->cost);
       QCOMPARE(here->error, there->error);
     }
-    QCOMPARE(*b.choice.predictedTick(1000.0), 2.0 * *shipped.predictedTick(1000.0));
+    QCOMPARE(*fixture.choice.predictedTick(1000.0), 2.0 * *shipped.predictedTick(1000.0));
   }
 
   // Between two rates on the line through both, where the scales are logarithmic; beyond, as at the end.
   void aTickInUse() {
-    Fixture b;
+    Fixture fixture;
     Calibration calibration = slowMachine();
     calibration.ticksInUse = {{1000.0, 8.0}, {4000.0, 2.0}};
-    b.choice.setCalibration(calibration);
+    fixture.choice.setCalibration(calibration);
     for (const auto& [rate, tick] :
          {std::pair(500.0, 8.0), {1000.0, 8.0}, {2000.0, 4.0}, {4000.0, 2.0}, {8000.0, 2.0}}) {
-      QVERIFY(std::abs(*b.choice.predictedTick(rate) - tick) < 1e-9);
+      QVERIFY(std::abs(*fixture.choice.predictedTick(rate) - tick) < 1e-9);
     }
   }
 
@@ -137,9 +137,9 @@ class CalibrationWindowTest : public QObject {
           std::pair(std::string("{\"version\": 7}"), "version 7"),
           std::pair(jsonOf(FidelityChoice().registry(), other), "another machine (Abacus, 1 cores)")}) {
       keep(bytes);
-      Fixture b;
-      QVERIFY2(b.calibrator.problem().contains(QLatin1String(words)), qPrintable(b.calibrator.problem()));
-      QVERIFY(b.choice.calibration().curves.empty());
+      Fixture fixture;
+      QVERIFY2(fixture.calibrator.problem().contains(QLatin1String(words)), qPrintable(fixture.calibrator.problem()));
+      QVERIFY(fixture.choice.calibration().curves.empty());
     }
     WindowDriver driver;
     QVERIFY(driver.text("calibrationText").contains("another machine"));
@@ -147,32 +147,32 @@ class CalibrationWindowTest : public QObject {
 
   // What begins by itself stops when the user does something, and waits anew; it does not begin where all is known.
   void itBeginsByItselfAndStops() {
-    Fixture b;
+    Fixture fixture;
     bool isBusy = true;
-    b.calibrator.beginWhenIdle([&] { return isBusy; }, 20);
+    fixture.calibrator.beginWhenIdle([&] { return isBusy; }, 20);
     QTest::qWait(100);
-    QVERIFY(!b.calibrator.isRunning());
+    QVERIFY(!fixture.calibrator.isRunning());
     isBusy = false;
-    QTRY_VERIFY(b.calibrator.isRunning());
+    QTRY_VERIFY(fixture.calibrator.isRunning());
     QWidget widget;
     QTest::keyClick(&widget, Qt::Key_A);
-    QVERIFY(!b.calibrator.isRunning());
-    QTRY_VERIFY(b.calibrator.isRunning());
+    QVERIFY(!fixture.calibrator.isRunning());
+    QTRY_VERIFY(fixture.calibrator.isRunning());
     isBusy = true;
-    QTRY_VERIFY(!b.calibrator.isRunning());
-    b.calibrator.start();
-    QVERIFY(b.calibrator.isRunning());
+    QTRY_VERIFY(!fixture.calibrator.isRunning());
+    fixture.calibrator.start();
+    QVERIFY(fixture.calibrator.isRunning());
     QTest::keyClick(&widget, Qt::Key_A);
-    QVERIFY(b.calibrator.isRunning());  // as the user has asked for it
+    QVERIFY(fixture.calibrator.isRunning());  // as the user has asked for it
   }
 
   void itDoesNotBeginWhereAllIsKnown() {
     keep(jsonOf(FidelityChoice().registry(), slowMachine()));
-    Fixture b;
-    b.calibrator.beginWhenIdle([] { return false; }, 1);
-    QVERIFY(!b.calibrator.isWaiting());
+    Fixture fixture;
+    fixture.calibrator.beginWhenIdle([] { return false; }, 1);
+    QVERIFY(!fixture.calibrator.isWaiting());
     QTest::qWait(50);
-    QVERIFY(!b.calibrator.isRunning());
+    QVERIFY(!fixture.calibrator.isRunning());
   }
 
   void fitIsChosenAndSaysWhy() {

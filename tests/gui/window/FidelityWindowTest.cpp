@@ -89,7 +89,7 @@ class FidelityWindowTest : public QObject {
   void cleanup() { QSettings().remove("fidelity"); }
 
   // On opening, and of what a job made.
-  void nearWeldHoldsForEveryDefectList() {
+  void nearWeldHoldsWheneverDefectsAreSought() {
     const QString path = file("torn.stl", tornSheet());
     for (const auto& [chosen, pairs] : {std::pair("", 0u), std::pair("mesh.near_weld=1e-3", 5u)}) {
       QSettings().setValue("fidelity", chosen);

@@ -37,7 +37,7 @@ class IncompleteSaveTest : public QObject {
   static bool isTold(WindowDriver& driver) { return driver.find<QWidget>("messageBar")->isVisible(); }
 
  private slots:
-  // The file is written as it was wished; the container that is offered holds the mark.
+  // The file is written as it was requested; the container that is offered holds the mark.
   void marksAreToldAndAContainerIsOffered() {
     WindowDriver driver;
     const QString path = openMarked(driver, "marked.stl");

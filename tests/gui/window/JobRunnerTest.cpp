@@ -63,23 +63,23 @@ class JobRunnerTest : public QObject {
     JobRunner runner(JobRunner::Policy::Queue, pool);
     for (const bool isWritten : {true, false}) {
       QSemaphore release;
-      QStringList told;
+      QStringList reported;
       Job job;
       job.lane = Job::Lane::Saving;
-      job.failed = [&](const Error&) { told << "failed"; };
+      job.failed = [&](const Error&) { reported << "failed"; };
       job.work = [&](Progress progress) -> Job::Finish {
         release.acquire();
-        if (isWritten) return [&] { told << "written"; };
-        if (progress.cancelled()) return [&] { told << "cancelled"; };
+        if (isWritten) return [&] { reported << "written"; };
+        if (progress.cancelled()) return [&] { reported << "cancelled"; };
         return {};
       };
       runner.start(std::move(job));
       QVERIFY(runner.isBusy(Job::Lane::Saving) && !runner.isBusy(Job::Lane::Work));
       runner.cancelAll();
-      QVERIFY(told.isEmpty() && runner.isBusy(Job::Lane::Saving));
+      QVERIFY(reported.isEmpty() && runner.isBusy(Job::Lane::Saving));
       release.release();
       QTRY_VERIFY(runner.isIdle());
-      QCOMPARE(told, QStringList(isWritten ? "written" : "cancelled"));
+      QCOMPARE(reported, QStringList(isWritten ? "written" : "cancelled"));
     }
   }
 

@@ -9,7 +9,6 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
-#include <QStandardPaths>
 #include <QToolBar>
 
 using namespace handwheel;
@@ -38,7 +37,7 @@ class MainWindowTest : public QObject {
   }
 
  private slots:
-  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }  // for the pictures of recent files
+  void initTestCase() { qputenv("XDG_CACHE_HOME", QFile::encodeName(m_folder.path())); }  // pictures of recent files
 
   // At 1280 x 800, with the panels of a first start.
   void theViewportHasMostOfTheWindow() {

@@ -156,9 +156,9 @@ void DeviceCard::fillList() {
     while (m_choice->count() > 1) m_choice->removeItem(1);
     for (const DeviceInfo& each : m_listed) {
       m_choice->addItem(QString::fromStdString(each.name));
-      const QString whence =
+      const QString origin =
           QStringLiteral("%1, %2").arg(QString::fromStdString(each.driver), QString::fromStdString(each.address));
-      m_choice->setItemData(m_choice->count() - 1, whence, Qt::ToolTipRole);
+      m_choice->setItemData(m_choice->count() - 1, origin, Qt::ToolTipRole);
     }
   }
   const auto chosen = std::find_if(m_listed.begin(), m_listed.end(), isChosen);

@@ -347,9 +347,9 @@ void Segmentation::makeSurface() {
 }
 
 void Segmentation::fail(const QString& what, const QString& why) {
-  Message told{Message::Weight::Warning, what, why};
-  told.about = m_document ? &m_document->document : nullptr;
-  emit message(told);
+  Message notice{Message::Weight::Warning, what, why};
+  notice.about = m_document ? &m_document->document : nullptr;
+  emit message(notice);
 }
 
 }  // namespace handwheel

@@ -27,7 +27,7 @@ struct OutdatedReasons {
   bool operator==(const OutdatedReasons&) const = default;
 };
 
-// What has changed so for a path, with the other robots where they stand. What is not there any more does not count.
+// The reasons for a path now, with the other robots where they are. What does not exist any more does not count.
 // O(places · links + bodies).
 OutdatedReasons outdatedReasonsOf(const CellRobot& robot, const CellPlacement& cell, const RobotPath& path);
 

@@ -133,7 +133,7 @@ void addDeviations(ReportDetails& details, const TurningTask& task, const Workpi
   add(QT_TRANSLATE_NOOP("Figure", "Cut too deep"), track.deep);
 }
 
-// zero: mm, Z that places are told from.
+// zero: mm, Z that places are counted from.
 ReportEvent eventOf(const CrashMoment& crash, const ReviewedLathe& lathe, double zero) {
   std::vector<std::string> place = {roundedText(crash.place.y() - zero, 4), roundedText(2.0 * crash.place.x(), 4)};
   if (crash.what == CrashMoment::What::Chuck)
@@ -193,7 +193,8 @@ void addPeak(ReportDetails& details, const char* figure, const std::vector<Measu
   details.events.push_back({largest->time, {text, {roundedText((*largest).*which, digits), roundedText(limit, 4)}}});
 }
 
-// A curve over the height above the lower end of the bar, from the zero of the drawing instead, as all places are told.
+// A curve over the height above the lower end of the bar, from the zero of the drawing instead, as all places are
+// given.
 ReportCurve alongAxis(ReportCurve curve, const TurningTask& task) {
   curve.x = task.target ? QT_TRANSLATE_NOOP("Figure", "Z from the finished face")
                         : QT_TRANSLATE_NOOP("Figure", "Z from the free end of the bar");

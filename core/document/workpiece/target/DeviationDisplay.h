@@ -19,7 +19,7 @@ using DeviationColour = std::function<std::array<float, 3>(double)>;
 // milliseconds.
 DisplayModel deviationDisplay(const WorkpieceSnapshot& workpiece, const DeviationColour& colour);
 
-// The colour for a roughness Ra (µm; infinite: ridges that are not told); none: it is not known, as of a bar.
+// The colour for a roughness Ra (µm; infinite: ridges of unknown height); none: it is not known, as of a bar.
 using FinishColour = std::function<std::array<float, 3>(std::optional<double>)>;
 
 // A workpiece in the colours of its roughness, in the same bands; each has that of its roughest place, the outside and

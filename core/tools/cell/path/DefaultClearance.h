@@ -11,8 +11,8 @@ namespace handwheel {
 // for that, but for how exactly a robot and what stands around it are placed, and it reminds of choosing one.
 inline constexpr double kPlainShapesClearance = 5.0;
 
-// The default clearance of a new path of the robot that is planned for, mm: that of the cell; without one, for
-// a robot of the library that has simplified shapes, kPlainShapesClearance.
+// The default clearance of a new path of the robot that is planned for, mm: that of the cell; without one, for a robot
+// of the library that has simplified shapes, kPlainShapesClearance.
 double defaultClearance(const CellRobot& robot, const CellPlans& plans);
 
 // The same for a path whose tool works so far from its part (mm, 0 or less: in it): at most half of that, so that what

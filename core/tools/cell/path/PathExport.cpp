@@ -41,7 +41,7 @@ std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, co
   return Error{CellError::PathCollides, {path.name, std::to_string(collisions.size()), link, other}, {}, {}};
 }
 
-std::optional<Error> outdatingProblem(const RobotPath& path, const OutdatedReasons& outdated) {
+std::optional<Error> outdatedProblem(const RobotPath& path, const OutdatedReasons& outdated) {
   if (!outdated.part.empty()) return Error{CellError::PathOutdated, {path.name, outdated.part}, {}, {}};
   if (outdated.isBaseOther) return Error{CellError::PathBaseMoved, {path.name}, {}, {}};
   if (outdated.isToolOther) return Error{CellError::PathToolChanged, {path.name}, {}, {}};
@@ -160,7 +160,7 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
                                     const std::filesystem::path& output, OutdatedPath outdated, FrameData frameData) {
   if (const auto problem = problemOf(scene, path, checked)) return *problem;
   if (outdated == OutdatedPath::Refuse) {
-    if (const auto problem = outdatingProblem(path, checked.outdated)) return *problem;
+    if (const auto problem = outdatedProblem(path, checked.outdated)) return *problem;
   }
   const Result<Pose> frame = programFrame(scene, plans);
   if (!frame) return frame.error();

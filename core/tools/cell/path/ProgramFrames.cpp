@@ -51,9 +51,9 @@ class KnownFrames {
 };
 
 // "fixture 2" of "fixture".
-bool isNumbered(const std::string& name, const std::string& wish) {
-  return name.starts_with(wish + " ") && name.size() > wish.size() + 1 &&
-         name.find_first_not_of("0123456789", wish.size() + 1) == name.npos;
+bool isNumbered(const std::string& name, const std::string& preferred) {
+  return name.starts_with(preferred + " ") && name.size() > preferred.size() + 1 &&
+         name.find_first_not_of("0123456789", preferred.size() + 1) == name.npos;
 }
 
 }  // namespace
@@ -82,10 +82,10 @@ TakenFrames takeFrames(const std::vector<NamedFrame>& read, const CellPlacement&
     const auto called =
         std::ranges::find_if(plans.frames, [&](const NamedFrame& each) { return known.isCalled(each, frame.name); });
     const bool isOwnName = plans.frame(frame.name) || called == plans.frames.end();
-    const std::string wish = isOwnName ? frame.name : called->name;
+    const std::string preferred = isOwnName ? frame.name : called->name;
     const auto same = std::ranges::find_if(plans.frames, [&](const NamedFrame& each) {
       const Result<Pose> pose = poseOfFrame(each, cell);
-      return (known.isCalled(each, frame.name) || isNumbered(each.name, wish)) && pose &&
+      return (known.isCalled(each, frame.name) || isNumbered(each.name, preferred)) && pose &&
              isSamePlace(*pose, frame.pose);
     });
     if (same != plans.frames.end()) {
@@ -93,7 +93,7 @@ TakenFrames takeFrames(const std::vector<NamedFrame>& read, const CellPlacement&
     } else if (plans.frames.size() >= CellPlans::kMostFrames) {
       taken.leftOut.push_back(frame.name);
     } else {
-      const std::string name = plans.frameNames().take(wish);
+      const std::string name = plans.frameNames().take(preferred);
       plans.frames.push_back({name, frame.pose});
       known.add(plans, plans.frames.back());
       taken.made.push_back(name);

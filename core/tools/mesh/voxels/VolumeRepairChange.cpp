@@ -34,41 +34,41 @@ bool hasFigures(const Error& error) {
 
 // Refuses what takes more memory than was agreed to.
 Result<VolumeRepair> agreedRepair(const TriangleSoup& surface, const VolumeRepairOptions& options,
-                                  const VolumeRepairParameters& wish, Progress progress) {
+                                  const VolumeRepairParameters& parameters, Progress progress) {
   Box box;
   for (const Vec3& p : surface.points) box.extend(p);
   if (!box.isEmpty() && box.sizes().allFinite()) {
     const double bytes = predictedRepairBytes(surfaceArea(surface), box.sizes(), options);
-    if (const auto error = consentRefusal(options.voxel, bytes, wish.isAgreed)) return *error;
+    if (const auto error = consentRefusal(options.voxel, bytes, parameters.isAgreed)) return *error;
   }
   return repairByVolume(surface, options, progress);
 }
 
 }  // namespace
 
-double voxelFor(const VolumeRepairParameters& wish, double usual) {
+double voxelFor(const VolumeRepairParameters& parameters, double usual) {
   constexpr double kAcrossWalls = 4.0;  // voxels; less than two lose a wall
-  if (wish.voxel > 0.0) return wish.voxel;
-  return wish.wall > 0.0 ? std::min(usual, wish.wall / kAcrossWalls) : usual;
+  if (parameters.voxel > 0.0) return parameters.voxel;
+  return parameters.wall > 0.0 ? std::min(usual, parameters.wall / kAcrossWalls) : usual;
 }
 
-MeshChange volumeRepairChange(const VolumeRepairParameters& wish, NumberType numbers) {
+MeshChange volumeRepairChange(const VolumeRepairParameters& parameters, NumberType numbers) {
   OperationValues values(volumeRepairOperation());
-  if (wish.voxel > 0.0) values.setValid("voxel", wish.voxel);
-  values.setValid("close-gaps", wish.gaps);
-  values.setValid("wall", wish.wall);
+  if (parameters.voxel > 0.0) values.setValid("voxel", parameters.voxel);
+  values.setValid("close-gaps", parameters.gaps);
+  values.setValid("wall", parameters.wall);
   setNumbers(values, numbers);
-  if (wish.isAgreed) values.setValid("yes", true);
+  if (parameters.isAgreed) values.setValid("yes", true);
   const auto distance = std::make_shared<std::optional<double>>();
   const auto outcome = std::make_shared<VolumeOutcome>();
   MeshChange change =
       explainedChange(volumeRepairOperation().title, [=](HalfEdgeMesh& mesh, Progress progress) -> const char* {
         const TriangleSoup surface = mesh.compact().soup;
         const VolumeRepairOptions options{
-            .voxel = voxelFor(wish, usualVoxel(surface)), .gaps = wish.gaps, .numbers = numbers};
+            .voxel = voxelFor(parameters, usualVoxel(surface)), .gaps = parameters.gaps, .numbers = numbers};
         *outcome = {};
-        Result<VolumeRepair> repair = agreedRepair(wish.wall > 0.0 ? wallsOf(surface, wish.wall) : surface, options,
-                                                   wish, progress.part(0.0, 0.9));
+        Result<VolumeRepair> repair = agreedRepair(parameters.wall > 0.0 ? wallsOf(surface, parameters.wall) : surface,
+                                                   options, parameters, progress.part(0.0, 0.9));
         if (!repair && repair.error().code == ErrorCode::Cancelled) return nullptr;
         if (!repair && hasFigures(repair.error())) outcome->error = repair.error();
         if (!repair) return reasonOf(repair.error());

@@ -16,9 +16,9 @@ struct VolumeRepairParameters {
 };
 
 // Replaces a mesh by the surface of the volume that it encloses (repairByVolume()). No face or vertex keeps its index.
-MeshChange volumeRepairChange(const VolumeRepairParameters& wish, NumberType numbers);
+MeshChange volumeRepairChange(const VolumeRepairParameters& parameters, NumberType numbers);
 
 // The voxel that is used where this is the usual one; mm.
-double voxelFor(const VolumeRepairParameters& wish, double usual);
+double voxelFor(const VolumeRepairParameters& parameters, double usual);
 
 }  // namespace handwheel

@@ -59,12 +59,12 @@ void VolumeRepairTool::measure() {
 
 // Of what is sampled, mm². Absent while that is measured.
 std::optional<double> VolumeRepairTool::area() const {
-  if (!(m_wish.wall > 0.0)) return m_area;
-  return m_walls ? std::optional(m_walls->areaWith(m_wish.wall)) : std::nullopt;
+  if (!(m_parameters.wall > 0.0)) return m_area;
+  return m_walls ? std::optional(m_walls->areaWith(m_parameters.wall)) : std::nullopt;
 }
 
 double VolumeRepairTool::predictedBytes(double sampled) const {
-  return predictedRepairBytes(sampled, m_extent, {.voxel = voxelFor(m_wish, m_usual), .gaps = m_wish.gaps});
+  return predictedRepairBytes(sampled, m_extent, {.voxel = voxelFor(m_parameters, m_usual), .gaps = m_parameters.gaps});
 }
 
 void VolumeRepairTool::documentChanged() {
@@ -76,12 +76,12 @@ ToolReply VolumeRepairTool::perform(std::string_view action) {
   const std::optional<double> sampled = area();
   if (action != "commit" || !sampled) return ToolReply::Ignored;
   const double bytes = predictedBytes(*sampled);
-  VolumeRepairParameters wish = m_wish;
-  wish.isAgreed = needsConsent(bytes);
-  const auto start = [commit = m_services.commit, wish, numbers = m_document.fileNumbers()] {
-    commit(volumeRepairChange(wish, numbers));
+  VolumeRepairParameters parameters = m_parameters;
+  parameters.isAgreed = needsConsent(bytes);
+  const auto start = [commit = m_services.commit, parameters, numbers = m_document.fileNumbers()] {
+    commit(volumeRepairChange(parameters, numbers));
   };
-  if (wish.isAgreed)
+  if (parameters.isAgreed)
     m_ask(bytes, start);
   else
     start();
@@ -104,12 +104,12 @@ std::vector<ToolAction> VolumeRepairTool::actions() const {
 std::vector<Property> VolumeRepairTool::settings() const {
   if (!(m_usual > 0.0)) return {};
   Property voxel = volumeRepairOperation().find("voxel")->property;
-  voxel.value = voxelFor(m_wish, m_usual);
+  voxel.value = voxelFor(m_parameters, m_usual);
   Property wall = volumeRepairOperation().find("wall")->property;
-  wall.value = m_wish.wall;
+  wall.value = m_parameters.wall;
   Property gaps = volumeRepairOperation().find("close-gaps")->property;
   gaps.id = "close_gaps";
-  gaps.value = m_wish.gaps;
+  gaps.value = m_parameters.gaps;
   std::vector<Property> all{std::move(voxel), std::move(gaps), std::move(wall)};
   const std::optional<double> sampled = area();
   if (!sampled) return all;
@@ -121,7 +121,7 @@ std::vector<Property> VolumeRepairTool::settings() const {
   Property seconds;
   seconds.id = "seconds";
   seconds.label = QT_TRANSLATE_NOOP("Property", "Time for the voxels, about (s)");
-  seconds.value = roundedTo(predictedMakingSeconds(*sampled, voxelFor(m_wish, m_usual)));
+  seconds.value = roundedTo(predictedMakingSeconds(*sampled, voxelFor(m_parameters, m_usual)));
   seconds.editable = false;
   all.push_back(std::move(memory));
   all.push_back(std::move(seconds));
@@ -131,9 +131,9 @@ std::vector<Property> VolumeRepairTool::settings() const {
 void VolumeRepairTool::setSetting(std::string_view id, const PropertyValue& value) {
   const auto* number = std::get_if<double>(&value);
   if (!number || !std::isfinite(*number)) return;
-  if (id == "close_gaps") m_wish.gaps = std::max(0.0, *number);
-  if (id == "wall") m_wish.wall = std::max(0.0, *number);
-  if (id == "voxel" && *number > 0.0) m_wish.voxel = *number;
+  if (id == "close_gaps") m_parameters.gaps = std::max(0.0, *number);
+  if (id == "wall") m_parameters.wall = std::max(0.0, *number);
+  if (id == "voxel" && *number > 0.0) m_parameters.voxel = *number;
 }
 
 }  // namespace handwheel

@@ -49,7 +49,7 @@ class VolumeRepairTool : public Tool {
   std::shared_ptr<const int> m_job;    // null when none is running; its result holds on to this
   Vec3 m_extent = Vec3::Zero();        // of the mesh, mm
   double m_usual = 0.0;                // voxel, mm; 0: there are no triangles
-  VolumeRepairParameters m_wish;
+  VolumeRepairParameters m_parameters;
 };
 
 }  // namespace handwheel

@@ -65,7 +65,8 @@ class ExercisePassesTest : public QObject {
   }
 
   // A tool of the manual lathe that was fed into the jaws is one collision: the lathe records it, and the passes show
-  // the tool where the jaws stopped it. It is told at its moment of the passes, whatever the clock of the machine says.
+  // the tool where the jaws stopped it. It is reported at its moment of the passes, whatever the clock of the machine
+  // says.
   void oneCrashOfTheManualLatheCountsOnce() {
     WorkpieceSnapshot work =
         static_cast<const WorkpieceSnapshot&>(*shoulderTask()->subject->start(*shoulderTask()->task));
@@ -95,10 +96,10 @@ class ExercisePassesTest : public QObject {
     QCOMPARE(collisions({other}), 2.0);
     QCOMPARE(collisions({struck, struck}), 2.0);  // it struck twice before it was drawn back
     QCOMPARE(collisions({struck}), 1.0);
-    std::vector<double> told;
+    std::vector<double> reported;
     for (const ReportEvent& event : shoulderTask()->subject->details(*shoulderTask()->task, work, {}).events)
-      if (!event.text.text.starts_with("The cut was too heavy")) told.push_back(event.seconds.value());
-    QCOMPARE(told, std::vector<double>{38.515});
+      if (!event.text.text.starts_with("The cut was too heavy")) reported.push_back(event.seconds.value());
+    QCOMPARE(reported, std::vector<double>{38.515});
   }
 
   // Passes along all of the bar, a thousand times the samples that are cut again: refused before they are cut.

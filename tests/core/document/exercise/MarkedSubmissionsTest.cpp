@@ -145,30 +145,30 @@ class MarkedSubmissionsTest : public QObject {
     QVERIFY(read && !read->marked && !isIn(bytesOf(*read)));
   }
 
-  // What is wrong in the file costs what it concerns, and is told.
+  // What is wrong in the file costs what it concerns, and is reported.
   void damagedClasses() {
     ExerciseSnapshot exercise = classExercise();
     exercise.marked = std::make_shared<const MarkedSubmissions>(withMarked({}, {markedWork("Ada", shoulderWork())}));
     const Json whole = Json::parse(bytesOf(exercise));
-    const auto worksIn = [&](const Json& given, std::size_t& told) {
+    const auto worksIn = [&](const Json& given, std::size_t& reported) {
       Json changed = whole;
       changed["document"]["class"] = given;
       std::vector<Error> damage;
       const auto read = readBack(changed.dump(), damage);
-      told = damage.size();
+      reported = damage.size();
       return read && read->marked ? read->marked->size() : std::size_t{0};
     };
-    std::size_t told = 0;
-    QCOMPARE(worksIn(7, told), std::size_t{0});
-    QCOMPARE(told, std::size_t{1});
-    QCOMPARE(worksIn(Json::array({1, Json::object()}), told), std::size_t{1});
-    QVERIFY(told >= 1);
+    std::size_t reported = 0;
+    QCOMPARE(worksIn(7, reported), std::size_t{0});
+    QCOMPARE(reported, std::size_t{1});
+    QCOMPARE(worksIn(Json::array({1, Json::object()}), reported), std::size_t{1});
+    QVERIFY(reported >= 1);
     Json odd = whole["document"]["class"];
     for (const char* key : {"marks", "events", "figures", "pieces", "remarks"}) odd[0][key] = Json::array({1, "x"});
     odd[0]["points"] = "many";
-    QCOMPARE(worksIn(odd, told), std::size_t{1});
-    QCOMPARE(worksIn(Json::array(), told), std::size_t{0});
-    QCOMPARE(told, std::size_t{0});
+    QCOMPARE(worksIn(odd, reported), std::size_t{1});
+    QCOMPARE(worksIn(Json::array(), reported), std::size_t{0});
+    QCOMPARE(reported, std::size_t{0});
   }
 
   // Other limits, points or places may give other marks; names do not.

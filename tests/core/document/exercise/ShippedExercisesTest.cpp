@@ -161,7 +161,7 @@ class ShippedExercisesTest : public QObject {
     QVERIFY(inFiles == listed);
   }
 
-  // Who is to bore is told that it needs a boring bar.
+  // Who is to bore learns that it needs a boring bar.
   void theTaskNamesTheToolsThatItNeeds() {
     const QDir folder(QStringLiteral(SHIPPED_EXERCISES));
     for (const QString& name : folder.entryList({"*.exercise.json"})) {

@@ -122,7 +122,7 @@ class TurningLoadsTest : public QObject {
     QVERIFY(none && none->first == 0.0 && none->second == 0.0);
   }
 
-  // Places are told as the drawing and the read-out count: from the finished face, where fields count from the chuck.
+  // Places are given as the drawing and the read-out count: from the finished face, where fields count from the chuck.
   void placesAreThoseOfTheDrawing() {
     const auto& task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     QVERIFY(task.target);

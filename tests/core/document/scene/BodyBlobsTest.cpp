@@ -22,7 +22,7 @@ bool isSameShape(const BodyGeometry& a, const BodyGeometry& b) {
   }
   if (const auto* r = dynamic_cast<const RevolvedGeometry*>(&a)) {
     const auto& s = dynamic_cast<const RevolvedGeometry&>(b);
-    const ProfileNurbs &m = r->profile().net(), &n = s.profile().net();
+    const ProfileNurbs &m = r->profile().nurbs(), &n = s.profile().nurbs();
     return r->chord() == s.chord() && m.degree == n.degree && m.knots == n.knots && m.poles == n.poles &&
            m.weights == n.weights;
   }

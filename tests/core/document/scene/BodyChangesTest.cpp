@@ -150,8 +150,8 @@ class BodyChangesTest : public QObject {
 
   void freeNames() {
     BodySet bodies;
-    const auto take = [&](const std::string& wish) {
-      Body made = body(freeBodyName(bodies, wish));
+    const auto take = [&](const std::string& preferred) {
+      Body made = body(freeBodyName(bodies, preferred));
       made.id = bodies.freeId();
       bodies = bodies.with(std::make_shared<const Body>(made));
       return made.name;

@@ -41,7 +41,7 @@ class ImageSeriesTest : public QObject {
     std::ofstream(m_root / "readme.txt") << "two series";
   }
 
-  // Of a folder the largest series is read, and the others are told.
+  // Of a folder the largest series is read, and the others are reported.
   void ofAFolder() {
     const Result<ImageFile> read = readImageFile(m_root, {});
     QVERIFY(read.hasValue());

@@ -104,7 +104,7 @@ class BoredPartTest : public QObject {
     const double hole = M_PI * (64.0 * 40.0 + 36.0 * (10.0 - point) + 36.0 * point / 3.0);
     const double expected = M_PI * 400.0 * 100.0 - hole;
     const double step = volumeOfStep(workpiece);
-    // At a shoulder the profile is told from sample to sample.
+    // At a shoulder the profile is listed from sample to sample.
     QVERIFY2(std::abs(step - expected) < 0.05 * M_PI * 64.0, qPrintable(QString::number(step - expected)));
     QVERIFY(std::abs(workpiece.part->profile.volume() - expected) < 0.05 * M_PI * 64.0);
     const QTemporaryDir folder;

@@ -109,7 +109,7 @@ class TargetImportTest : public QObject {
     QVERIFY(!importTarget(written("empty.stl", ""), UnturnedFaces::Refuse));
   }
 
-  // Every ending that is offered can be told from the others, and is written as files have it.
+  // Every ending that is offered can be distinguished from the others, and is written as files have it.
   void endings() {
     const std::vector<std::string> endings = targetEndings();
     for (const char* const known : {".step", ".stp", ".stl", ".obj", ".ply", ".dxf", ".svg", ".handwheel"})

@@ -253,7 +253,7 @@ class TurnedPartTest : public QObject {
   }
 
   // One file holds one solid: of a bar of 50 mm that a nose of 1 mm has parted in its middle, that is the piece at the
-  // free end, from Z 51 to Z 100, and it is said. The volumes of both pieces are told apart.
+  // free end, from Z 51 to Z 100, and it is reported. The volumes of both pieces are listed separately.
   void thePartedPieceIsAStepFile() {
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath("a.step").toStdString();

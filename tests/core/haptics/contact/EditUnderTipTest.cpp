@@ -89,9 +89,9 @@ class EditUnderTipTest : public QObject {
  private slots:
   // At 5 mm, 4 N: the whole cube goes, and comes back around the tip; what bears it is laid 1 mm higher and taken away.
   void noForceChangesFasterThanTheLimit() {
-    Fixture b;
-    b.begin(5.0);
-    QVERIFY((b.last - Vec3(0, 0, 4)).norm() < 1e-4);
+    Fixture fixture;
+    fixture.begin(5.0);
+    QVERIFY((fixture.last - Vec3(0, 0, 4)).norm() < 1e-4);
     std::vector<std::uint32_t> all;
     for (std::uint32_t i = 0; i < 12; ++i) all.push_back(i);
     const TriangleSoup soup = cube(100.0);
@@ -101,30 +101,30 @@ class EditUnderTipTest : public QObject {
       cubes.push_back({{soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]}, i});
     }
     const std::vector<std::uint32_t> plate{kTop, kTop + 1};
-    b.edit({}, plateAt(101.0));  // over the proxy: it is lifted
-    QVERIFY((b.last - Vec3(0, 0, 4.8)).norm() < 1e-3);
-    QVERIFY2(b.most <= b.slew + 1e-9, qPrintable(QString::number(b.most)));
-    b.edit(plate, {});
-    b.edit(all, {});
-    QVERIFY(b.last.isZero());
-    b.edit({}, cubes);
-    QVERIFY2(b.most <= b.slew + 1e-9, qPrintable(QString::number(b.most)));
-    QVERIFY(b.most > 0.9 * b.slew);  // it was a matter of the limit
+    fixture.edit({}, plateAt(101.0));  // over the proxy: it is lifted
+    QVERIFY((fixture.last - Vec3(0, 0, 4.8)).norm() < 1e-3);
+    QVERIFY2(fixture.most <= fixture.slew + 1e-9, qPrintable(QString::number(fixture.most)));
+    fixture.edit(plate, {});
+    fixture.edit(all, {});
+    QVERIFY(fixture.last.isZero());
+    fixture.edit({}, cubes);
+    QVERIFY2(fixture.most <= fixture.slew + 1e-9, qPrintable(QString::number(fixture.most)));
+    QVERIFY(fixture.most > 0.9 * fixture.slew);  // it was a matter of the limit
   }
 
   // A face lowered and raised by a brush, a hundred times by up to 4 mm, while the hand goes up and down.
   void aBrushUnderTheTip() {
-    Fixture b;
-    b.begin(5.0);
+    Fixture fixture;
+    fixture.begin(5.0);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> height(100.5, 104.0), tip(96.0, 102.0);
     const std::vector<std::uint32_t> plate{kTop, kTop + 1};
     for (int i = 0; i < 100; ++i) {
-      b.edit(plate, plateAt(height(random)));
-      if (i % 10 == 9) b.moveTo(tip(random));
-      QVERIFY(b.last.allFinite());
+      fixture.edit(plate, plateAt(height(random)));
+      if (i % 10 == 9) fixture.moveTo(tip(random));
+      QVERIFY(fixture.last.allFinite());
     }
-    QVERIFY2(b.most <= b.slew + 1e-9, qPrintable(QString::number(b.most)));
+    QVERIFY2(fixture.most <= fixture.slew + 1e-9, qPrintable(QString::number(fixture.most)));
   }
 };
 

@@ -69,51 +69,52 @@ class ViewChangeTest : public QObject {
   // the proxy, which is what is seen, stays.
   void zoomingInContactIsNotFelt() {
     for (const double scale : {0.1, 1.0, 3.0}) {
-      ViewChangeFixture b;
-      b.mapping.scale = scale;
-      b.leastScale = scale / 4.0;
-      b.pressTo(4.0);
-      const Vec3 seen = b.loop.latest().felt.proxy;
-      QVERIFY(b.isPushedBy(2.0));
+      ViewChangeFixture fixture;
+      fixture.mapping.scale = scale;
+      fixture.leastScale = scale / 4.0;
+      fixture.pressTo(4.0);
+      const Vec3 seen = fixture.loop.latest().felt.proxy;
+      QVERIFY(fixture.isPushedBy(2.0));
       for (int notch = 0; notch < 24; ++notch) {
-        b.mapping.scale *= notch < 8 ? 1.0 / kNotch : kNotch;
-        b.loop.setMapping(b.mapping, b.scene(false));
+        fixture.mapping.scale *= notch < 8 ? 1.0 / kNotch : kNotch;
+        fixture.loop.setMapping(fixture.mapping, fixture.scene(false));
         for (int i = 0; i < 30; ++i) {
-          b.loop.runTicks(1);
-          QVERIFY2(b.isPushedBy(2.0), qPrintable(QString::number(b.log->last.force.z())));
-          QVERIFY((b.loop.latest().felt.proxy - seen).norm() < 1e-6);
+          fixture.loop.runTicks(1);
+          QVERIFY2(fixture.isPushedBy(2.0), qPrintable(QString::number(fixture.log->last.force.z())));
+          QVERIFY((fixture.loop.latest().felt.proxy - seen).norm() < 1e-6);
         }
       }
-      b.log->state.position.z() = -3.5;
-      b.loop.runTicks(1);
-      QVERIFY(b.isPushedBy(1.75));
-      b.log->state.position.z() = 0.01;
-      b.loop.runTicks(1);
-      QVERIFY(b.log->last.isZero());
+      fixture.log->state.position.z() = -3.5;
+      fixture.loop.runTicks(1);
+      QVERIFY(fixture.isPushedBy(1.75));
+      fixture.log->state.position.z() = 0.01;
+      fixture.loop.runTicks(1);
+      QVERIFY(fixture.log->last.isZero());
     }
   }
 
   // Another gain with a scene that was made for it: the same force, too.
   void anotherGainIsNotFelt() {
-    ViewChangeFixture b;
-    b.pressTo(4.0);
-    b.mapping.forceGain = 3.0;
-    b.loop.setMapping(b.mapping, b.scene(false));
-    b.loop.runTicks(1);
-    QVERIFY(b.isPushedBy(2.0));
+    ViewChangeFixture fixture;
+    fixture.pressTo(4.0);
+    fixture.mapping.forceGain = 3.0;
+    fixture.loop.setMapping(fixture.mapping, fixture.scene(false));
+    fixture.loop.runTicks(1);
+    QVERIFY(fixture.isPushedBy(2.0));
   }
 
   // A view that turns the force of 2 N by so many degrees changes it by 4·sin(half of it): above 0.2 N by the ramp.
   void turningTheForceFarIsByTheRamp() {
     for (const double degrees : {1.0, 5.0, 6.0, 90.0, 180.0}) {
-      ViewChangeFixture b;
-      b.pressTo(4.0);
-      b.mapping.sceneFromView.linear() = Eigen::AngleAxisd(degrees * M_PI / 180.0, Vec3::UnitX()).toRotationMatrix();
-      b.loop.setMapping(b.mapping, b.scene(false));
-      b.loop.runTicks(1);
+      ViewChangeFixture fixture;
+      fixture.pressTo(4.0);
+      fixture.mapping.sceneFromView.linear() =
+          Eigen::AngleAxisd(degrees * M_PI / 180.0, Vec3::UnitX()).toRotationMatrix();
+      fixture.loop.setMapping(fixture.mapping, fixture.scene(false));
+      fixture.loop.runTicks(1);
       const double change = 4.0 * std::sin(degrees * M_PI / 360.0);
-      QCOMPARE(b.loop.latest().actions.has(SafetyAction::Ramp), change > 0.2);
-      QVERIFY(b.log->last.force.norm() < (change > 0.2 ? 0.01 : 2.0 + 1e-6));
+      QCOMPARE(fixture.loop.latest().actions.has(SafetyAction::Ramp), change > 0.2);
+      QVERIFY(fixture.log->last.force.norm() < (change > 0.2 ? 0.01 : 2.0 + 1e-6));
     }
   }
 };

@@ -209,7 +209,7 @@ class FinishMeterTest : public QObject {
   }
 
   // Without a speed there is no feed in a revolution; with the usual one there is. At rest nothing is left that could
-  // be told, and paper does not change that.
+  // be reported, and paper does not change that.
   void speeds() {
     TurningPass pass = along(18.0, 105.0, 55.0, 0.1);
     pass.speeds.clear();

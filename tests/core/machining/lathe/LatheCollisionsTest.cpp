@@ -12,7 +12,7 @@
 
 using namespace handwheel;
 
-// Parts of a lathe that meet, and how a person is told.
+// Parts of a lathe that meet, and how they are reported.
 class LatheCollisionsTest : public QObject {
   Q_OBJECT
 

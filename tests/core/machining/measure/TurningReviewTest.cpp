@@ -158,7 +158,7 @@ class TurningReviewTest : public QObject {
     QCOMPARE(reviewOf({into(1.05 * kLathe.largestFeed)})->crashes().size(), std::size_t{1});
   }
 
-  // Pushed into work that does not turn the tool crashes; it cuts no chip there whose force could be told.
+  // Pushed into work that does not turn the tool crashes; it cuts no chip there whose force could be known.
   void workAtRestIsNotCut() {
     TurningPass pass = *along(18, 105, 50, 0.4);
     pass.speeds.assign(pass.path.size(), 0.0);

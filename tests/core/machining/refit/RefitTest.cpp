@@ -105,7 +105,7 @@ class RefitTest : public QObject {
 
   // The curve of degree 2 is the very lines and arcs.
   void theNetIsExact() {
-    QVERIFY(rc::check("points of the net are on the segments, and those of the segments on the net", [] {
+    QVERIFY(rc::check("points of the curve are on the segments, and those of the segments on the curve", [] {
       std::vector<ProfileSegment> segments;
       ProfilePoint at(anyLength(5.0, 20.0), 0.0);
       for (int i = 0; i < 6; ++i) {
@@ -115,7 +115,7 @@ class RefitTest : public QObject {
         at = to;
       }
       const ProfileCurve curve = ProfileCurve::make(nurbsOf(segments)).value();
-      RC_ASSERT(curve.net().degree == 2);
+      RC_ASSERT(curve.nurbs().degree == 2);
       for (int i = 0; i <= 500; ++i) {
         const double u = curve.from() + (curve.to() - curve.from()) * i / 500.0;
         RC_ASSERT(gapTo(segments, curve.point(u)) < 1e-9);

@@ -148,9 +148,9 @@ class SampledProfileTest : public QObject {
   }
 
   void ofACurve() {
-    ProfileNurbs net{2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, -5}, {5, -5}, {5, 0}, {5, 5}, {0, 5}}, {1, 1, 1, 1, 1}};
-    net.weights[1] = net.weights[3] = std::sqrt(0.5);
-    const auto ball = sectionOf(ProfileCurve::make(net).value(), 1e-3);
+    ProfileNurbs nurbs{2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, -5}, {5, -5}, {5, 0}, {5, 5}, {0, 5}}, {1, 1, 1, 1, 1}};
+    nurbs.weights[1] = nurbs.weights[3] = std::sqrt(0.5);
+    const auto ball = sectionOf(ProfileCurve::make(nurbs).value(), 1e-3);
     QVERIFY(ball.hasValue());
     QCOMPARE(ball->segments().size(), std::size_t{2});
     QVERIFY(std::abs(ball->volume() - 4.0 / 3.0 * M_PI * 125.0) < 1e-6);

@@ -119,7 +119,7 @@ void RepairTest::rimStaysOpen() {
 }
 
 // A tube whose lower end has teeth, so that its outline squared is 109 times its area, is an open sheet. With its upper
-// hole filled it looks like none; but who keeps sheets open keeps what was the edge of one, and is told.
+// hole filled it looks like none; but who keeps sheets open keeps what was the edge of one, and is informed.
 void RepairTest::whatWasARimIsKept() {
   const std::uint32_t n = 64;
   const HalfEdgeMesh input = buildMesh(test::grid(n, 4, true, false, [&](std::uint32_t i, std::uint32_t j) {

@@ -53,7 +53,7 @@ class ComparisonIkTest : public QObject {
 
   // A single revolute joint of 1 m: the first is exact at once along its circle; the second, whose numbers are sines
   // and cosines, steps by sin δ, as Newton's method for an angle by its coordinates does.
-  void stepsOfAHinge() {
+  void stepsOfARevoluteJoint() {
     const SerialArm arm = armOf(std::vector<DhRow>{{.a = 1000.0}});
     const double away = 0.3;
     const ArmValues start = ArmValues::Zero(1);

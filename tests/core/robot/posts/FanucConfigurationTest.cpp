@@ -65,7 +65,7 @@ class FanucConfigurationTest : public QObject {
   }
 
   // The other way of the wrist, and a whole turn of axis 6, have a CONFIG of their own. What no way has is refused with
-  // its line; without a CONFIG the way is the nearest one, and that is told.
+  // its line; without a CONFIG the way is the nearest one, and that is reported.
   void otherWays() {
     const RobotProgram program = programOf("lrmate200id");
     const ArmValues joints = fanucJointsOf({30, 20, 10, 80, 57, 20});

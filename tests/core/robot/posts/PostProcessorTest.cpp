@@ -188,9 +188,9 @@ class PostProcessorTest : public QObject {
     }
   }
 
-  // As many motions as a program may have, of an arm of eight joints, with numbers of all digits and long names, are
-  // read again in the format that takes most room.
-  void theLargestProgramCanBeRead() {
+  // As many motions as a program may have, of an arm of eight joints, with long names, are read again in the format
+  // that takes most room.
+  void aLongProgramOfEightJointsCanBeRead() {
     RobotProgram program = programOf("irb120");
     program.arm = armOf(std::vector<DhRow>(8, {.a = 100.0, .alpha = 0.5, .lower = -3.0, .upper = 3.0}));
     constexpr std::size_t kMeasured = 100;

@@ -123,7 +123,7 @@ class RapidConfigurationTest : public QObject {
     }
   }
 
-  // Without a configuration that counts the way is the nearest to where the arm comes from, and that is told.
+  // Without a configuration that counts the way is the nearest to where the arm comes from, and that is reported.
   void openWays() {
     const RobotProgram program = programOf("irb120");
     const std::string text = rapidMoveJ(program, rapidJointsOf({30, 20, 10, 80, 57, 0}));

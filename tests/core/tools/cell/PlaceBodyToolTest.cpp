@@ -260,7 +260,7 @@ class PlaceBodyToolTest : public QObject {
       tool.pointer(ofDevice(Kind::Drag, hand(0.7 + turn)));
       QVERIFY(std::abs(shown() - std::remainder(turn, 2.0 * M_PI)) < 1e-9);
     }
-    tool.pointer(ofDevice(Kind::Drag, Pose(Eigen::Translation3d(500, 100, 40))));  // on the axis: no turn can be told
+    tool.pointer(ofDevice(Kind::Drag, Pose(Eigen::Translation3d(500, 100, 40))));  // on the axis: no turn can be known
     tool.pointer(ofDevice(Kind::Release, hand(0.7 + 4.0)));
     QCOMPARE(m_cell->steps(), m_steps + 1);
     QVERIFY((pose().translation() - before.translation()).norm() < 1e-9);

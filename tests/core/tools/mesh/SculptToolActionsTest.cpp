@@ -31,42 +31,42 @@ class SculptToolActionsTest : public QObject {
 };
 
 void SculptToolActionsTest::levels() {
-  SculptFixture b(middle());
-  QVERIFY(!isEnabled(*b.tool, "back") && !isEnabled(*b.tool, "coarser"));
-  QCOMPARE(b.runner.perform("subdivide"), ToolReply::Used);
-  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
-  QCOMPARE(b.tool->level(), std::size_t(1));
+  SculptFixture fixture(middle());
+  QVERIFY(!isEnabled(*fixture.tool, "back") && !isEnabled(*fixture.tool, "coarser"));
+  QCOMPARE(fixture.runner.perform("subdivide"), ToolReply::Used);
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(1));
+  QCOMPARE(fixture.tool->level(), std::size_t(1));
   const std::size_t inside = (128 * 3 - 32) / 2;
-  QCOMPARE(b.document->mesh().liveFaceCount(), 800 + 2 * inside);
-  QCOMPARE(b.tool->levels().patch().count(), 128 + 2 * inside);
-  b.runner.perform("subdivide");
-  QCOMPARE(b.steps(), 2);
-  QCOMPARE(b.check(), std::string());
-  QCOMPARE(propertyNamed(b.tool->settings(), "level")->choices.size(), std::size_t(3));
-  b.runner.perform("coarser");
-  QCOMPARE(b.tool->level(), std::size_t(1));
-  b.runner.setSetting("level", 0.0);
-  QCOMPARE(b.tool->level(), std::size_t(0));
-  b.runner.perform("back");
-  b.runner.perform("back");
-  QCOMPARE(b.document->mesh().liveFaceCount(), std::size_t(800));
-  QCOMPARE(b.steps(), 4);
-  QCOMPARE(b.check(), std::string());
+  QCOMPARE(fixture.document->mesh().liveFaceCount(), 800 + 2 * inside);
+  QCOMPARE(fixture.tool->levels().patch().count(), 128 + 2 * inside);
+  fixture.runner.perform("subdivide");
+  QCOMPARE(fixture.steps(), 2);
+  QCOMPARE(fixture.check(), std::string());
+  QCOMPARE(propertyNamed(fixture.tool->settings(), "level")->choices.size(), std::size_t(3));
+  fixture.runner.perform("coarser");
+  QCOMPARE(fixture.tool->level(), std::size_t(1));
+  fixture.runner.setSetting("level", 0.0);
+  QCOMPARE(fixture.tool->level(), std::size_t(0));
+  fixture.runner.perform("back");
+  fixture.runner.perform("back");
+  QCOMPARE(fixture.document->mesh().liveFaceCount(), std::size_t(800));
+  QCOMPARE(fixture.steps(), 4);
+  QCOMPARE(fixture.check(), std::string());
 }
 
 // A small bump at the finest level rides on a hill raised at the coarsest one.
 void SculptToolActionsTest::aCoarseLevelTakesTheDetailAlong() {
-  SculptFixture b(middle());
-  b.runner.perform("subdivide");
-  b.runner.perform("subdivide");
-  b.runner.setSetting("radius", 0.8);
-  b.lift(0.3);
-  const double bump = b.height();
+  SculptFixture fixture(middle());
+  fixture.runner.perform("subdivide");
+  fixture.runner.perform("subdivide");
+  fixture.runner.setSetting("radius", 0.8);
+  fixture.lift(0.3);
+  const double bump = fixture.height();
   QVERIFY(std::abs(bump - 0.3) < 1e-6);
-  b.runner.setSetting("level", 0.0);
-  b.runner.setSetting("radius", 4.0);
-  b.lift(1.0);
-  QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.99);
+  fixture.runner.setSetting("level", 0.0);
+  fixture.runner.setSetting("radius", 4.0);
+  fixture.lift(1.0);
+  QVERIFY(fixture.tool->levels().mesh(0).position(at(10, 10)).z() > 0.99);
   // The hill at the finest level, as it would be without the bump.
   SculptFixture plain(middle());
   plain.runner.perform("subdivide");
@@ -74,32 +74,32 @@ void SculptToolActionsTest::aCoarseLevelTakesTheDetailAlong() {
   plain.runner.setSetting("level", 0.0);
   plain.runner.setSetting("radius", 4.0);
   plain.lift(1.0);
-  QVERIFY(std::abs(b.height() - plain.height() - bump) < 0.02);
-  QCOMPARE(b.check(), std::string());
-  QCOMPARE(b.steps(), 4);
+  QVERIFY(std::abs(fixture.height() - plain.height() - bump) < 0.02);
+  QCOMPARE(fixture.check(), std::string());
+  QCOMPARE(fixture.steps(), 4);
   for (Vertex v = 0; v < 441; ++v) {
-    const Vec3& p = b.document->mesh().position(v);
+    const Vec3& p = fixture.document->mesh().position(v);
     const bool isInside = p.x() > 6 && p.x() < 14 && p.y() > 6 && p.y() < 14;
     QVERIFY(isInside || p.z() == 0.0);
   }
 }
 
 void SculptToolActionsTest::undoFindsTheLevels() {
-  SculptFixture b(middle());
-  b.runner.perform("subdivide");
-  b.runner.setSetting("level", 0.0);
-  b.lift(1.0);
-  QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.9);
-  b.document->history()->undo();
-  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
-  QCOMPARE(b.tool->levels().mesh(0).position(at(10, 10)).z(), 0.0);
-  b.document->history()->undo();
-  QCOMPARE(b.tool->levels().finest(), std::size_t(0));
-  QCOMPARE(b.tool->levels().patch().count(), std::size_t(128));
-  b.document->history()->redo();
-  b.document->history()->redo();
-  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
-  QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.9);
+  SculptFixture fixture(middle());
+  fixture.runner.perform("subdivide");
+  fixture.runner.setSetting("level", 0.0);
+  fixture.lift(1.0);
+  QVERIFY(fixture.tool->levels().mesh(0).position(at(10, 10)).z() > 0.9);
+  fixture.document->history()->undo();
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(1));
+  QCOMPARE(fixture.tool->levels().mesh(0).position(at(10, 10)).z(), 0.0);
+  fixture.document->history()->undo();
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(0));
+  QCOMPARE(fixture.tool->levels().patch().count(), std::size_t(128));
+  fixture.document->history()->redo();
+  fixture.document->history()->redo();
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(1));
+  QVERIFY(fixture.tool->levels().mesh(0).position(at(10, 10)).z() > 0.9);
 }
 
 // Another hole is filled while the patch of one has levels; and so it is when the steps are done once more.
@@ -107,83 +107,84 @@ void SculptToolActionsTest::anEditElsewhereKeepsTheLevels() {
   TriangleSoup soup = sheet();
   const auto square = soup.triangles.begin() + 2 * (20 * 17 + 17);
   soup.triangles.erase(square, square + 2);
-  SculptFixture b(middle(), soup);
-  b.runner.perform("subdivide");
-  b.runner.perform("subdivide");
-  b.lift(0.3);
-  const auto& loops = b.document->defects().loops;
+  SculptFixture fixture(middle(), soup);
+  fixture.runner.perform("subdivide");
+  fixture.runner.perform("subdivide");
+  fixture.lift(0.3);
+  const auto& loops = fixture.document->defects().loops;
   const auto hole = std::find_if(loops.begin(), loops.end(), [](const auto& l) { return l.halfEdges.size() == 4; });
   QVERIFY(hole != loops.end());
-  QVERIFY(applyScriptLine(*b.document, "fill v" + std::to_string(keyOf(b.document->mesh(), *hole)) + " --fill ear"));
-  QCOMPARE(b.document->defects().loops.size(), std::size_t(1));
-  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
-  b.runner.setSetting("level", 0.0);
-  b.lift(1.0);
-  QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.99);
-  QCOMPARE(b.check(), std::string());
-  QCOMPARE(replayed(soup, *b.document), std::string());
-  b.document->history()->undo();
-  b.document->history()->undo();
-  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
-  QCOMPARE(b.document->defects().loops.size(), std::size_t(2));
-  b.document->history()->redo();
-  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
-  b.start();  // the tool was left
-  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
-  b.runner.perform("back");
-  b.runner.perform("back");
-  QCOMPARE(b.document->mesh().liveFaceCount(), std::size_t(800));
-  QCOMPARE(b.document->defects().loops.size(), std::size_t(1));
-  QCOMPARE(b.check(), std::string());
+  QVERIFY(applyScriptLine(*fixture.document,
+                          "fill v" + std::to_string(keyOf(fixture.document->mesh(), *hole)) + " --fill ear"));
+  QCOMPARE(fixture.document->defects().loops.size(), std::size_t(1));
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(2));
+  fixture.runner.setSetting("level", 0.0);
+  fixture.lift(1.0);
+  QVERIFY(fixture.tool->levels().mesh(0).position(at(10, 10)).z() > 0.99);
+  QCOMPARE(fixture.check(), std::string());
+  QCOMPARE(replayed(soup, *fixture.document), std::string());
+  fixture.document->history()->undo();
+  fixture.document->history()->undo();
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(2));
+  QCOMPARE(fixture.document->defects().loops.size(), std::size_t(2));
+  fixture.document->history()->redo();
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(2));
+  fixture.start();  // the tool was left
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(2));
+  fixture.runner.perform("back");
+  fixture.runner.perform("back");
+  QCOMPARE(fixture.document->mesh().liveFaceCount(), std::size_t(800));
+  QCOMPARE(fixture.document->defects().loops.size(), std::size_t(1));
+  QCOMPARE(fixture.check(), std::string());
 }
 
 // Who wants to sculpt the whole surface goes on doing so, whatever has levels.
 void SculptToolActionsTest::theWholeSurfaceStaysWhole() {
-  SculptFixture b(middle());
-  b.runner.perform("subdivide");
-  b.runner.perform("whole");
-  b.lift(0.5, 2.0);
-  b.document->history()->undo();
-  QVERIFY(b.tool->levels().patch().empty());
-  b.start();
-  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
+  SculptFixture fixture(middle());
+  fixture.runner.perform("subdivide");
+  fixture.runner.perform("whole");
+  fixture.lift(0.5, 2.0);
+  fixture.document->history()->undo();
+  QVERIFY(fixture.tool->levels().patch().empty());
+  fixture.start();
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(1));
 }
 
 void SculptToolActionsTest::rememberedForTheNextTime() {
-  SculptFixture b(middle());
-  b.runner.perform("subdivide");
-  b.start();
-  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
-  b.start({2 * (20 * 10 + 10)});  // of the patch
-  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
-  QVERIFY(b.tool->levels().patch().count() > 128);
-  b.start({3});
-  QCOMPARE(b.tool->levels().finest(), std::size_t(0));
-  QCOMPARE(b.tool->levels().patch().count(), std::size_t(1));
+  SculptFixture fixture(middle());
+  fixture.runner.perform("subdivide");
+  fixture.start();
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(1));
+  fixture.start({2 * (20 * 10 + 10)});  // of the patch
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(1));
+  QVERIFY(fixture.tool->levels().patch().count() > 128);
+  fixture.start({3});
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(0));
+  QCOMPARE(fixture.tool->levels().patch().count(), std::size_t(1));
 }
 
 // A quadrilateral of two triangles of 8 mm in a plate of 1 mm.
 void SculptToolActionsTest::rememberedInTheFile() {
-  SculptFixture b(middle());
-  b.runner.perform("subdivide");
-  b.runner.perform("subdivide");
-  b.lift(0.3);
+  SculptFixture fixture(middle());
+  fixture.runner.perform("subdivide");
+  fixture.runner.perform("subdivide");
+  fixture.lift(0.3);
   Container file;
-  b.document->kind().save(*b.document->snapshot(), file);
+  fixture.document->kind().save(*fixture.document->snapshot(), file);
   std::vector<Error> damage;
   OpenedFile opened;
-  opened.kind = &b.document->kind();
+  opened.kind = &fixture.document->kind();
   opened.content = *opened.kind->load(file, damage, {});
-  b.runner.stop();
-  b.document = std::make_unique<MeshDocument>(std::move(opened));
-  b.start();
-  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
-  QCOMPARE(b.tool->levels().patch(0).count(), middle().count());
-  b.runner.perform("back");
-  b.runner.perform("back");
-  QCOMPARE(b.document->mesh().liveFaceCount(), std::size_t(800));
-  QCOMPARE(b.height(), 0.0);  // as it was before it was subdivided
-  QCOMPARE(b.check(), std::string());
+  fixture.runner.stop();
+  fixture.document = std::make_unique<MeshDocument>(std::move(opened));
+  fixture.start();
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(2));
+  QCOMPARE(fixture.tool->levels().patch(0).count(), middle().count());
+  fixture.runner.perform("back");
+  fixture.runner.perform("back");
+  QCOMPARE(fixture.document->mesh().liveFaceCount(), std::size_t(800));
+  QCOMPARE(fixture.height(), 0.0);  // as it was before it was subdivided
+  QCOMPARE(fixture.check(), std::string());
 }
 
 void SculptToolActionsTest::refinesToTheSurroundings() {
@@ -195,26 +196,26 @@ void SculptToolActionsTest::refinesToTheSurroundings() {
     patch.add(static_cast<Face>(soup.triangles.size()));
     soup.triangles.push_back({centre, j, (j + 1) % 24});
   }
-  SculptFixture b(patch, soup);
-  b.runner.perform("refine");
-  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
-  QCOMPARE(b.steps(), 1);
-  QCOMPARE(b.check(), std::string());
-  b.runner.perform("refine");
-  QCOMPARE(b.steps(), 1);
-  QVERIFY(!propertyNamed(b.tool->settings(), "patch")->problem.empty());
+  SculptFixture fixture(patch, soup);
+  fixture.runner.perform("refine");
+  QCOMPARE(fixture.tool->levels().finest(), std::size_t(2));
+  QCOMPARE(fixture.steps(), 1);
+  QCOMPARE(fixture.check(), std::string());
+  fixture.runner.perform("refine");
+  QCOMPARE(fixture.steps(), 1);
+  QVERIFY(!propertyNamed(fixture.tool->settings(), "patch")->problem.empty());
 }
 
 void SculptToolActionsTest::warnsOfSlimTriangles() {
-  SculptFixture b({2 * (20 * 10 + 10), 2 * (20 * 10 + 10) + 1});
+  SculptFixture fixture({2 * (20 * 10 + 10), 2 * (20 * 10 + 10) + 1});
   for (int level = 1; level <= 4; ++level) {
-    b.runner.perform("subdivide");
-    const std::vector<Property> settings = b.tool->settings();
+    fixture.runner.perform("subdivide");
+    const std::vector<Property> settings = fixture.tool->settings();
     const Property* aspect = propertyNamed(settings, "aspect");
     QVERIFY(aspect);
     QCOMPARE(aspect->problem.empty(), level <= 3);
   }
-  QVERIFY(std::get<double>(propertyNamed(b.tool->settings(), "aspect")->value) > 8.0);
+  QVERIFY(std::get<double>(propertyNamed(fixture.tool->settings(), "aspect")->value) > 8.0);
 }
 
 void SculptToolActionsTest::smoothsNoise() {
@@ -228,23 +229,23 @@ void SculptToolActionsTest::smoothsNoise() {
     }
     return std::sqrt(sum);
   };
-  SculptFixture b(middle(), soup);
-  const double before = roughness(b.document->mesh());
-  b.runner.perform("noise");
-  QCOMPARE(b.steps(), 1);
-  QVERIFY(roughness(b.document->mesh()) < 0.5 * before);
-  QVERIFY(vertexAt(b.document->mesh(), soup.points[0]) != kNone);
-  b.runner.perform("whole");
-  b.runner.perform("noise");  // along the border of the plate
-  QCOMPARE(b.steps(), 2);
-  QCOMPARE(b.check(), std::string());
+  SculptFixture fixture(middle(), soup);
+  const double before = roughness(fixture.document->mesh());
+  fixture.runner.perform("noise");
+  QCOMPARE(fixture.steps(), 1);
+  QVERIFY(roughness(fixture.document->mesh()) < 0.5 * before);
+  QVERIFY(vertexAt(fixture.document->mesh(), soup.points[0]) != kNone);
+  fixture.runner.perform("whole");
+  fixture.runner.perform("noise");  // along the border of the plate
+  QCOMPARE(fixture.steps(), 2);
+  QCOMPARE(fixture.check(), std::string());
 }
 
 void SculptToolActionsTest::tellsWhyNot() {
-  SculptFixture b({7});
-  b.runner.perform("subdivide");
-  QCOMPARE(b.steps(), 0);
-  QVERIFY(!propertyNamed(b.tool->settings(), "patch")->problem.empty());
+  SculptFixture fixture({7});
+  fixture.runner.perform("subdivide");
+  QCOMPARE(fixture.steps(), 0);
+  QVERIFY(!propertyNamed(fixture.tool->settings(), "patch")->problem.empty());
   SculptFixture whole;
   QVERIFY(!isEnabled(*whole.tool, "subdivide") && !isEnabled(*whole.tool, "refine") && isEnabled(*whole.tool, "noise"));
 }
@@ -267,11 +268,11 @@ void SculptToolActionsTest::jobsThatComeTooLate() {
 }
 
 void SculptToolActionsTest::radiusByKey() {
-  SculptFixture b;
-  b.runner.perform("larger");
-  QCOMPARE(std::get<double>(propertyNamed(b.tool->settings(), "radius")->value), 3.75);
-  b.runner.perform("smaller");
-  QCOMPARE(std::get<double>(propertyNamed(b.tool->settings(), "radius")->value), 3.0);
+  SculptFixture fixture;
+  fixture.runner.perform("larger");
+  QCOMPARE(std::get<double>(propertyNamed(fixture.tool->settings(), "radius")->value), 3.75);
+  fixture.runner.perform("smaller");
+  QCOMPARE(std::get<double>(propertyNamed(fixture.tool->settings(), "radius")->value), 3.0);
   // The first one follows from the size of the part, and can be read.
   for (const double size : {1.0, 2.2, 3.7, 56.0}) {
     const auto document = test::meshDocument(test::cube(size));
@@ -283,13 +284,13 @@ void SculptToolActionsTest::radiusByKey() {
 }
 
 void SculptToolActionsTest::oddSettings() {
-  SculptFixture b(middle());
+  SculptFixture fixture(middle());
   for (const PropertyValue& value : {PropertyValue(std::numeric_limits<double>::quiet_NaN()), PropertyValue(-7.0),
                                      PropertyValue(1e300), PropertyValue(true), PropertyValue(std::string("?"))}) {
     for (const char* id : {"brush", "radius", "strength", "moves_border", "noise_angle", "level", "patch", "nothing"})
-      b.runner.setSetting(id, value);
-    b.stroke({{10, 10}, {12, 11}});
-    QCOMPARE(b.check(), std::string());
+      fixture.runner.setSetting(id, value);
+    fixture.stroke({{10, 10}, {12, 11}});
+    QCOMPARE(fixture.check(), std::string());
   }
 }
 

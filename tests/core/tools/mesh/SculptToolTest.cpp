@@ -29,111 +29,112 @@ class SculptToolTest : public QObject {
 };
 
 void SculptToolTest::dragsInThePlaneOfTheView() {
-  SculptFixture b;
+  SculptFixture fixture;
   const PointerEvent press = above(Kind::Press, 10, 10);
-  QCOMPARE(b.runner.pointer(press), ToolReply::Used);
-  b.runner.pointer(above(Kind::Drag, 10.4, 10.2));
-  QVERIFY(meshPreviewOf(b.tool->preview()).previewMesh);
-  QVERIFY((meshPreviewOf(b.tool->preview()).previewMesh->mesh.position(at(10, 10)) - Vec3(10.4, 10.2, 0)).norm() <
+  QCOMPARE(fixture.runner.pointer(press), ToolReply::Used);
+  fixture.runner.pointer(above(Kind::Drag, 10.4, 10.2));
+  QVERIFY(meshPreviewOf(fixture.tool->preview()).previewMesh);
+  QVERIFY((meshPreviewOf(fixture.tool->preview()).previewMesh->mesh.position(at(10, 10)) - Vec3(10.4, 10.2, 0)).norm() <
           1e-5);
-  QCOMPARE(b.document->mesh().position(at(10, 10)), Vec3(10, 10, 0));  // only shown
-  QCOMPARE(b.tool->forces().size(), std::size_t(1));
-  b.runner.pointer(above(Kind::Drag, 10.6, 9.8));
-  b.runner.pointer(above(Kind::Release, 10.5, 10.1));
-  QVERIFY((b.document->mesh().position(at(10, 10)) - Vec3(10.5, 10.1, 0)).norm() < 1e-5);
-  QCOMPARE(b.steps(), 1);
-  QVERIFY(!meshPreviewOf(b.tool->preview()).previewMesh && b.tool->forces().empty());
-  QCOMPARE(b.check(), std::string());
-  b.document->history()->undo();
-  QCOMPARE(b.document->mesh().position(at(10, 10)), Vec3(10, 10, 0));
+  QCOMPARE(fixture.document->mesh().position(at(10, 10)), Vec3(10, 10, 0));  // only shown
+  QCOMPARE(fixture.tool->forces().size(), std::size_t(1));
+  fixture.runner.pointer(above(Kind::Drag, 10.6, 9.8));
+  fixture.runner.pointer(above(Kind::Release, 10.5, 10.1));
+  QVERIFY((fixture.document->mesh().position(at(10, 10)) - Vec3(10.5, 10.1, 0)).norm() < 1e-5);
+  QCOMPARE(fixture.steps(), 1);
+  QVERIFY(!meshPreviewOf(fixture.tool->preview()).previewMesh && fixture.tool->forces().empty());
+  QCOMPARE(fixture.check(), std::string());
+  fixture.document->history()->undo();
+  QCOMPARE(fixture.document->mesh().position(at(10, 10)), Vec3(10, 10, 0));
 }
 
 void SculptToolTest::dragsWithADevice() {
-  SculptFixture b;
-  b.lift(1.5);
-  QVERIFY(std::abs(b.height() - 1.5) < 1e-6);
-  QVERIFY(b.height(10, 11) > 0.5 && b.height(10, 11) < 1.5);
-  QCOMPARE(b.height(10, 14), 0.0);  // 4 mm off
-  QCOMPARE(b.steps(), 1);
+  SculptFixture fixture;
+  fixture.lift(1.5);
+  QVERIFY(std::abs(fixture.height() - 1.5) < 1e-6);
+  QVERIFY(fixture.height(10, 11) > 0.5 && fixture.height(10, 11) < 1.5);
+  QCOMPARE(fixture.height(10, 14), 0.0);  // 4 mm off
+  QCOMPARE(fixture.steps(), 1);
   PointerEvent second = above(Kind::Press, 10, 10);
   second.device = Pose::Identity();
   second.button = PointerButton::Second;
-  QCOMPARE(b.runner.pointer(second), ToolReply::Finished);
+  QCOMPARE(fixture.runner.pointer(second), ToolReply::Finished);
 }
 
 void SculptToolTest::aDragAndBackIsNoStep() {
-  SculptFixture b;
-  b.stroke({{10, 10}, {11, 10}, {10, 10}});
-  QCOMPARE(b.steps(), 0);
-  QVERIFY(!meshPreviewOf(b.tool->preview()).previewMesh);
+  SculptFixture fixture;
+  fixture.stroke({{10, 10}, {11, 10}, {10, 10}});
+  QCOMPARE(fixture.steps(), 0);
+  QVERIFY(!meshPreviewOf(fixture.tool->preview()).previewMesh);
 }
 
 void SculptToolTest::brushes() {
-  SculptFixture b;
-  b.runner.setSetting("strength", 1.0);
-  b.runner.setSetting("brush", kInflate);
-  b.stroke({{8, 10}, {12, 10}});
-  const double raised = b.height();
+  SculptFixture fixture;
+  fixture.runner.setSetting("strength", 1.0);
+  fixture.runner.setSetting("brush", kInflate);
+  fixture.stroke({{8, 10}, {12, 10}});
+  const double raised = fixture.height();
   QVERIFY(raised > 0.2);
-  b.runner.setSetting("brush", kFlatten);
-  b.stroke({{8, 10}, {12, 10}});
-  QVERIFY(b.height() < raised);
-  b.runner.setSetting("brush", kSmooth);
-  b.stroke({{8, 10}, {12, 10}});
-  QCOMPARE(b.steps(), 3);
-  QCOMPARE(b.check(), std::string());
-  QCOMPARE(b.height(0, 0), 0.0);
-  b.document->history()->setIndex(0);
-  for (Vertex v = 0; v < b.document->mesh().vertexSlots(); ++v) QCOMPARE(b.document->mesh().position(v).z(), 0.0);
+  fixture.runner.setSetting("brush", kFlatten);
+  fixture.stroke({{8, 10}, {12, 10}});
+  QVERIFY(fixture.height() < raised);
+  fixture.runner.setSetting("brush", kSmooth);
+  fixture.stroke({{8, 10}, {12, 10}});
+  QCOMPARE(fixture.steps(), 3);
+  QCOMPARE(fixture.check(), std::string());
+  QCOMPARE(fixture.height(0, 0), 0.0);
+  fixture.document->history()->setIndex(0);
+  for (Vertex v = 0; v < fixture.document->mesh().vertexSlots(); ++v)
+    QCOMPARE(fixture.document->mesh().position(v).z(), 0.0);
 }
 
 void SculptToolTest::shiftSmoothsAndControlInverts() {
-  SculptFixture b;
-  b.runner.setSetting("brush", kInflate);
-  b.stroke({{10, 10}}, kControl);
-  const double pressed = b.height();
+  SculptFixture fixture;
+  fixture.runner.setSetting("brush", kInflate);
+  fixture.stroke({{10, 10}}, kControl);
+  const double pressed = fixture.height();
   QVERIFY(pressed < -0.05);
-  b.stroke({{10, 10}, {11, 10}, {9, 10}, {10, 10}}, kShift);
-  QVERIFY(b.height() > pressed);
+  fixture.stroke({{10, 10}, {11, 10}, {9, 10}, {10, 10}}, kShift);
+  QVERIFY(fixture.height() > pressed);
 }
 
 void SculptToolTest::escapeGivesTheStrokeUp() {
-  SculptFixture b;
-  b.runner.pointer(above(Kind::Press, 10, 10));
-  b.runner.pointer(above(Kind::Drag, 12, 10));
-  QVERIFY(meshPreviewOf(b.tool->preview()).previewMesh);
-  QCOMPARE(b.runner.perform("revert"), ToolReply::Used);
-  QVERIFY(!meshPreviewOf(b.tool->preview()).previewMesh);
-  QCOMPARE(b.runner.pointer(above(Kind::Release, 12, 10)), ToolReply::Ignored);
-  QCOMPARE(b.steps(), 0);
-  QCOMPARE(b.runner.perform("revert"), ToolReply::Finished);
+  SculptFixture fixture;
+  fixture.runner.pointer(above(Kind::Press, 10, 10));
+  fixture.runner.pointer(above(Kind::Drag, 12, 10));
+  QVERIFY(meshPreviewOf(fixture.tool->preview()).previewMesh);
+  QCOMPARE(fixture.runner.perform("revert"), ToolReply::Used);
+  QVERIFY(!meshPreviewOf(fixture.tool->preview()).previewMesh);
+  QCOMPARE(fixture.runner.pointer(above(Kind::Release, 12, 10)), ToolReply::Ignored);
+  QCOMPARE(fixture.steps(), 0);
+  QCOMPARE(fixture.runner.perform("revert"), ToolReply::Finished);
 }
 
 void SculptToolTest::besideTheModel() {
-  SculptFixture b;
-  QCOMPARE(b.runner.pointer(above(Kind::Press, 40, 10)), ToolReply::Ignored);  // the camera may turn
-  QCOMPARE(b.runner.pointer(above(Kind::Drag, 10, 10)), ToolReply::Ignored);
-  b.runner.pointer(above(Kind::Hover, 10, 10));
-  QVERIFY(b.tool->preview().circle && b.tool->preview().circle->second == 3.0);
-  b.runner.pointer(above(Kind::Leave, 10, 10));
-  QVERIFY(!b.tool->preview().circle);
+  SculptFixture fixture;
+  QCOMPARE(fixture.runner.pointer(above(Kind::Press, 40, 10)), ToolReply::Ignored);  // the camera may turn
+  QCOMPARE(fixture.runner.pointer(above(Kind::Drag, 10, 10)), ToolReply::Ignored);
+  fixture.runner.pointer(above(Kind::Hover, 10, 10));
+  QVERIFY(fixture.tool->preview().circle && fixture.tool->preview().circle->second == 3.0);
+  fixture.runner.pointer(above(Kind::Leave, 10, 10));
+  QVERIFY(!fixture.tool->preview().circle);
 }
 
 void SculptToolTest::onlyThePatch() {
-  SculptFixture b(middle());
-  QCOMPARE(b.tool->preview().lines.size(), std::size_t(1));
-  b.runner.setSetting("radius", 8.0);
-  b.lift(2.0);
-  QVERIFY(b.height() > 1.9);
+  SculptFixture fixture(middle());
+  QCOMPARE(fixture.tool->preview().lines.size(), std::size_t(1));
+  fixture.runner.setSetting("radius", 8.0);
+  fixture.lift(2.0);
+  QVERIFY(fixture.height() > 1.9);
   for (Vertex v = 0; v < 441; ++v) {
-    const Vec3& p = b.document->mesh().position(v);
+    const Vec3& p = fixture.document->mesh().position(v);
     const bool isInside = p.x() > 6 && p.x() < 14 && p.y() > 6 && p.y() < 14;
     QVERIFY(isInside || p.z() == 0.0);
   }
-  b.runner.perform("whole");
-  QVERIFY(b.tool->preview().lines.empty());
-  b.lift(2.0, 4.0);
-  QVERIFY(b.height(4, 10) > 1.9);
+  fixture.runner.perform("whole");
+  QVERIFY(fixture.tool->preview().lines.empty());
+  fixture.lift(2.0, 4.0);
+  QVERIFY(fixture.height(4, 10) > 1.9);
 }
 
 // A plate above the sheet, pulled down through it.
@@ -142,23 +143,23 @@ void SculptToolTest::saysThatTheSurfaceCrossesItself() {
   TriangleSoup lower = sheet();
   for (Vec3& p : lower.points) p.z() -= 1.0;
   append(soup, lower);
-  SculptFixture b({}, soup);
-  b.lift(-0.7);
-  QVERIFY(!propertyNamed(b.tool->settings(), "crossings"));
-  const std::size_t offered = b.tool->actions().size();
-  b.lift(-0.7);
-  QVERIFY(!findSelfIntersections(b.document->mesh())->empty());
-  const auto pairs = findSelfIntersections(b.document->mesh())->size();
-  QVERIFY(std::get<double>(propertyNamed(b.tool->settings(), "crossings")->value) == static_cast<double>(pairs));
-  QVERIFY(!propertyNamed(b.tool->settings(), "crossings")->problem.empty());
-  QCOMPARE(b.tool->actions().size(), offered + 1);
-  QCOMPARE(b.tool->actions()[0].input, std::string("Ctrl+Z"));
-  b.document->history()->undo();
-  QVERIFY(!propertyNamed(b.tool->settings(), "crossings"));
-  b.lift(-0.7);
-  QVERIFY(propertyNamed(b.tool->settings(), "crossings"));
-  b.lift(0.1, 4.0);  // elsewhere
-  QVERIFY(!propertyNamed(b.tool->settings(), "crossings"));
+  SculptFixture fixture({}, soup);
+  fixture.lift(-0.7);
+  QVERIFY(!propertyNamed(fixture.tool->settings(), "crossings"));
+  const std::size_t offered = fixture.tool->actions().size();
+  fixture.lift(-0.7);
+  QVERIFY(!findSelfIntersections(fixture.document->mesh())->empty());
+  const auto pairs = findSelfIntersections(fixture.document->mesh())->size();
+  QVERIFY(std::get<double>(propertyNamed(fixture.tool->settings(), "crossings")->value) == static_cast<double>(pairs));
+  QVERIFY(!propertyNamed(fixture.tool->settings(), "crossings")->problem.empty());
+  QCOMPARE(fixture.tool->actions().size(), offered + 1);
+  QCOMPARE(fixture.tool->actions()[0].input, std::string("Ctrl+Z"));
+  fixture.document->history()->undo();
+  QVERIFY(!propertyNamed(fixture.tool->settings(), "crossings"));
+  fixture.lift(-0.7);
+  QVERIFY(propertyNamed(fixture.tool->settings(), "crossings"));
+  fixture.lift(0.1, 4.0);  // elsewhere
+  QVERIFY(!propertyNamed(fixture.tool->settings(), "crossings"));
 }
 
 // A change takes its time; the next stroke begins on what is shown, and each becomes a step of its own.

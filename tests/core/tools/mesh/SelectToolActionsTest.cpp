@@ -28,97 +28,97 @@ class SelectToolActionsTest : public QObject {
 };
 
 void SelectToolActionsTest::actionsOnTheSelection() {
-  SelectFixture b(plates());
-  for (const char* id : {"grow", "shrink", "delete", "previous", "next"}) QVERIFY(!isEnabled(b.tool, id));
-  b.tool.perform("all");
-  QCOMPARE(b.count(), std::size_t(400));
-  b.tool.perform("invert");
-  QCOMPARE(b.count(), std::size_t(0));
-  b.click(5.3, 5.7);
-  b.tool.perform("grow");
-  QCOMPARE(b.count(), std::size_t(13));  // all that touch a triangle of a grid cut one way
-  b.tool.perform("shrink");
-  QCOMPARE(b.faces(), std::vector<Face>{upper(5, 5) + 1});
-  b.tool.perform("invert");
-  QCOMPARE(b.count(), std::size_t(399));
-  QCOMPARE(b.tool.perform("unknown"), ToolReply::Ignored);
+  SelectFixture fixture(plates());
+  for (const char* id : {"grow", "shrink", "delete", "previous", "next"}) QVERIFY(!isEnabled(fixture.tool, id));
+  fixture.tool.perform("all");
+  QCOMPARE(fixture.count(), std::size_t(400));
+  fixture.tool.perform("invert");
+  QCOMPARE(fixture.count(), std::size_t(0));
+  fixture.click(5.3, 5.7);
+  fixture.tool.perform("grow");
+  QCOMPARE(fixture.count(), std::size_t(13));  // all that touch a triangle of a grid cut one way
+  fixture.tool.perform("shrink");
+  QCOMPARE(fixture.faces(), std::vector<Face>{upper(5, 5) + 1});
+  fixture.tool.perform("invert");
+  QCOMPARE(fixture.count(), std::size_t(399));
+  QCOMPARE(fixture.tool.perform("unknown"), ToolReply::Ignored);
 }
 
 void SelectToolActionsTest::previousAndNext() {
-  SelectFixture b(plates());
-  b.click(3.2, 4.8);
-  const MeshSelection one = b.tool.selection();
-  b.tool.perform("grow");
-  b.tool.perform("previous");
-  QVERIFY(b.tool.selection() == one);
-  QVERIFY(isEnabled(b.tool, "next"));
-  b.tool.perform("next");
-  QCOMPARE(b.count(), std::size_t(13));
-  b.tool.perform("previous");
-  b.tool.perform("previous");
-  QVERIFY(b.tool.selection().empty());
+  SelectFixture fixture(plates());
+  fixture.click(3.2, 4.8);
+  const MeshSelection one = fixture.tool.selection();
+  fixture.tool.perform("grow");
+  fixture.tool.perform("previous");
+  QVERIFY(fixture.tool.selection() == one);
+  QVERIFY(isEnabled(fixture.tool, "next"));
+  fixture.tool.perform("next");
+  QCOMPARE(fixture.count(), std::size_t(13));
+  fixture.tool.perform("previous");
+  fixture.tool.perform("previous");
+  QVERIFY(fixture.tool.selection().empty());
 }
 
 void SelectToolActionsTest::deleteIsOneEdit() {
-  SelectFixture b(plates());
-  QObject::connect(b.document.get(), &Document::changed, [&] { b.tool.documentChanged(); });
-  const HalfEdgeMesh before = b.document->mesh();
-  b.click(5.3, 5.7);
-  b.tool.perform("grow");
-  const MeshSelection selected = b.tool.selection();
-  QCOMPARE(b.tool.perform("delete"), ToolReply::Used);
-  QCOMPARE(b.document->history()->count(), 1);
-  QCOMPARE(b.document->history()->text(0), QString("Delete faces"));
-  QCOMPARE(validate(b.document->mesh()), std::string());
-  for (Face f = 0; f < 400; ++f) QCOMPARE(b.document->mesh().isLive(f), !selected.faces.contains(f));
-  QCOMPARE(b.document->defects().loops.size(), std::size_t(3));
-  QVERIFY(b.tool.selection().empty());
-  b.document->history()->undo();
-  QVERIFY(sameMesh(b.document->mesh(), before));
-  b.tool.perform("previous");
-  QVERIFY(b.tool.selection() == selected);
+  SelectFixture fixture(plates());
+  QObject::connect(fixture.document.get(), &Document::changed, [&] { fixture.tool.documentChanged(); });
+  const HalfEdgeMesh before = fixture.document->mesh();
+  fixture.click(5.3, 5.7);
+  fixture.tool.perform("grow");
+  const MeshSelection selected = fixture.tool.selection();
+  QCOMPARE(fixture.tool.perform("delete"), ToolReply::Used);
+  QCOMPARE(fixture.document->history()->count(), 1);
+  QCOMPARE(fixture.document->history()->text(0), QString("Delete faces"));
+  QCOMPARE(validate(fixture.document->mesh()), std::string());
+  for (Face f = 0; f < 400; ++f) QCOMPARE(fixture.document->mesh().isLive(f), !selected.faces.contains(f));
+  QCOMPARE(fixture.document->defects().loops.size(), std::size_t(3));
+  QVERIFY(fixture.tool.selection().empty());
+  fixture.document->history()->undo();
+  QVERIFY(sameMesh(fixture.document->mesh(), before));
+  fixture.tool.perform("previous");
+  QVERIFY(fixture.tool.selection() == selected);
 }
 
 void SelectToolActionsTest::selectingIsNoEdit() {
-  SelectFixture b(plates(), kBrush);
-  const auto revision = b.document->revision();
-  b.stroke({{5, 5}, {8, 5}});
-  for (const char* id : {"all", "invert", "grow", "shrink", "previous", "next", "revert"}) b.tool.perform(id);
-  QCOMPARE(b.document->history()->count(), 0);
-  QCOMPARE(b.document->revision(), revision);
+  SelectFixture fixture(plates(), kBrush);
+  const auto revision = fixture.document->revision();
+  fixture.stroke({{5, 5}, {8, 5}});
+  for (const char* id : {"all", "invert", "grow", "shrink", "previous", "next", "revert"}) fixture.tool.perform(id);
+  QCOMPARE(fixture.document->history()->count(), 0);
+  QCOMPARE(fixture.document->revision(), revision);
 }
 
 void SelectToolActionsTest::escLeavesStepByStep() {
-  SelectFixture b(plates());
-  b.click(3.2, 4.8);
-  b.tool.pointer(above(Kind::Press, 5.2, 5.8));
-  QCOMPARE(b.tool.perform("revert"), ToolReply::Used);
-  QCOMPARE(b.tool.pointer(above(Kind::Release, 5.2, 5.8)), ToolReply::Ignored);
-  QCOMPARE(b.faces(), std::vector<Face>{upper(3, 4) + 1});
-  QCOMPARE(b.tool.perform("revert"), ToolReply::Used);
-  QVERIFY(b.tool.selection().empty());
-  QCOMPARE(b.tool.perform("revert"), ToolReply::Finished);
-  b.click(3.2, 4.8);
-  QCOMPARE(b.tool.perform("commit"), ToolReply::Finished);
-  QCOMPARE(b.count(), std::size_t(1));  // for the next tool
+  SelectFixture fixture(plates());
+  fixture.click(3.2, 4.8);
+  fixture.tool.pointer(above(Kind::Press, 5.2, 5.8));
+  QCOMPARE(fixture.tool.perform("revert"), ToolReply::Used);
+  QCOMPARE(fixture.tool.pointer(above(Kind::Release, 5.2, 5.8)), ToolReply::Ignored);
+  QCOMPARE(fixture.faces(), std::vector<Face>{upper(3, 4) + 1});
+  QCOMPARE(fixture.tool.perform("revert"), ToolReply::Used);
+  QVERIFY(fixture.tool.selection().empty());
+  QCOMPARE(fixture.tool.perform("revert"), ToolReply::Finished);
+  fixture.click(3.2, 4.8);
+  QCOMPARE(fixture.tool.perform("commit"), ToolReply::Finished);
+  QCOMPARE(fixture.count(), std::size_t(1));  // for the next tool
 }
 
 void SelectToolActionsTest::selectFromAList() {
-  SelectFixture b(plates());
+  SelectFixture fixture(plates());
   int updates = 0;
-  b.tool.whenUpdated([&] { ++updates; });
-  b.tool.select({{1, 2, 7777}, {55}});
-  QVERIFY(b.tool.selection() == (MeshSelection{{1, 2}, {}}));
+  fixture.tool.whenUpdated([&] { ++updates; });
+  fixture.tool.select({{1, 2, 7777}, {55}});
+  QVERIFY(fixture.tool.selection() == (MeshSelection{{1, 2}, {}}));
   QCOMPARE(updates, 1);
-  b.tool.perform("previous");
-  QVERIFY(b.tool.selection().empty());
+  fixture.tool.perform("previous");
+  QVERIFY(fixture.tool.selection().empty());
 }
 
 void SelectToolActionsTest::jobsComeLater() {
-  SelectFixture b(plates());
+  SelectFixture fixture(plates());
   WaitingServices waiting;
-  waiting.faces = std::make_shared<FaceHierarchy>(b.document->mesh());
-  SelectTool tool(*b.document, waiting.services());
+  waiting.faces = std::make_shared<FaceHierarchy>(fixture.document->mesh());
+  SelectTool tool(*fixture.document, waiting.services());
   int updates = 0;
   tool.whenUpdated([&] { ++updates; });
   tool.setSetting("mode", kConnected);
@@ -133,8 +133,8 @@ void SelectToolActionsTest::jobsComeLater() {
 
   tool.perform("delete");
   QCOMPARE(waiting.changes.size(), std::size_t(1));
-  QCOMPARE(b.document->history()->count(), 0);
-  HalfEdgeMesh later = b.document->mesh();  // the change can be made on another version
+  QCOMPARE(fixture.document->history()->count(), 0);
+  HalfEdgeMesh later = fixture.document->mesh();  // the change can be made on another version
   later.removeFace(300);
   waiting.changes.front().apply(later, {});
   QCOMPARE(later.liveFaceCount(), std::size_t(200));
@@ -142,10 +142,10 @@ void SelectToolActionsTest::jobsComeLater() {
 }
 
 void SelectToolActionsTest::lateJobsAreDropped() {
-  SelectFixture b(plates());
+  SelectFixture fixture(plates());
   WaitingServices waiting;
-  waiting.faces = std::make_shared<FaceHierarchy>(b.document->mesh());
-  auto tool = std::make_unique<SelectTool>(*b.document, waiting.services());
+  waiting.faces = std::make_shared<FaceHierarchy>(fixture.document->mesh());
+  auto tool = std::make_unique<SelectTool>(*fixture.document, waiting.services());
   tool->setSetting("mode", kConnected);
   const auto click = [&](double x) {
     tool->pointer(above(Kind::Press, x, 4.8));
@@ -176,13 +176,13 @@ void SelectToolActionsTest::lateJobsAreDropped() {
 
 // Until a hierarchy of the present mesh is there, one cannot select what is gone.
 void SelectToolActionsTest::oldHierarchy() {
-  SelectFixture b(plates());
+  SelectFixture fixture(plates());
   WaitingServices waiting;
-  waiting.faces = std::make_shared<FaceHierarchy>(b.document->mesh());
-  SelectTool tool(*b.document, waiting.services());
-  HalfEdgeMesh mesh = b.document->mesh();
+  waiting.faces = std::make_shared<FaceHierarchy>(fixture.document->mesh());
+  SelectTool tool(*fixture.document, waiting.services());
+  HalfEdgeMesh mesh = fixture.document->mesh();
   removeFaces(mesh, FaceSelection{upper(3, 4), upper(3, 4) + 1});
-  b.document->commit("Edit", inspected(mesh));
+  fixture.document->commit("Edit", inspected(mesh));
   tool.documentChanged();
   for (const double mode : {kClick, kBrush, kLasso, kConnected, kAngle}) {
     tool.setSetting("mode", mode);
@@ -191,14 +191,14 @@ void SelectToolActionsTest::oldHierarchy() {
                               above(Kind::Release, 0.2, 9.9)})
       tool.pointer(event);
     while (!waiting.jobs.empty()) waiting.work()();
-    tool.selection().faces.forEach([&](Face f) { QVERIFY(b.document->mesh().isLive(f)); });
+    tool.selection().faces.forEach([&](Face f) { QVERIFY(fixture.document->mesh().isLive(f)); });
   }
 }
 
 void SelectToolActionsTest::noHierarchy() {
-  SelectFixture b(plates());
+  SelectFixture fixture(plates());
   WaitingServices waiting;
-  SelectTool tool(*b.document, waiting.services());
+  SelectTool tool(*fixture.document, waiting.services());
   for (const double mode : {kClick, kBrush, kLasso, kConnected, kAngle}) {
     tool.setSetting("mode", mode);
     for (const Kind kind : {Kind::Hover, Kind::Press, Kind::Drag, Kind::Release, Kind::DoubleClick, Kind::Leave})

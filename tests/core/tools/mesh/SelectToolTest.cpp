@@ -30,158 +30,158 @@ class SelectToolTest : public QObject {
 };
 
 void SelectToolTest::clicks() {
-  SelectFixture b(plates());
+  SelectFixture fixture(plates());
   const Face first = upper(3, 4) + 1, second = upper(7, 2);  // above the diagonal, below it
-  b.click(3.2, 4.8);
-  QCOMPARE(b.faces(), std::vector<Face>{first});
-  b.click(7.8, 2.2);
-  QCOMPARE(b.faces(), std::vector<Face>{second});
-  b.click(3.2, 4.8, kShift);
-  QCOMPARE(b.faces(), (std::vector<Face>{first, second}));
-  b.click(7.8, 2.2, kControl);
-  QCOMPARE(b.faces(), std::vector<Face>{first});
-  b.click(7.8, 2.2, kControl);
-  b.click(20, 20, kControl);
-  b.click(20, 20, kShift);
-  QCOMPARE(b.faces(), std::vector<Face>{first});
-  QVERIFY(meshPreviewOf(b.tool.preview()).selected == (FaceSelection{first}));
+  fixture.click(3.2, 4.8);
+  QCOMPARE(fixture.faces(), std::vector<Face>{first});
+  fixture.click(7.8, 2.2);
+  QCOMPARE(fixture.faces(), std::vector<Face>{second});
+  fixture.click(3.2, 4.8, kShift);
+  QCOMPARE(fixture.faces(), (std::vector<Face>{first, second}));
+  fixture.click(7.8, 2.2, kControl);
+  QCOMPARE(fixture.faces(), std::vector<Face>{first});
+  fixture.click(7.8, 2.2, kControl);
+  fixture.click(20, 20, kControl);
+  fixture.click(20, 20, kShift);
+  QCOMPARE(fixture.faces(), std::vector<Face>{first});
+  QVERIFY(meshPreviewOf(fixture.tool.preview()).selected == (FaceSelection{first}));
 }
 
 void SelectToolTest::clickOnNothingClears() {
-  SelectFixture b(plates());
-  b.click(3.2, 4.8);
-  QCOMPARE(b.tool.pointer(above(Kind::Press, 20, 20)), ToolReply::Ignored);  // the camera may turn
-  QCOMPARE(b.tool.pointer(above(Kind::Release, 20, 20)), ToolReply::Used);
-  QCOMPARE(b.count(), std::size_t(0));
+  SelectFixture fixture(plates());
+  fixture.click(3.2, 4.8);
+  QCOMPARE(fixture.tool.pointer(above(Kind::Press, 20, 20)), ToolReply::Ignored);  // the camera may turn
+  QCOMPARE(fixture.tool.pointer(above(Kind::Release, 20, 20)), ToolReply::Used);
+  QCOMPARE(fixture.count(), std::size_t(0));
 }
 
 void SelectToolTest::turningTheCameraDoesNotClear() {
-  SelectFixture b(plates());
-  b.click(3.2, 4.8);
-  b.tool.pointer(above(Kind::Press, 20, 20));
-  QCOMPARE(b.tool.pointer(above(Kind::Drag, 22, 20)), ToolReply::Ignored);
-  QCOMPARE(b.tool.pointer(above(Kind::Release, 22, 20)), ToolReply::Ignored);
-  QCOMPARE(b.count(), std::size_t(1));
+  SelectFixture fixture(plates());
+  fixture.click(3.2, 4.8);
+  fixture.tool.pointer(above(Kind::Press, 20, 20));
+  QCOMPARE(fixture.tool.pointer(above(Kind::Drag, 22, 20)), ToolReply::Ignored);
+  QCOMPARE(fixture.tool.pointer(above(Kind::Release, 22, 20)), ToolReply::Ignored);
+  QCOMPARE(fixture.count(), std::size_t(1));
 }
 
 void SelectToolTest::clicksAtAHole() {
-  SelectFixture b(sphereWithoutCap(3));
-  const Vertex key = keyOf(b.document->mesh(), b.document->defects().loops.at(0));
-  b.click(0, 0);
-  QVERIFY(b.tool.selection() == (MeshSelection{{}, {key}}));
-  QCOMPARE(b.tool.preview().lines.size(), std::size_t(1));
-  b.click(0.7, 0, kShift);
-  QCOMPARE(b.count(), std::size_t(1));
-  b.click(0.01, 0.01, kControl);
-  QVERIFY(b.tool.selection().loops.empty() && b.count() == 1);
-  b.tool.pointer(above(Kind::Hover, 0, 0));
-  QCOMPARE(b.tool.preview().lines.size(), std::size_t(1));
-  b.tool.pointer(above(Kind::Leave, 0, 0));
-  QVERIFY(b.tool.preview().lines.empty());
+  SelectFixture fixture(sphereWithoutCap(3));
+  const Vertex key = keyOf(fixture.document->mesh(), fixture.document->defects().loops.at(0));
+  fixture.click(0, 0);
+  QVERIFY(fixture.tool.selection() == (MeshSelection{{}, {key}}));
+  QCOMPARE(fixture.tool.preview().lines.size(), std::size_t(1));
+  fixture.click(0.7, 0, kShift);
+  QCOMPARE(fixture.count(), std::size_t(1));
+  fixture.click(0.01, 0.01, kControl);
+  QVERIFY(fixture.tool.selection().loops.empty() && fixture.count() == 1);
+  fixture.tool.pointer(above(Kind::Hover, 0, 0));
+  QCOMPARE(fixture.tool.preview().lines.size(), std::size_t(1));
+  fixture.tool.pointer(above(Kind::Leave, 0, 0));
+  QVERIFY(fixture.tool.preview().lines.empty());
 }
 
 void SelectToolTest::doubleClickTakesThePart() {
-  SelectFixture b(plates());
-  b.click(3.2, 4.8);
-  b.tool.pointer(above(Kind::DoubleClick, 3.2, 4.8));
-  b.tool.pointer(above(Kind::Release, 3.2, 4.8));
-  QCOMPARE(b.count(), std::size_t(200));
-  QCOMPARE(b.faces().front(), Face(200));
+  SelectFixture fixture(plates());
+  fixture.click(3.2, 4.8);
+  fixture.tool.pointer(above(Kind::DoubleClick, 3.2, 4.8));
+  fixture.tool.pointer(above(Kind::Release, 3.2, 4.8));
+  QCOMPARE(fixture.count(), std::size_t(200));
+  QCOMPARE(fixture.faces().front(), Face(200));
 }
 
 void SelectToolTest::brushCoversADisc() {
-  SelectFixture b(plates(), kBrush);
-  b.tool.setSetting("brush_unit", 0.0);
-  b.tool.setSetting("brush_length", 2.3);
-  QCOMPARE(b.tool.pointer(above(Kind::Press, 20, 20)), ToolReply::Ignored);
-  b.stroke({{4.6, 5.1}});
-  const HalfEdgeMesh& mesh = b.document->mesh();
+  SelectFixture fixture(plates(), kBrush);
+  fixture.tool.setSetting("brush_unit", 0.0);
+  fixture.tool.setSetting("brush_length", 2.3);
+  QCOMPARE(fixture.tool.pointer(above(Kind::Press, 20, 20)), ToolReply::Ignored);
+  fixture.stroke({{4.6, 5.1}});
+  const HalfEdgeMesh& mesh = fixture.document->mesh();
   for (Face f = 0; f < 400; ++f) {
     const auto [p, q, r] = mesh.points(f);
     const Vec3 centre(4.6, 5.1, 5.0);
     const bool meets = f >= 200 && (closestOnTriangle(centre, p, q, r) - centre).norm() <= 2.3;
-    QCOMPARE(b.tool.selection().faces.contains(f), meets);
+    QCOMPARE(fixture.tool.selection().faces.contains(f), meets);
   }
 }
 
 void SelectToolTest::brushAddsAndRemoves() {
-  SelectFixture b(plates(), kBrush);
-  b.tool.setSetting("brush_unit", 0.0);
-  b.tool.setSetting("brush_length", 1e-3);
-  b.stroke({{0.5, 0.2}, {9.5, 0.2}});
-  const FaceSelection row = b.tool.selection().faces;
+  SelectFixture fixture(plates(), kBrush);
+  fixture.tool.setSetting("brush_unit", 0.0);
+  fixture.tool.setSetting("brush_length", 1e-3);
+  fixture.stroke({{0.5, 0.2}, {9.5, 0.2}});
+  const FaceSelection row = fixture.tool.selection().faces;
   QVERIFY(row.count() >= 10 && row.contains(upper(0, 0)) && row.contains(upper(9, 0)));
-  b.stroke({{0.5, 3.2}, {9.5, 3.2}}, kShift);
-  QCOMPARE(b.count(), 2 * row.count());
-  b.stroke({{0.5, 0.2}, {9.5, 0.2}}, kControl);
-  QCOMPARE(b.count(), row.count());
-  QVERIFY(!b.tool.selection().faces.contains(upper(5, 0)));
-  b.stroke({{0.5, 0.2}, {9.5, 0.2}});
-  QVERIFY(b.tool.selection().faces == row);
+  fixture.stroke({{0.5, 3.2}, {9.5, 3.2}}, kShift);
+  QCOMPARE(fixture.count(), 2 * row.count());
+  fixture.stroke({{0.5, 0.2}, {9.5, 0.2}}, kControl);
+  QCOMPARE(fixture.count(), row.count());
+  QVERIFY(!fixture.tool.selection().faces.contains(upper(5, 0)));
+  fixture.stroke({{0.5, 0.2}, {9.5, 0.2}});
+  QVERIFY(fixture.tool.selection().faces == row);
 }
 
 void SelectToolTest::brushStrokeIsOneStep() {
-  SelectFixture b(plates(), kBrush);
-  b.stroke({{1, 1}});
-  const MeshSelection before = b.tool.selection();
-  b.tool.pointer(above(Kind::Press, 5, 5));
-  b.tool.pointer(above(Kind::Drag, 8, 5));
-  QVERIFY(!(b.tool.selection() == before));  // one sees it grow
-  QVERIFY(b.tool.preview().circle && b.tool.preview().circle->first.isApprox(Vec3(8, 5, 5)));
-  QCOMPARE(b.tool.perform("revert"), ToolReply::Used);
-  QVERIFY(b.tool.selection() == before);
-  b.stroke({{5, 5}, {8, 5}, {8, 8}});
-  QVERIFY(!(b.tool.selection() == before));
-  b.tool.perform("previous");
-  QVERIFY(b.tool.selection() == before);
+  SelectFixture fixture(plates(), kBrush);
+  fixture.stroke({{1, 1}});
+  const MeshSelection before = fixture.tool.selection();
+  fixture.tool.pointer(above(Kind::Press, 5, 5));
+  fixture.tool.pointer(above(Kind::Drag, 8, 5));
+  QVERIFY(!(fixture.tool.selection() == before));  // one sees it grow
+  QVERIFY(fixture.tool.preview().circle && fixture.tool.preview().circle->first.isApprox(Vec3(8, 5, 5)));
+  QCOMPARE(fixture.tool.perform("revert"), ToolReply::Used);
+  QVERIFY(fixture.tool.selection() == before);
+  fixture.stroke({{5, 5}, {8, 5}, {8, 8}});
+  QVERIFY(!(fixture.tool.selection() == before));
+  fixture.tool.perform("previous");
+  QVERIFY(fixture.tool.selection() == before);
 }
 
 void SelectToolTest::brushInPixels() {
-  SelectFixture b(plates(), kBrush);
-  b.tool.setSetting("brush_pixels", 100.0);
-  b.tool.pointer(above(Kind::Hover, 5, 5));
-  QCOMPARE(b.tool.preview().circle->second, 1.0);
-  b.tool.perform("larger");
-  b.tool.pointer(above(Kind::Hover, 5, 5));
-  QVERIFY(b.tool.preview().circle->second > 1.0);
-  b.tool.perform("smaller");
-  b.tool.pointer(above(Kind::Hover, 5, 5));
-  QCOMPARE(b.tool.preview().circle->second, 1.0);
+  SelectFixture fixture(plates(), kBrush);
+  fixture.tool.setSetting("brush_pixels", 100.0);
+  fixture.tool.pointer(above(Kind::Hover, 5, 5));
+  QCOMPARE(fixture.tool.preview().circle->second, 1.0);
+  fixture.tool.perform("larger");
+  fixture.tool.pointer(above(Kind::Hover, 5, 5));
+  QVERIFY(fixture.tool.preview().circle->second > 1.0);
+  fixture.tool.perform("smaller");
+  fixture.tool.pointer(above(Kind::Hover, 5, 5));
+  QCOMPARE(fixture.tool.preview().circle->second, 1.0);
   PointerEvent near = above(Kind::Hover, 5, 5);
   near.eye = Vec3(5, 5, 55);  // 50 above the plate; a pixel is 0.01 at 100
   near.ray.origin = *near.eye;
   near.focus = 100.0;
-  b.tool.pointer(near);
-  QCOMPARE(b.tool.preview().circle->second, 0.5);
-  QVERIFY(isEnabled(b.tool, "larger"));
-  b.tool.setSetting("mode", kClick);
-  QVERIFY(!isEnabled(b.tool, "larger"));
+  fixture.tool.pointer(near);
+  QCOMPARE(fixture.tool.preview().circle->second, 0.5);
+  QVERIFY(isEnabled(fixture.tool, "larger"));
+  fixture.tool.setSetting("mode", kClick);
+  QVERIFY(!isEnabled(fixture.tool, "larger"));
 }
 
 void SelectToolTest::lassoSeesOrGoesThrough() {
-  SelectFixture b(plates(), kLasso);
+  SelectFixture fixture(plates(), kLasso);
   const std::vector<Eigen::Vector2d> around = {{1.5, 1.5}, {6.5, 1.5}, {6.5, 4.5}, {1.5, 4.5}};
-  b.stroke(around);
+  fixture.stroke(around);
   std::vector<Face> expected;
   for (int x = 2; x < 6; ++x)
     for (int y = 2; y < 4; ++y) expected.insert(expected.end(), {upper(x, y), upper(x, y) + 1});
-  QCOMPARE(b.faces(), expected);
-  b.tool.setSetting("through", true);
-  b.stroke(around);
-  QCOMPARE(b.count(), 2 * expected.size());
-  b.stroke({{0.5, 0.5}, {4.5, 0.5}, {4.5, 9.5}, {0.5, 9.5}}, kControl);
-  QCOMPARE(b.count(), 2 * 2 * 2 * 2u);  // the squares x = 4, 5 stay
-  b.tool.pointer(above(Kind::Press, 0, 0));
-  b.tool.pointer(above(Kind::Drag, 5, 0));
-  b.tool.pointer(above(Kind::Drag, 5, 5));
-  QCOMPARE(b.tool.preview().lines.at(0).size(), std::size_t(4));
-  QVERIFY(b.tool.preview().lines[0][2].isApprox(Vec3(5, 5, 5)));
+  QCOMPARE(fixture.faces(), expected);
+  fixture.tool.setSetting("through", true);
+  fixture.stroke(around);
+  QCOMPARE(fixture.count(), 2 * expected.size());
+  fixture.stroke({{0.5, 0.5}, {4.5, 0.5}, {4.5, 9.5}, {0.5, 9.5}}, kControl);
+  QCOMPARE(fixture.count(), 2 * 2 * 2 * 2u);  // the squares x = 4, 5 stay
+  fixture.tool.pointer(above(Kind::Press, 0, 0));
+  fixture.tool.pointer(above(Kind::Drag, 5, 0));
+  fixture.tool.pointer(above(Kind::Drag, 5, 5));
+  QCOMPARE(fixture.tool.preview().lines.at(0).size(), std::size_t(4));
+  QVERIFY(fixture.tool.preview().lines[0][2].isApprox(Vec3(5, 5, 5)));
 }
 
 void SelectToolTest::connectedAndAngle() {
-  SelectFixture b(plates(), kConnected);
-  b.click(3.2, 4.8);
-  QCOMPARE(b.count(), std::size_t(200));
+  SelectFixture fixture(plates(), kConnected);
+  fixture.click(3.2, 4.8);
+  QCOMPARE(fixture.count(), std::size_t(200));
   SelectFixture sides(cube(), kAngle);
   sides.click(0.5, 0.4);
   QCOMPARE(sides.count(), std::size_t(2));
@@ -191,36 +191,36 @@ void SelectToolTest::connectedAndAngle() {
 }
 
 void SelectToolTest::hoverShowsWhatAClickWouldSelect() {
-  SelectFixture b(plates(), kClick);
-  b.tool.pointer(above(Kind::Hover, 3.2, 4.8));
-  QVERIFY(meshPreviewOf(b.tool.preview()).highlighted == FaceSelection{upper(3, 4) + 1});
-  b.tool.setSetting("mode", kConnected);
-  QVERIFY(meshPreviewOf(b.tool.preview()).highlighted.empty());
-  b.tool.pointer(above(Kind::Hover, 3.2, 4.8));
-  QCOMPARE(meshPreviewOf(b.tool.preview()).highlighted.count(), std::size_t(200));
-  b.tool.pointer(above(Kind::Hover, 20, 20));
-  QVERIFY(meshPreviewOf(b.tool.preview()).highlighted.empty());
-  QCOMPARE(b.count(), std::size_t(0));
+  SelectFixture fixture(plates(), kClick);
+  fixture.tool.pointer(above(Kind::Hover, 3.2, 4.8));
+  QVERIFY(meshPreviewOf(fixture.tool.preview()).highlighted == FaceSelection{upper(3, 4) + 1});
+  fixture.tool.setSetting("mode", kConnected);
+  QVERIFY(meshPreviewOf(fixture.tool.preview()).highlighted.empty());
+  fixture.tool.pointer(above(Kind::Hover, 3.2, 4.8));
+  QCOMPARE(meshPreviewOf(fixture.tool.preview()).highlighted.count(), std::size_t(200));
+  fixture.tool.pointer(above(Kind::Hover, 20, 20));
+  QVERIFY(meshPreviewOf(fixture.tool.preview()).highlighted.empty());
+  QCOMPARE(fixture.count(), std::size_t(0));
   SelectFixture large(torus(200, 60), kConnected);  // 24 000 faces: too many to show on the way
   large.tool.pointer(above(Kind::Hover, 2.0, 0.1));
   QCOMPARE(meshPreviewOf(large.tool.preview()).highlighted.count(), std::size_t(1));
 }
 
 void SelectToolTest::secondButton() {
-  SelectFixture b(plates());
+  SelectFixture fixture(plates());
   PointerEvent event = above(Kind::Press, 5, 5);
   event.button = PointerButton::Second;
-  QCOMPARE(b.tool.pointer(event), ToolReply::Ignored);  // of the mouse: the camera's, or a menu's
+  QCOMPARE(fixture.tool.pointer(event), ToolReply::Ignored);  // of the mouse: the camera's, or a menu's
   event.device = Pose::Identity();
-  QCOMPARE(b.tool.pointer(event), ToolReply::Finished);
+  QCOMPARE(fixture.tool.pointer(event), ToolReply::Finished);
   // Poked with the first, deleted with the second.
-  QObject::connect(b.document.get(), &Document::changed, [&] { b.tool.documentChanged(); });
-  const std::size_t before = b.document->mesh().liveFaceCount();
-  b.click(5.3, 5.7);
-  QCOMPARE(b.tool.pointer(event), ToolReply::Used);
-  QCOMPARE(b.document->mesh().liveFaceCount(), before - 1);
-  QCOMPARE(b.document->history()->count(), 1);
-  QCOMPARE(b.tool.pointer(event), ToolReply::Finished);
+  QObject::connect(fixture.document.get(), &Document::changed, [&] { fixture.tool.documentChanged(); });
+  const std::size_t before = fixture.document->mesh().liveFaceCount();
+  fixture.click(5.3, 5.7);
+  QCOMPARE(fixture.tool.pointer(event), ToolReply::Used);
+  QCOMPARE(fixture.document->mesh().liveFaceCount(), before - 1);
+  QCOMPARE(fixture.document->history()->count(), 1);
+  QCOMPARE(fixture.tool.pointer(event), ToolReply::Finished);
 }
 
 HANDWHEEL_TEST(SelectToolTest)

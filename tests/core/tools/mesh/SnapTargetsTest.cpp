@@ -27,8 +27,8 @@ constexpr int kTicks = 8000;                         // the loop has measured it
 // Two plates as the fixture has them, with squares of 10 mm: the upper one is at z = 50. A simulated hand holds a
 // device over them, whose servo loop and safety chain are those of the program.
 struct HandFixture {
-  SelectFixture fixture{moved(plates(), Vec3::Zero(), 10.0)};
-  HalfEdgeMesh mesh = fixture.document->mesh();
+  SelectFixture select{moved(plates(), Vec3::Zero(), 10.0)};
+  HalfEdgeMesh mesh = select.document->mesh();
   ContactSurface surface;
   VirtualClock clock;
   Service service{"servo"};
@@ -102,48 +102,48 @@ class SnapTargetsTest : public QObject {
   // A hand beside an open edge is drawn to it by the profile's force, and its button selects that edge's loop.
   void anEdgeDrawsTheHand() {
     const Vec3 hand(35, -1, 52), onEdge(35, 0, 50);
-    HandFixture b(hand);
-    b.run(1);
-    b.feel(b.fixture.tool, true);
-    const ServoSample rest = b.run(kTicks);
+    HandFixture fixture(hand);
+    fixture.run(1);
+    fixture.feel(fixture.select.tool, true);
+    const ServoSample rest = fixture.run(kTicks);
     const double x = restingDistance((hand - onEdge).norm());
     QVERIFY(rest.felt.isHeld && (rest.felt.held - onEdge).norm() < 1e-3);
     QVERIFY(std::abs((rest.tip.position - onEdge).norm() - x) < 1e-3);
     const Vec3 force = 2.0 * kStiffness * x * (kDistance - x) / kDistance * (onEdge - hand).normalized();
     QVERIFY((rest.sent.force - force).norm() < 1e-3 * force.norm());
-    b.fixture.click(rest.felt.proxy.x(), rest.felt.proxy.y());
-    QVERIFY(b.fixture.faces().empty());
-    QCOMPARE(b.fixture.tool.selection().loops.size(), 1u);
-    QCOMPARE(b.mesh.position(*b.fixture.tool.selection().loops.begin()).z(), 50.0);
+    fixture.select.click(rest.felt.proxy.x(), rest.felt.proxy.y());
+    QVERIFY(fixture.select.faces().empty());
+    QCOMPARE(fixture.select.tool.selection().loops.size(), 1u);
+    QCOMPARE(fixture.mesh.position(*fixture.select.tool.selection().loops.begin()).z(), 50.0);
   }
 
   // Above a face the nearest point of the face draws it, and its button selects that face.
   void aFaceDrawsTheHand() {
     const Vec3 hand(37, 43, 52.5), onFace(37, 43, 50);
-    HandFixture b(hand);
-    b.run(1);
-    b.feel(b.fixture.tool, true);
-    const ServoSample rest = b.run(kTicks);
+    HandFixture fixture(hand);
+    fixture.run(1);
+    fixture.feel(fixture.select.tool, true);
+    const ServoSample rest = fixture.run(kTicks);
     const double x = restingDistance(2.5);  // 1 mm
     QVERIFY(!rest.felt.isHeld && !rest.felt.isContact && (rest.felt.proxy - onFace).norm() < 1e-3);
     QVERIFY(std::abs(rest.tip.position.z() - 50.0 - x) < 1e-3);
     QVERIFY((rest.sent.force - Vec3(0, 0, -kGrip * (2.5 - x))).norm() < 1e-3);
-    b.fixture.click(rest.felt.proxy.x(), rest.felt.proxy.y());
-    QVERIFY(b.fixture.tool.selection().loops.empty());
-    QCOMPARE(b.fixture.faces(), std::vector<Face>{upper(3, 4)});
+    fixture.select.click(rest.felt.proxy.x(), rest.felt.proxy.y());
+    QVERIFY(fixture.select.tool.selection().loops.empty());
+    QCOMPARE(fixture.select.faces(), std::vector<Face>{upper(3, 4)});
   }
 
   // What is gathered anew where the tip is now draws it as before, from the first tick on.
   void gatheredAnewNothingLeaps() {
-    HandFixture b({35, -1, 52});
-    b.run(1);
-    b.feel(b.fixture.tool, true);
-    const Vec3 before = b.run(kTicks).sent.force;
+    HandFixture fixture({35, -1, 52});
+    fixture.run(1);
+    fixture.feel(fixture.select.tool, true);
+    const Vec3 before = fixture.run(kTicks).sent.force;
     Vec3 last = before;
     for (int i = 0; i < 500; ++i) {
-      b.device->setTarget({0.0, {35 + 0.002 * i, -1, 52}});
-      if (i % 16 == 0) b.feel(b.fixture.tool, false);
-      const Vec3 sent = b.run(1).sent.force;
+      fixture.device->setTarget({0.0, {35 + 0.002 * i, -1, 52}});
+      if (i % 16 == 0) fixture.feel(fixture.select.tool, false);
+      const Vec3 sent = fixture.run(1).sent.force;
       QVERIFY((sent - last).norm() < 0.005 && sent.norm() > 0.8 * before.norm());
       last = sent;
     }
@@ -151,13 +151,13 @@ class SnapTargetsTest : public QObject {
 
   // A tool that is taken up where its magnet is strong: 0.59 N at 2.24 mm come by the ramp.
   void aToolThatIsTakenUpLetsNothingLeap() {
-    HandFixture b({35, -1, 52});
-    b.run(kTicks);
-    b.feel(b.fixture.tool, true);
+    HandFixture fixture({35, -1, 52});
+    fixture.run(kTicks);
+    fixture.feel(fixture.select.tool, true);
     Vec3 last = Vec3::Zero();
     double largest = 0.0;
     for (int i = 0; i < 3000; ++i) {
-      const Vec3 sent = b.run(1).sent.force;
+      const Vec3 sent = fixture.run(1).sent.force;
       largest = std::max(largest, (sent - last).norm());
       last = sent;
     }

@@ -126,13 +126,13 @@ class ClayToolActionsTest : public QObject {
     const double before = fixture.document.volume()->volume.enclosed();
     fixture.stroke(4.0, 8.0);
     QCOMPARE(fixture.steps(), 1);
-    const QString told = fixture.document.history()->undoText();
-    QVERIFY2(told.startsWith(text) && told.endsWith(QStringLiteral(" mm³")), qPrintable(told));
+    const QString reported = fixture.document.history()->undoText();
+    QVERIFY2(reported.startsWith(text) && reported.endsWith(QStringLiteral(" mm³")), qPrintable(reported));
     const double change = fixture.document.volume()->volume.enclosed() - before;
-    QString amount = told.section(QStringLiteral(": "), 1).section(QLatin1Char(' '), 0, 0);
+    QString amount = reported.section(QStringLiteral(": "), 1).section(QLatin1Char(' '), 0, 0);
     const bool isLess = amount.startsWith(QStringLiteral("−"));
     const double shown = QLocale().toDouble(amount.mid(1)) * (isLess ? -1.0 : 1.0);
-    QVERIFY2(std::abs(shown - change) <= 5e-3 * std::abs(change), qPrintable(told));  // three digits
+    QVERIFY2(std::abs(shown - change) <= 5e-3 * std::abs(change), qPrintable(reported));  // three digits
   }
 
   // The circle of the brush is where the mouse is over the clay, and goes with it.

@@ -91,7 +91,7 @@ class DrillOperationTest : public QObject {
     QVERIFY(std::abs(*done->breakthrough - (0.5 + kThick) / kWayDown) < 0.02);
     QCOMPARE(done->seconds, 1.0);
     QCOMPARE(done->hole->poses.size(), std::size_t{1001});
-    // Only cycles that took something, and those after them, are kept; the largest of their loads are told.
+    // Only cycles that took something, and those after them, are kept; the largest of their loads are reported.
     double removed = 0.0, thrust = 0.0, torque = 0.0;
     for (const DrillTick& tick : done->ticks) {
       removed += tick.removed;

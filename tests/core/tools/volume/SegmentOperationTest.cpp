@@ -100,13 +100,13 @@ class SegmentOperationTest : public QObject {
     QVERIFY(!none && none.error().code == VolumeErrors::NothingInRange);
   }
 
-  // Before anything is made it is told what the volume needs, and can be refused.
+  // Before anything is made it is reported what the volume needs, and can be refused.
   void askedBefore() {
     const ImageVolume image = largeAndSmallBall();
-    double told = 0.0, needed = 0.0;
+    double reported = 0.0, needed = 0.0;
     const auto ask = [&](const std::map<std::string, PropertyValue>& set, bool isAllowed) {
       return segment(image, valuesWith(set), {}, [&](double voxel, double bytes) -> Status {
-        told = voxel;
+        reported = voxel;
         needed = bytes;
         if (isAllowed) return Done{};
         return Error{VolumeErrors::NeedsConsent, {}, {}, {}};
@@ -114,11 +114,11 @@ class SegmentOperationTest : public QObject {
     };
     const std::string range = "0:";
     QVERIFY(ask({{"range", range}}, true).hasValue());
-    QCOMPARE(told, kSpacing);
+    QCOMPARE(reported, kSpacing);
     const double coarse = needed;
     const Result<Segmented> fine = ask({{"range", range}, {"voxel", 0.25}}, true);
     QVERIFY(fine && fine->volume.voxel() == 0.25);
-    QCOMPARE(told, 0.25);
+    QCOMPARE(reported, 0.25);
     QVERIFY2(needed > 2.0 * coarse, QByteArray::number(needed / coarse));  // four times as many voxels at the surface
     const Result<Segmented> refused = ask({{"range", range}}, false);
     QVERIFY(!refused && refused.error().code == VolumeErrors::NeedsConsent);

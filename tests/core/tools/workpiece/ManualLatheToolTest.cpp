@@ -115,7 +115,7 @@ class ManualLatheToolTest : public QObject {
     QCOMPARE(lathe.tool->returnCount(), 1);
   }
 
-  // Where the tool is told from what one touches off at: a radius of the work for X, a face of it for Z.
+  // Where the tool is, known from what one touches off at: a radius of the work for X, a face of it for Z.
   void howFarTheToolIsFromTouching() {
     HandLathe lathe;
     const auto tip = [&lathe] { return lathe.tool->moment()->tip; };

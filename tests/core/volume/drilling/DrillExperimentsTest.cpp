@@ -163,7 +163,7 @@ class DrillExperimentsTest : public QObject {
     QVERIFY(shapeChecksOf(radius).empty());
   }
 
-  // What is stated of certain values is told of these alone.
+  // What is stated of certain values is reported of these alone.
   void checksOfOtherValues() {
     DrillExperimentResult feed{DrillExperiment::Feed, 1000.0, {madeHole(7.0, 7.0, 7.0), madeHole(10.0, 10.0, 10.0)}};
     QVERIFY(shapeChecksOf(feed).empty());

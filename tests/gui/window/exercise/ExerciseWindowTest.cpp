@@ -223,7 +223,7 @@ class ExerciseWindowTest : public QObject {
     const double beyond = std::max({0.0, 29.5 - worst, worst - 30.5});
     const double expected = 10.0 * std::max(0.0, 1.0 - beyond / 0.2);  // "No points this far beyond"
 
-    // The step of that diameter is ticked at once where the part is so, and no size is told.
+    // The step of that diameter is ticked at once where the part is so, and no size is revealed.
     const auto isTicked = [&driver] {
       Document& work = driver.window().findChild<DocumentTabs*>()->current()->document;
       const nlohmann::json done = work.file().assigned.attempt->value("done", nlohmann::json::array());

@@ -93,21 +93,21 @@ class HapticSceneBuilderTest : public QObject {
 
   // A tool turns the hand on a device that has motors for it: by what it asks for, at most as stiffly as the device is.
   void turnsTheHand() {
-    TouchSceneFixture b;
-    b.session->choose("simulated", "turned-hand");
-    QVERIFY(QTest::qWaitFor([&] { return b.session->latest() != nullptr; }, kLongestMs));
-    const double stiffest = b.session->capabilities().maxAngularStiffness;
+    TouchSceneFixture fixture;
+    fixture.session->choose("simulated", "turned-hand");
+    QVERIFY(QTest::qWaitFor([&] { return fixture.session->latest() != nullptr; }, kLongestMs));
+    const double stiffest = fixture.session->capabilities().maxAngularStiffness;
     QVERIFY(stiffest > 0.0);
     constexpr double kAngle = 0.1;
     for (const double asked : {0.1 * stiffest, 5.0 * stiffest}) {
       DeviceSpring spring;
-      spring.turn = Eigen::AngleAxisd(kAngle, Vec3::UnitX()) * b.session->latest()->tip.orientation;
+      spring.turn = Eigen::AngleAxisd(kAngle, Vec3::UnitX()) * fixture.session->latest()->tip.orientation;
       spring.turning = asked;
-      b.scene->setSprings({spring});
+      fixture.scene->setSprings({spring});
       const double expected = kAngle * std::min(asked, stiffest);
       const auto isSent = [&] {
-        const ServoSample& sample = *b.session->latest();
-        const Vec3 torque = b.session->mappingInScene().deviceTorque(sample.felt.torque);
+        const ServoSample& sample = *fixture.session->latest();
+        const Vec3 torque = fixture.session->mappingInScene().deviceTorque(sample.felt.torque);
         return std::abs(torque.norm() - expected) < 1e-6 * stiffest && (sample.sent.torque - torque).norm() < 1e-6;
       };
       QVERIFY(QTest::qWaitFor(isSent, kLongestMs));
@@ -125,76 +125,78 @@ class HapticSceneBuilderTest : public QObject {
   void snapsByTheProfileThatWasChosen() {
     QFETCH(int, shape);
     QFETCH(double, stiffness);
-    TouchSceneFixture b;
-    QVERIFY(b.begin());
-    b.offer({Vec3::Zero()}, 4.0);
-    TouchSettings touch = b.session->touch();
+    TouchSceneFixture fixture;
+    QVERIFY(fixture.begin());
+    fixture.offer({Vec3::Zero()}, 4.0);
+    TouchSettings touch = fixture.session->touch();
     touch.snapShape = static_cast<SnapShape>(shape);
     touch.snapStiffness = stiffness;
-    b.session->setTouch(touch);
+    fixture.session->setTouch(touch);
     // Where the profiles differ: a spring of 0.3 N/mm against the hand's draws it to about half of that.
-    b.lead({3.4, 0.0, 0.0});
+    fixture.lead({3.4, 0.0, 0.0});
     const auto isFelt = [&] {
-      const Vec3 wanted = drawn(touch.snapShape, stiffness, 4.0, Vec3::Zero(), b.tip());
-      return !b.isSoftened() && wanted.norm() > 0.02 && (b.force() - wanted).norm() < 1e-6;
+      const Vec3 wanted = drawn(touch.snapShape, stiffness, 4.0, Vec3::Zero(), fixture.tip());
+      return !fixture.isSoftened() && wanted.norm() > 0.02 && (fixture.force() - wanted).norm() < 1e-6;
     };
     QTRY_VERIFY_WITH_TIMEOUT(isFelt(), kLongestMs);
     for (int other = 0; other < 4; ++other) {
       if (other == shape) continue;
-      const Vec3 differs = drawn(static_cast<SnapShape>(other), stiffness, 4.0, Vec3::Zero(), b.tip());
-      if ((b.tip().norm() - 2.0) > 0.1) QVERIFY((b.force() - differs).norm() > 1e-4);
+      const Vec3 differs = drawn(static_cast<SnapShape>(other), stiffness, 4.0, Vec3::Zero(), fixture.tip());
+      if ((fixture.tip().norm() - 2.0) > 0.1) QVERIFY((fixture.force() - differs).norm() > 1e-4);
     }
   }
 
   // Between two points the proxy has one of them; the forces of both add up to less.
   void snapsByTheMethodThatWasChosen() {
     const Vec3 left(-1.0, 0.0, 0.0), right(1.0, 0.0, 0.0);
-    TouchSceneFixture b;
-    QVERIFY(b.begin());
-    b.offer({left, right}, 4.0);
-    b.lead({0.5, 1.0, 0.0});
-    TouchSettings touch = b.session->touch();
+    TouchSceneFixture fixture;
+    QVERIFY(fixture.begin());
+    fixture.offer({left, right}, 4.0);
+    fixture.lead({0.5, 1.0, 0.0});
+    TouchSettings touch = fixture.session->touch();
     touch.snapStiffness = 0.05;  // of both together what the loop carries on a busy machine, too
-    b.session->setTouch(touch);
+    fixture.session->setTouch(touch);
     const auto pull = [&](const Vec3& point) {
-      return drawn(touch.snapShape, touch.snapStiffness, 4.0, point, b.tip());
+      return drawn(touch.snapShape, touch.snapStiffness, 4.0, point, fixture.tip());
     };
-    const auto isNear = [&](const Vec3& wanted) { return wanted.norm() > 0.01 && (b.force() - wanted).norm() < 1e-6; };
+    const auto isNear = [&](const Vec3& wanted) {
+      return wanted.norm() > 0.01 && (fixture.force() - wanted).norm() < 1e-6;
+    };
     QTRY_VERIFY_WITH_TIMEOUT(isNear(pull(right)) || isNear(pull(left)), kLongestMs);
     touch.snapMethod = SnapMethod::Sum;
-    b.session->setTouch(touch);
-    QTRY_VERIFY_WITH_TIMEOUT(!b.isSoftened() && isNear(pull(left) + pull(right)), kLongestMs);
+    fixture.session->setTouch(touch);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isSoftened() && isNear(pull(left) + pull(right)), kLongestMs);
   }
 
   // Switched off, it attracts nothing, whoever offered it.
   void snapsOnlyWhereThatIsOn() {
-    TouchSceneFixture b;
-    QVERIFY(b.begin());
-    b.offer({Vec3::Zero()}, 4.0);
-    b.lead({2.5, 0.0, 0.0});
-    QTRY_VERIFY_WITH_TIMEOUT(b.force().norm() > 0.1, kLongestMs);
-    TouchSettings touch = b.session->touch();
+    TouchSceneFixture fixture;
+    QVERIFY(fixture.begin());
+    fixture.offer({Vec3::Zero()}, 4.0);
+    fixture.lead({2.5, 0.0, 0.0});
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.force().norm() > 0.1, kLongestMs);
+    TouchSettings touch = fixture.session->touch();
     touch.isSnapping = false;
-    b.session->setTouch(touch);
-    QTRY_VERIFY_WITH_TIMEOUT(b.force().isZero(0.0), kLongestMs);
+    fixture.session->setTouch(touch);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.force().isZero(0.0), kLongestMs);
     touch.isSnapping = true;
-    b.session->setTouch(touch);
-    QTRY_VERIFY_WITH_TIMEOUT(b.force().norm() > 0.1, kLongestMs);
+    fixture.session->setTouch(touch);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.force().norm() > 0.1, kLongestMs);
   }
 
   // The stiffness of the feature is another at once; what is sent waits for the ramp.
   void aChangeComesByTheRamp() {
-    TouchSceneFixture b;
-    QVERIFY(b.begin());
-    b.offer({Vec3::Zero()}, 4.0);
-    b.lead({2.5, 0.0, 0.0});
-    const auto isRamped = [&] { return b.session->latest()->actions.has(SafetyAction::Ramp); };
-    QTRY_VERIFY_WITH_TIMEOUT(!isRamped() && b.force().norm() > 0.1, kLongestMs);
-    TouchSettings touch = b.session->touch();
+    TouchSceneFixture fixture;
+    QVERIFY(fixture.begin());
+    fixture.offer({Vec3::Zero()}, 4.0);
+    fixture.lead({2.5, 0.0, 0.0});
+    const auto isRamped = [&] { return fixture.session->latest()->actions.has(SafetyAction::Ramp); };
+    QTRY_VERIFY_WITH_TIMEOUT(!isRamped() && fixture.force().norm() > 0.1, kLongestMs);
+    TouchSettings touch = fixture.session->touch();
     touch.snapShape = SnapShape::Spring;
-    b.session->setTouch(touch);
+    fixture.session->setTouch(touch);
     QTRY_VERIFY_WITH_TIMEOUT(isRamped(), kLongestMs);
-    QTRY_VERIFY_WITH_TIMEOUT(!isRamped() && b.force().norm() > 0.1, kLongestMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!isRamped() && fixture.force().norm() > 0.1, kLongestMs);
   }
 };
 

@@ -104,107 +104,107 @@ class HapticSessionTest : public QObject {
   void init() { QSettings().clear(); }
 
   void withoutADeviceNothingRuns() {
-    HapticSessionFixture b;
-    QSignalSpy sampled(b.session.get(), &HapticSession::sampled);
-    b.session->takeUp();
-    b.session->setMapping({});
-    b.session->setView({}, {});
-    b.session->startForceTest();
+    HapticSessionFixture fixture;
+    QSignalSpy sampled(fixture.session.get(), &HapticSession::sampled);
+    fixture.session->takeUp();
+    fixture.session->setMapping({});
+    fixture.session->setView({}, {});
+    fixture.session->startForceTest();
     QTest::qWait(100);
-    QVERIFY(!b.session->isOpen() && !b.session->latest() && !b.session->measure());
-    QVERIFY(b.session->chosen().driver.empty());
-    QCOMPARE(b.services.haptics().counters().ticks, std::uint64_t(0));
-    QVERIFY(!b.services.haptics().isRunning());
+    QVERIFY(!fixture.session->isOpen() && !fixture.session->latest() && !fixture.session->measure());
+    QVERIFY(fixture.session->chosen().driver.empty());
+    QCOMPARE(fixture.services.haptics().counters().ticks, std::uint64_t(0));
+    QVERIFY(!fixture.services.haptics().isRunning());
     QCOMPARE(sampled.count(), 0);
   }
 
   void theLoopRunsAsLongAsTheDeviceIsOpen() {
-    HapticSessionFixture b;
-    b.session->choose("simulated", "hand");
-    QVERIFY(b.waitForOpen());
-    QVERIFY(b.session->simulatedHand() && !b.session->mouse());
-    QVERIFY(b.services.haptics().isRunning());
-    QCOMPARE(b.session->latest()->device.status, DeviceStatus::Ready);
-    QTRY_VERIFY(b.session->rate() > 0.0);
-    b.session->close();
-    QVERIFY(!b.session->isOpen() && !b.session->latest());
-    QVERIFY(!b.services.haptics().isRunning());
-    const std::uint64_t ticks = b.services.haptics().counters().ticks;
-    QSignalSpy sampled(b.session.get(), &HapticSession::sampled);
+    HapticSessionFixture fixture;
+    fixture.session->choose("simulated", "hand");
+    QVERIFY(fixture.waitForOpen());
+    QVERIFY(fixture.session->simulatedHand() && !fixture.session->mouse());
+    QVERIFY(fixture.services.haptics().isRunning());
+    QCOMPARE(fixture.session->latest()->device.status, DeviceStatus::Ready);
+    QTRY_VERIFY(fixture.session->rate() > 0.0);
+    fixture.session->close();
+    QVERIFY(!fixture.session->isOpen() && !fixture.session->latest());
+    QVERIFY(!fixture.services.haptics().isRunning());
+    const std::uint64_t ticks = fixture.services.haptics().counters().ticks;
+    QSignalSpy sampled(fixture.session.get(), &HapticSession::sampled);
     QTest::qWait(100);
-    QCOMPARE(b.services.haptics().counters().ticks, ticks);
+    QCOMPARE(fixture.services.haptics().counters().ticks, ticks);
     QCOMPARE(sampled.count(), 0);
   }
 
   // The last thing sent is no force, and the device is closed once.
   void closingIsZeroForce() {
-    HapticSessionFixture b;
-    b.session->choose("fake", "well");
-    QVERIFY(b.waitForOpen());
-    b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(1.0, 0.0, 0.0); }));
-    QTRY_VERIFY(b.session->latest()->sent.force.x() > 0.5);
-    b.session->close();
-    QVERIFY(b.plugged.log->last.isZero());
-    QTRY_VERIFY(b.jobs.isIdle());
-    QCOMPARE(b.plugged.log->closes, 1);
+    HapticSessionFixture fixture;
+    fixture.session->choose("fake", "well");
+    QVERIFY(fixture.waitForOpen());
+    fixture.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(1.0, 0.0, 0.0); }));
+    QTRY_VERIFY(fixture.session->latest()->sent.force.x() > 0.5);
+    fixture.session->close();
+    QVERIFY(fixture.plugged.log->last.isZero());
+    QTRY_VERIFY(fixture.jobs.isIdle());
+    QCOMPARE(fixture.plugged.log->closes, 1);
   }
 
   // The force goes before the loop stops, and comes back; ticks are counted on.
   void anotherRateIsTakenUpWithoutABlow() {
-    HapticSessionFixture b;
+    HapticSessionFixture fixture;
     struct Seen {
       int reads = 0;
       std::vector<double> rests;  // N that went when a loop stopped: a write without a reading
     };
     const auto seen = std::make_shared<Seen>();
-    b.plugged.log->onWrite = [seen](const ScriptedDevice::Log& log, const DeviceForce&) {
+    fixture.plugged.log->onWrite = [seen](const ScriptedDevice::Log& log, const DeviceForce&) {
       if (log.reads == seen->reads) seen->rests.push_back(log.last.force.norm());
       seen->reads = log.reads;
     };
-    b.session->choose("fake", "well");
-    QVERIFY(b.waitForOpen());
-    QCOMPARE(b.session->measure()->periods().binSeconds(), 0.001 / 64.0);
-    b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(6.0, 0.0, 0.0); }));
-    QTRY_VERIFY(b.session->latest()->sent.force.x() > 5.5);
-    const std::uint64_t tick = b.session->latest()->tick;
+    fixture.session->choose("fake", "well");
+    QVERIFY(fixture.waitForOpen());
+    QCOMPARE(fixture.session->measure()->periods().binSeconds(), 0.001 / 64.0);
+    fixture.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(6.0, 0.0, 0.0); }));
+    QTRY_VERIFY(fixture.session->latest()->sent.force.x() > 5.5);
+    const std::uint64_t tick = fixture.session->latest()->tick;
     ServoSettings servo;
     servo.rate = 2000.0;
     servo.velocityWindow = 0.005;
-    b.session->setServo(servo);
-    b.session->setServo(ServoSettings{});  // of more than one, the last counts
-    b.session->setServo(servo);
-    QTRY_COMPARE(b.session->measure()->periods().binSeconds(), 0.0005 / 64.0);
-    QTRY_VERIFY(b.session->latest()->sent.force.x() > 5.5);
-    QVERIFY(b.session->latest()->tick > tick);
-    b.session->close();
+    fixture.session->setServo(servo);
+    fixture.session->setServo(ServoSettings{});  // of more than one, the last counts
+    fixture.session->setServo(servo);
+    QTRY_COMPARE(fixture.session->measure()->periods().binSeconds(), 0.0005 / 64.0);
+    QTRY_VERIFY(fixture.session->latest()->sent.force.x() > 5.5);
+    QVERIFY(fixture.session->latest()->tick > tick);
+    fixture.session->close();
     QCOMPARE(seen->rests.size(), std::size_t(2));
     QVERIFY(seen->rests[0] <= 0.02);
   }
 
   void aForceThatIsOffStaysOff() {
-    HapticSessionFixture b;
-    b.session->choose("fake", "well");
-    QVERIFY(b.waitForOpen());
-    b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(1.0, 0.0, 0.0); }));
+    HapticSessionFixture fixture;
+    fixture.session->choose("fake", "well");
+    QVERIFY(fixture.waitForOpen());
+    fixture.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(1.0, 0.0, 0.0); }));
     ServoSettings servo;
     servo.rate = 2000.0;
-    b.session->setServo(servo);
-    b.session->setForceOn(false);
-    QTRY_COMPARE(b.session->measure()->periods().binSeconds(), 0.0005 / 64.0);
+    fixture.session->setServo(servo);
+    fixture.session->setForceOn(false);
+    QTRY_COMPARE(fixture.session->measure()->periods().binSeconds(), 0.0005 / 64.0);
     QTest::qWait(300);  // three seconds of the loop
-    QVERIFY(b.session->latest()->sent.isZero());
+    QVERIFY(fixture.session->latest()->sent.isZero());
   }
 
   void whatCannotBeOpenedIsTold() {
     for (const char* address : {"deaf", "nowhere"}) {
-      HapticSessionFixture b;
-      b.session->choose("fake", address);
-      QCOMPARE(b.session->chosen().address, std::string(address));
-      QTRY_VERIFY(b.jobs.isIdle());
-      QVERIFY(!b.session->isOpen() && b.session->chosen().driver.empty());
-      QCOMPARE(b.messages.size(), std::size_t(1));
-      QCOMPARE(b.messages[0].weight, Message::Weight::Error);
-      QVERIFY(!b.messages[0].detail.isEmpty() && !b.messages[0].advice.isEmpty());
+      HapticSessionFixture fixture;
+      fixture.session->choose("fake", address);
+      QCOMPARE(fixture.session->chosen().address, std::string(address));
+      QTRY_VERIFY(fixture.jobs.isIdle());
+      QVERIFY(!fixture.session->isOpen() && fixture.session->chosen().driver.empty());
+      QCOMPARE(fixture.messages.size(), std::size_t(1));
+      QCOMPARE(fixture.messages[0].weight, Message::Weight::Error);
+      QVERIFY(!fixture.messages[0].detail.isEmpty() && !fixture.messages[0].advice.isEmpty());
     }
   }
 
@@ -212,10 +212,10 @@ class HapticSessionTest : public QObject {
   void whatIsNotThereAnyMoreIsNoNews() {
     QSettings().setValue("haptics/driver", "fake");
     QSettings().setValue("haptics/address", "nowhere");
-    HapticSessionFixture b;
-    b.session->takeUp();
-    QTRY_VERIFY(b.jobs.isIdle());
-    QVERIFY(!b.session->isOpen() && b.messages.empty());
+    HapticSessionFixture fixture;
+    fixture.session->takeUp();
+    QTRY_VERIFY(fixture.jobs.isIdle());
+    QVERIFY(!fixture.session->isOpen() && fixture.messages.empty());
   }
 
   void choiceAndMappingAreRemembered() {
@@ -226,43 +226,43 @@ class HapticSessionTest : public QObject {
     mapping.deadZone = 1.5;
     mapping.clutchButtons = 5;
     {
-      HapticSessionFixture b;
-      b.session->choose("fake", "well");
-      QVERIFY(b.waitForOpen());
-      b.session->setMapping(mapping);
+      HapticSessionFixture fixture;
+      fixture.session->choose("fake", "well");
+      QVERIFY(fixture.waitForOpen());
+      fixture.session->setMapping(mapping);
     }
-    HapticSessionFixture b;
-    b.session->takeUp();
-    QVERIFY(b.waitForOpen());
-    QCOMPARE(b.session->chosen().address, std::string("well"));
-    const WorkspaceMapping kept = b.session->mapping();
+    HapticSessionFixture fixture;
+    fixture.session->takeUp();
+    QVERIFY(fixture.waitForOpen());
+    QCOMPARE(fixture.session->chosen().address, std::string("well"));
+    const WorkspaceMapping kept = fixture.session->mapping();
     QVERIFY(kept.viewFromDevice() == mapping.viewFromDevice());
     QCOMPARE(kept.scale, 0.25);
     QCOMPARE(kept.forceGain, 2.0);
     QCOMPARE(kept.deadZone, 1.5);
     QCOMPARE(kept.clutchButtons, 5u);
-    b.session->close();
-    b.session->takeUp();
-    QVERIFY(b.session->chosen().driver.empty());  // closed by hand, it stays closed
+    fixture.session->close();
+    fixture.session->takeUp();
+    QVERIFY(fixture.session->chosen().driver.empty());  // closed by hand, it stays closed
   }
 
   // In contact the scale is changed; whoever makes the scene for the new one takes his time. No tick feels the one
   // without the other, and the force comes back by the ramp.
   void anotherScaleIsFeltWithItsScene() {
-    HapticSessionFixture b;
+    HapticSessionFixture fixture;
     std::atomic<double> sent{0.0}, largest{0.0};
     std::atomic<int> ticks{0};
-    b.plugged.log->onWrite = [&](const ScriptedDevice::Log&, const DeviceForce& force) {
+    fixture.plugged.log->onWrite = [&](const ScriptedDevice::Log&, const DeviceForce& force) {
       sent = force.force.norm();
       if (sent > largest) largest = sent.load();
       ++ticks;
     };
-    b.plugged.log->state.position = {2, 0, 0};
-    b.session->choose("fake", "well");
-    QVERIFY(b.waitForOpen());
+    fixture.plugged.log->state.position = {2, 0, 0};
+    fixture.session->choose("fake", "well");
+    QVERIFY(fixture.waitForOpen());
     const auto publish = [&](bool isDiscontinuous) {
-      const double stiffness = b.session->mappingInScene().sceneStiffness(0.5);
-      b.session->setScene(sceneOf(
+      const double stiffness = fixture.session->mappingInScene().sceneStiffness(0.5);
+      fixture.session->setScene(sceneOf(
           [=](const TipState& tip, ForceOut& out) {
             out.stiffness = stiffness;
             out.proxy.setZero();
@@ -273,37 +273,37 @@ class HapticSessionTest : public QObject {
     publish(true);
     QTRY_VERIFY(std::abs(sent - 1.0) < 1e-6);
     largest = 0.0;
-    QObject::connect(b.session.get(), &HapticSession::viewChanged, b.session.get(), [&] {
+    QObject::connect(fixture.session.get(), &HapticSession::viewChanged, fixture.session.get(), [&] {
       publish(false);
       QThread::msleep(20);
     });
-    WorkspaceMapping mapping = b.session->mapping();
+    WorkspaceMapping mapping = fixture.session->mapping();
     mapping.scale /= 10.0;
-    b.session->setMapping(mapping);
+    fixture.session->setMapping(mapping);
     const int before = ticks;
     QTRY_VERIFY(ticks > before + 2);
     QVERIFY2(sent < 0.5, "without the ramp");
     QTRY_VERIFY(sent > 0.9);
     QVERIFY2(largest < 1.0 + 1e-6, qPrintable(QString::number(largest)));
-    b.session->close();
+    fixture.session->close();
   }
 
   // The loop takes the last of the mappings that follow closely: the jump is not lost with the one before it.
   void aTipThatIsToJumpJumps() {
-    HapticSessionFixture b;
-    b.session->choose("fake", "well");
-    QVERIFY(b.waitForOpen());
+    HapticSessionFixture fixture;
+    fixture.session->choose("fake", "well");
+    QVERIFY(fixture.waitForOpen());
     CameraState camera;
     camera.height = 200.0;
-    b.session->setView(camera, {});
+    fixture.session->setView(camera, {});
     for (const double x : {30.0, -40.0, 50.0}) {
       camera.centre.x() = x;  // where the tip was is within this view, too
-      b.session->setView(camera, {});
-      b.session->recentre();
-      b.session->setView(camera, {});
+      fixture.session->setView(camera, {});
+      fixture.session->recentre();
+      fixture.session->setView(camera, {});
       const auto offset = [&] {
-        return b.session->latest()->tip.position.x() -
-               b.session->latest()->device.position.x() * b.session->mappingInScene().scale;
+        return fixture.session->latest()->tip.position.x() -
+               fixture.session->latest()->device.position.x() * fixture.session->mappingInScene().scale;
       };
       QTRY_VERIFY(std::abs(offset() - x) < 1e-6);
     }
@@ -313,163 +313,165 @@ class HapticSessionTest : public QObject {
     QSettings().setValue("haptics/simulated/axes", "+0+0+2");
     QSettings().setValue("haptics/simulated/scale", "nan");
     QSettings().setValue("haptics/simulated/force_gain", -1);
-    HapticSessionFixture b;
-    b.session->choose("simulated", "hand");
-    QVERIFY(b.waitForOpen());
-    QVERIFY(b.session->mapping().viewFromDevice() == Eigen::Matrix3d::Identity());
-    QCOMPARE(b.session->mapping().scale, 1.0);
-    QCOMPARE(b.session->mapping().forceGain, 1.0);
+    HapticSessionFixture fixture;
+    fixture.session->choose("simulated", "hand");
+    QVERIFY(fixture.waitForOpen());
+    QVERIFY(fixture.session->mapping().viewFromDevice() == Eigen::Matrix3d::Identity());
+    QCOMPARE(fixture.session->mapping().scale, 1.0);
+    QCOMPARE(fixture.session->mapping().forceGain, 1.0);
   }
 
   // Nobody looks at the list: the session looks itself until the device is back, at another port.
   void pluggedInAgainItIsOpenedAgain() {
-    HapticSessionFixture b;
+    HapticSessionFixture fixture;
     auto isGone = std::make_shared<std::atomic<bool>>(false);
-    b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
+    fixture.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
       const bool isAway = isGone->load() && log.closes == 0;  // the one that comes back is another
       log.state.status = isAway ? DeviceStatus::Absent : DeviceStatus::Ready;
     };
-    b.plugged.set({{"fake", "well", "Well"}});
-    b.session->setWatching(true);
-    QTRY_COMPARE(b.session->found().size(), 4);
-    b.session->setWatching(false);
-    b.session->choose("fake", "well");
-    QVERIFY(b.waitForOpen());
-    b.plugged.set({});
+    fixture.plugged.set({{"fake", "well", "Well"}});
+    fixture.session->setWatching(true);
+    QTRY_COMPARE(fixture.session->found().size(), 4);
+    fixture.session->setWatching(false);
+    fixture.session->choose("fake", "well");
+    QVERIFY(fixture.waitForOpen());
+    fixture.plugged.set({});
     isGone->store(true);
-    QTRY_COMPARE(b.session->status(), DeviceStatus::Absent);
-    QTRY_COMPARE(b.session->found().size(), 3);
-    QCOMPARE(b.session->chosen().address, std::string("well"));
-    b.plugged.set({{"fake", "well/2", "Well"}});
-    QTRY_COMPARE_WITH_TIMEOUT(b.session->chosen().address, std::string("well/2"), 20000);
-    QVERIFY(b.waitForOpen());
-    QCOMPARE(b.session->latest()->device.status, DeviceStatus::Ready);
-    QCOMPARE(b.messages.size(), std::size_t(1));  // that it was gone
+    QTRY_COMPARE(fixture.session->status(), DeviceStatus::Absent);
+    QTRY_COMPARE(fixture.session->found().size(), 3);
+    QCOMPARE(fixture.session->chosen().address, std::string("well"));
+    fixture.plugged.set({{"fake", "well/2", "Well"}});
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.session->chosen().address, std::string("well/2"), 20000);
+    QVERIFY(fixture.waitForOpen());
+    QCOMPARE(fixture.session->latest()->device.status, DeviceStatus::Ready);
+    QCOMPARE(fixture.messages.size(), std::size_t(1));  // that it was gone
   }
 
   // A driver that lists its device always never shows that it came back: the message opens it.
   void whatNeverLeavesTheListIsOpenedByTheMessage() {
-    HapticSessionFixture b;
+    HapticSessionFixture fixture;
     auto isGone = std::make_shared<std::atomic<bool>>(false);
-    b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
+    fixture.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
       const bool isAway = isGone->load() && log.closes == 0;
       log.state.status = isAway ? DeviceStatus::Absent : DeviceStatus::Ready;
     };
-    b.plugged.set({{"fake", "well", "Well"}});
-    b.session->setWatching(true);
-    QTRY_COMPARE(b.session->found().size(), 4);
-    b.session->choose("fake", "well");
-    QVERIFY(b.waitForOpen());
+    fixture.plugged.set({{"fake", "well", "Well"}});
+    fixture.session->setWatching(true);
+    QTRY_COMPARE(fixture.session->found().size(), 4);
+    fixture.session->choose("fake", "well");
+    QVERIFY(fixture.waitForOpen());
     isGone->store(true);
-    QTRY_COMPARE(b.session->status(), DeviceStatus::Absent);
-    QTRY_COMPARE(b.plugged.log->closes, 1);
-    QCOMPARE(b.messages.size(), std::size_t(1));
-    QVERIFY2(b.messages[0].advice.contains(b.messages[0].actionText), qPrintable(b.messages[0].advice));
-    b.messages[0].action();
-    QVERIFY(b.waitForOpen());
-    QCOMPARE(b.session->status(), DeviceStatus::Ready);
+    QTRY_COMPARE(fixture.session->status(), DeviceStatus::Absent);
+    QTRY_COMPARE(fixture.plugged.log->closes, 1);
+    QCOMPARE(fixture.messages.size(), std::size_t(1));
+    QVERIFY2(fixture.messages[0].advice.contains(fixture.messages[0].actionText),
+             qPrintable(fixture.messages[0].advice));
+    fixture.messages[0].action();
+    QVERIFY(fixture.waitForOpen());
+    QCOMPARE(fixture.session->status(), DeviceStatus::Ready);
   }
 
   void whatIsPluggedInIsFound() {
-    HapticSessionFixture b;
-    QCOMPARE(b.session->found().size(), 3);
-    QCOMPARE(b.session->found()[0].driver, std::string("simulated"));
-    QCOMPARE(b.session->found()[1].address, std::string("turned-hand"));
-    QCOMPARE(b.session->found()[2].driver, std::string("mouse"));
-    QSignalSpy changed(b.session.get(), &HapticSession::foundChanged);
-    b.plugged.set({{"fake", "well", "Well"}});
-    b.session->setWatching(true);
-    QTRY_COMPARE(b.session->found().size(), 4);
-    QCOMPARE(b.session->found()[3].name, std::string("Well"));
-    b.plugged.set({});
-    QTRY_COMPARE_WITH_TIMEOUT(b.session->found().size(), 3, 20000);
+    HapticSessionFixture fixture;
+    QCOMPARE(fixture.session->found().size(), 3);
+    QCOMPARE(fixture.session->found()[0].driver, std::string("simulated"));
+    QCOMPARE(fixture.session->found()[1].address, std::string("turned-hand"));
+    QCOMPARE(fixture.session->found()[2].driver, std::string("mouse"));
+    QSignalSpy changed(fixture.session.get(), &HapticSession::foundChanged);
+    fixture.plugged.set({{"fake", "well", "Well"}});
+    fixture.session->setWatching(true);
+    QTRY_COMPARE(fixture.session->found().size(), 4);
+    QCOMPARE(fixture.session->found()[3].name, std::string("Well"));
+    fixture.plugged.set({});
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.session->found().size(), 3, 20000);
     QCOMPARE(changed.count(), 2);
-    b.session->setWatching(false);
+    fixture.session->setWatching(false);
   }
 
   // An unplugged device is reported once, and keeps neither a thread nor the device open.
   void unplugging() {
-    HapticSessionFixture b;
-    QSignalSpy recorded(b.session.get(), &HapticSession::recorded);
+    HapticSessionFixture fixture;
+    QSignalSpy recorded(fixture.session.get(), &HapticSession::recorded);
     auto isGone = std::make_shared<std::atomic<bool>>(false);
-    b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
+    fixture.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
       log.state.status = isGone->load() ? DeviceStatus::Absent : DeviceStatus::Ready;
     };
-    b.session->choose("fake", "well");
-    QVERIFY(b.waitForOpen());
-    b.session->startRecording();
+    fixture.session->choose("fake", "well");
+    QVERIFY(fixture.waitForOpen());
+    fixture.session->startRecording();
     isGone->store(true);
-    QTRY_COMPARE(b.session->status(), DeviceStatus::Absent);
-    QVERIFY(!b.session->isOpen() && !b.services.haptics().isRunning());
-    QCOMPARE(b.session->chosen().address, std::string("well"));
-    const std::uint64_t ticks = b.services.haptics().counters().ticks;
-    QTRY_VERIFY(b.jobs.isIdle());
-    QCOMPARE(b.plugged.log->closes, 1);
-    QVERIFY(b.plugged.log->last.isZero());
+    QTRY_COMPARE(fixture.session->status(), DeviceStatus::Absent);
+    QVERIFY(!fixture.session->isOpen() && !fixture.services.haptics().isRunning());
+    QCOMPARE(fixture.session->chosen().address, std::string("well"));
+    const std::uint64_t ticks = fixture.services.haptics().counters().ticks;
+    QTRY_VERIFY(fixture.jobs.isIdle());
+    QCOMPARE(fixture.plugged.log->closes, 1);
+    QVERIFY(fixture.plugged.log->last.isZero());
     QTest::qWait(50);
-    QCOMPARE(b.services.haptics().counters().ticks, ticks);
-    QCOMPARE(b.messages.size(), std::size_t(1));
+    QCOMPARE(fixture.services.haptics().counters().ticks, ticks);
+    QCOMPARE(fixture.messages.size(), std::size_t(1));
     QCOMPARE(recorded.count(), 1);
   }
 
   // Two seconds of the loop are given to a device to recover.
   void failing() {
-    HapticSessionFixture b;
+    HapticSessionFixture fixture;
     auto isFailed = std::make_shared<std::atomic<bool>>(false);
-    b.plugged.log->onRead = [isFailed](ScriptedDevice::Log& log) {
+    fixture.plugged.log->onRead = [isFailed](ScriptedDevice::Log& log) {
       log.state.status = isFailed->load() ? DeviceStatus::Failed : DeviceStatus::Ready;
     };
-    b.session->choose("fake", "well");
-    QVERIFY(b.waitForOpen());
+    fixture.session->choose("fake", "well");
+    QVERIFY(fixture.waitForOpen());
     isFailed->store(true);
-    QTRY_COMPARE(b.session->status(), DeviceStatus::Failed);
-    QVERIFY(b.session->isOpen());
+    QTRY_COMPARE(fixture.session->status(), DeviceStatus::Failed);
+    QVERIFY(fixture.session->isOpen());
     isFailed->store(false);
-    QTRY_COMPARE(b.session->status(), DeviceStatus::Ready);
-    const double recovered = b.session->latest()->tip.time;
-    QTRY_VERIFY(b.session->latest()->tip.time > recovered + 3.0);
+    QTRY_COMPARE(fixture.session->status(), DeviceStatus::Ready);
+    const double recovered = fixture.session->latest()->tip.time;
+    QTRY_VERIFY(fixture.session->latest()->tip.time > recovered + 3.0);
     isFailed->store(true);
-    QTRY_VERIFY(!b.session->isOpen());
-    QCOMPARE(b.session->status(), DeviceStatus::Failed);
-    QVERIFY(!b.services.haptics().isRunning());
+    QTRY_VERIFY(!fixture.session->isOpen());
+    QCOMPARE(fixture.session->status(), DeviceStatus::Failed);
+    QVERIFY(!fixture.services.haptics().isRunning());
   }
 
   void theForceTestIsGentleAndEnds() {
-    HapticSessionFixture b;
-    b.session->choose("fake", "well");
-    QVERIFY(b.waitForOpen());
+    HapticSessionFixture fixture;
+    fixture.session->choose("fake", "well");
+    QVERIFY(fixture.waitForOpen());
     Vec3 most = Vec3::Zero();
-    connect(b.session.get(), &HapticSession::sampled, b.session.get(), [&] {
-      const Vec3 sent = b.session->latest()->sent.force.cwiseAbs();
+    connect(fixture.session.get(), &HapticSession::sampled, fixture.session.get(), [&] {
+      const Vec3 sent = fixture.session->latest()->sent.force.cwiseAbs();
       most = most.cwiseMax(sent);
     });
-    QSignalSpy wanted(b.session.get(), &HapticSession::sceneRequested);
-    b.session->startForceTest();
-    QVERIFY(b.session->isTesting());
+    QSignalSpy wanted(fixture.session.get(), &HapticSession::sceneRequested);
+    fixture.session->startForceTest();
+    QVERIFY(fixture.session->isTesting());
     // Dropped: it would push with 5 N.
-    b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(5.0, 0.0, 0.0); }));
-    QTRY_VERIFY_WITH_TIMEOUT(!b.session->isTesting(), 20000);
+    fixture.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(5.0, 0.0, 0.0); }));
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.session->isTesting(), 20000);
     QCOMPARE(wanted.count(), 1);
     QVERIFY(most.maxCoeff() <= HapticSession::kTestForce + 1e-9);
     QVERIFY(most.maxCoeff() > 0.0);
-    QTRY_VERIFY(b.session->latest()->sent.isZero());
+    QTRY_VERIFY(fixture.session->latest()->sent.isZero());
   }
 
   // Else its forces would be compared with the scene before, when the recording is felt again.
   void aRecordingTellsTheForceTestFromScenes() {
-    HapticSessionFixture b;
-    b.session->choose("fake", "well");
-    QVERIFY(b.waitForOpen());
+    HapticSessionFixture fixture;
+    fixture.session->choose("fake", "well");
+    QVERIFY(fixture.waitForOpen());
     Recording recording;
-    connect(b.session.get(), &HapticSession::recorded, b.session.get(), [&](const Recording& all) { recording = all; });
-    b.session->startRecording();
-    b.session->setScene(std::make_unique<HapticScene>(), R"({"surface":{}})");
-    QTRY_VERIFY(b.session->recorder()->ticks() > 50);
-    b.session->startForceTest();
-    QTRY_VERIFY_WITH_TIMEOUT(!b.session->isTesting(), 20000);
-    const std::size_t atEnd = b.session->recorder()->ticks();
-    QTRY_VERIFY(b.session->recorder()->ticks() > atEnd + 50);
-    b.session->stopRecording();
+    connect(fixture.session.get(), &HapticSession::recorded, fixture.session.get(),
+            [&](const Recording& all) { recording = all; });
+    fixture.session->startRecording();
+    fixture.session->setScene(std::make_unique<HapticScene>(), R"({"surface":{}})");
+    QTRY_VERIFY(fixture.session->recorder()->ticks() > 50);
+    fixture.session->startForceTest();
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.session->isTesting(), 20000);
+    const std::size_t atEnd = fixture.session->recorder()->ticks();
+    QTRY_VERIFY(fixture.session->recorder()->ticks() > atEnd + 50);
+    fixture.session->stopRecording();
     std::vector<RecordedEvent> scenes;
     for (const RecordedEvent& event : recording.events()) {
       if (event.text.starts_with(kSceneEvent)) scenes.push_back(event);

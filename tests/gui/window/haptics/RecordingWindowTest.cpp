@@ -61,135 +61,135 @@ class RecordingWindowTest : public QObject {
   void init() { QSettings().clear(); }
 
   void withoutADeviceOrADocumentNothingIsRecorded() {
-    RecordFixture b;
-    QVERIFY(!b.action("recordDevice")->isEnabled());
-    QVERIFY(b.driver.open(b.stl));
-    QVERIFY(!b.action("recordDevice")->isEnabled());
+    RecordFixture fixture;
+    QVERIFY(!fixture.action("recordDevice")->isEnabled());
+    QVERIFY(fixture.driver.open(fixture.stl));
+    QVERIFY(!fixture.action("recordDevice")->isEnabled());
     for (const char* name :
          {"playRecording", "leaveRecording", "exportRecording", "renameRecording", "removeRecording"})
-      QVERIFY2(!b.action(name)->isEnabled(), name);
+      QVERIFY2(!fixture.action(name)->isEnabled(), name);
   }
 
   void aRecordingIsKeptWithTheDocument() {
-    RecordFixture b;
-    QVERIFY(b.begin());
-    QVERIFY(!b.document().isModified());
-    QVERIFY(b.record());
-    QVERIFY(b.document().isModified());
-    QCOMPARE(b.list()->rowCount(), 1);
-    QCOMPARE(b.list()->item(0, 0)->text(), QString("Recording 1"));
-    const StoredRecording kept = b.recordings.all().front();
+    RecordFixture fixture;
+    QVERIFY(fixture.begin());
+    QVERIFY(!fixture.document().isModified());
+    QVERIFY(fixture.record());
+    QVERIFY(fixture.document().isModified());
+    QCOMPARE(fixture.list()->rowCount(), 1);
+    QCOMPARE(fixture.list()->item(0, 0)->text(), QString("Recording 1"));
+    const StoredRecording kept = fixture.recordings.all().front();
     QVERIFY(kept.ticks.size() > 200);
-    QVERIFY(b.list()->item(0, 1)->text().startsWith(QLatin1String("0:0")));
+    QVERIFY(fixture.list()->item(0, 1)->text().startsWith(QLatin1String("0:0")));
     QCOMPARE(kept.ticks.missing(), std::uint64_t{0});
     QCOMPARE(kept.device, std::string("Simulated hand"));
     QVERIFY(kept.forceLimit > 0.0);
-    const QString path = b.folder.filePath(QStringLiteral("kept.handwheel"));
-    b.driver.choose("saveFileAs");
-    QVERIFY(b.driver.enterFileName("saveDialog", path));
-    QVERIFY(b.driver.settle());
-    QVERIFY(!b.document().isModified());
-    b.driver.choose("closeDocument");
-    QVERIFY(b.driver.open(path));
-    QCOMPARE(b.list()->rowCount(), 1);
-    QCOMPARE(b.recordings.all().front().ticks.size(), kept.ticks.size());
+    const QString path = fixture.folder.filePath(QStringLiteral("kept.handwheel"));
+    fixture.driver.choose("saveFileAs");
+    QVERIFY(fixture.driver.enterFileName("saveDialog", path));
+    QVERIFY(fixture.driver.settle());
+    QVERIFY(!fixture.document().isModified());
+    fixture.driver.choose("closeDocument");
+    QVERIFY(fixture.driver.open(path));
+    QCOMPARE(fixture.list()->rowCount(), 1);
+    QCOMPARE(fixture.recordings.all().front().ticks.size(), kept.ticks.size());
   }
 
   // An STL has no place for it: the program asks for another name, and offers its own format.
   void aForeignFileIsNotEnough() {
-    RecordFixture b;
-    QVERIFY(b.begin());
-    QVERIFY(b.record());
-    b.driver.choose("saveFile");
-    QVERIFY(b.driver.enterFileName("saveDialog", b.folder.filePath(QStringLiteral("other.handwheel"))));
-    QVERIFY(b.driver.settle());
-    QVERIFY(!b.document().isModified());
+    RecordFixture fixture;
+    QVERIFY(fixture.begin());
+    QVERIFY(fixture.record());
+    fixture.driver.choose("saveFile");
+    QVERIFY(fixture.driver.enterFileName("saveDialog", fixture.folder.filePath(QStringLiteral("other.handwheel"))));
+    QVERIFY(fixture.driver.settle());
+    QVERIFY(!fixture.document().isModified());
   }
 
   void eachIsAStepThatCanBeUndone() {
-    RecordFixture b;
-    QVERIFY(b.begin());
-    QVERIFY(b.record() && b.record());
-    QCOMPARE(b.list()->rowCount(), 2);
-    QCOMPARE(b.list()->currentRow(), 1);
-    b.list()->item(1, 0)->setText(QStringLiteral("  slow slide "));
-    QCOMPARE(b.recordings.all()[1].name, std::string("slow slide"));
-    b.list()->item(1, 0)->setText(QStringLiteral(" "));  // none
-    QCOMPARE(b.list()->item(1, 0)->text(), QString("slow slide"));
-    b.driver.choose("removeRecording");
-    QCOMPARE(b.list()->rowCount(), 1);
-    QCOMPARE(b.recordings.chosen()->name, std::string("Recording 1"));
-    b.action("undo")->trigger();
-    QCOMPARE(b.list()->rowCount(), 2);
-    QCOMPARE(b.list()->item(1, 0)->text(), QString("slow slide"));
-    for (int i = 0; i < 3; ++i) b.action("undo")->trigger();
-    QCOMPARE(b.list()->rowCount(), 0);
-    QVERIFY(!b.document().isModified());
+    RecordFixture fixture;
+    QVERIFY(fixture.begin());
+    QVERIFY(fixture.record() && fixture.record());
+    QCOMPARE(fixture.list()->rowCount(), 2);
+    QCOMPARE(fixture.list()->currentRow(), 1);
+    fixture.list()->item(1, 0)->setText(QStringLiteral("  slow slide "));
+    QCOMPARE(fixture.recordings.all()[1].name, std::string("slow slide"));
+    fixture.list()->item(1, 0)->setText(QStringLiteral(" "));  // none
+    QCOMPARE(fixture.list()->item(1, 0)->text(), QString("slow slide"));
+    fixture.driver.choose("removeRecording");
+    QCOMPARE(fixture.list()->rowCount(), 1);
+    QCOMPARE(fixture.recordings.chosen()->name, std::string("Recording 1"));
+    fixture.action("undo")->trigger();
+    QCOMPARE(fixture.list()->rowCount(), 2);
+    QCOMPARE(fixture.list()->item(1, 0)->text(), QString("slow slide"));
+    for (int i = 0; i < 3; ++i) fixture.action("undo")->trigger();
+    QCOMPARE(fixture.list()->rowCount(), 0);
+    QVERIFY(!fixture.document().isModified());
   }
 
   // The cursor follows, also without a device, until the recording is left.
   void theCursorFollowsTheRecording() {
-    RecordFixture b;
-    QVERIFY(b.begin());
+    RecordFixture fixture;
+    QVERIFY(fixture.begin());
     HandPose pose;
     pose.position = Vec3(30, 0, 0);
-    b.session.simulatedHand()->setTarget(pose);
-    QVERIFY(b.record());
-    b.session.close();
-    QVERIFY(b.driver.settle());
-    Playback& playback = b.recordings.playback();
-    b.driver.choose("playRecording");
-    QVERIFY(playback.isPlaying() && b.action("playRecording")->isChecked());
+    fixture.session.simulatedHand()->setTarget(pose);
+    QVERIFY(fixture.record());
+    fixture.session.close();
+    QVERIFY(fixture.driver.settle());
+    Playback& playback = fixture.recordings.playback();
+    fixture.driver.choose("playRecording");
+    QVERIFY(playback.isPlaying() && fixture.action("playRecording")->isChecked());
     QTRY_VERIFY(!playback.isPlaying());
-    QTRY_VERIFY(!b.action("playRecording")->isChecked());
-    const Recording& ticks = b.recordings.chosen()->ticks;
+    QTRY_VERIFY(!fixture.action("playRecording")->isChecked());
+    const Recording& ticks = fixture.recordings.chosen()->ticks;
     QCOMPARE(playback.cursor()->tip, ticks[ticks.size() - 1].tip.position);
-    auto* slider = b.driver.find<QSlider>("recordingPosition");
+    auto* slider = fixture.driver.find<QSlider>("recordingPosition");
     QCOMPARE(slider->value(), slider->maximum());
     slider->setValue(0);
     QCOMPARE(playback.cursor()->tip, ticks[0].tip.position);
-    b.driver.choose("leaveRecording");
+    fixture.driver.choose("leaveRecording");
     QVERIFY(!playback.isRecordingLoaded() && !playback.cursor());
     QVERIFY(!slider->isEnabled());
   }
 
   void whatEndsTheDeviceEndsTheRecording() {
-    RecordFixture b;
-    QVERIFY(b.begin());
-    b.driver.choose("recordDevice");
-    QTRY_VERIFY(b.session.recorder() && b.session.recorder()->ticks() > 50);
-    b.session.close();
-    QCOMPARE(b.list()->rowCount(), 1);
-    QVERIFY(!b.action("recordDevice")->isChecked());
+    RecordFixture fixture;
+    QVERIFY(fixture.begin());
+    fixture.driver.choose("recordDevice");
+    QTRY_VERIFY(fixture.session.recorder() && fixture.session.recorder()->ticks() > 50);
+    fixture.session.close();
+    QCOMPARE(fixture.list()->rowCount(), 1);
+    QVERIFY(!fixture.action("recordDevice")->isChecked());
   }
 
   // Another document comes into view: what was recorded belongs to the one in which it began.
   void belongsToTheDocumentInWhichItBegan() {
-    RecordFixture b;
-    QVERIFY(b.begin());
-    b.driver.choose("recordDevice");
-    QTRY_VERIFY(b.session.recorder() && b.session.recorder()->ticks() > 50);
-    Document& first = b.document();
-    const QString other = b.folder.filePath(QStringLiteral("other.stl"));
+    RecordFixture fixture;
+    QVERIFY(fixture.begin());
+    fixture.driver.choose("recordDevice");
+    QTRY_VERIFY(fixture.session.recorder() && fixture.session.recorder()->ticks() > 50);
+    Document& first = fixture.document();
+    const QString other = fixture.folder.filePath(QStringLiteral("other.stl"));
     writeStl(other, cornersOf(tetrahedron()));
-    QVERIFY(b.driver.open(other));
-    QVERIFY(!b.session.recorder());
+    QVERIFY(fixture.driver.open(other));
+    QVERIFY(!fixture.session.recorder());
     QCOMPARE(first.file().recordings.size(), std::size_t{1});
-    QVERIFY(b.recordings.all().empty());
-    QCOMPARE(b.list()->rowCount(), 0);
+    QVERIFY(fixture.recordings.all().empty());
+    QCOMPARE(fixture.list()->rowCount(), 0);
   }
 
   void isWrittenAsATable() {
-    RecordFixture b;
-    QVERIFY(b.begin());
-    QVERIFY(b.record());
-    const QString path = b.folder.filePath(QStringLiteral("table.csv"));
-    b.driver.choose("exportRecording");
-    QVERIFY(b.driver.enterFileName("exportRecordingDialog", path));
-    QVERIFY(b.driver.settle());
+    RecordFixture fixture;
+    QVERIFY(fixture.begin());
+    QVERIFY(fixture.record());
+    const QString path = fixture.folder.filePath(QStringLiteral("table.csv"));
+    fixture.driver.choose("exportRecording");
+    QVERIFY(fixture.driver.enterFileName("exportRecordingDialog", path));
+    QVERIFY(fixture.driver.settle());
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
-    QCOMPARE(static_cast<std::size_t>(file.readAll().count('\n')), b.recordings.all()[0].ticks.size() + 1);
+    QCOMPARE(static_cast<std::size_t>(file.readAll().count('\n')), fixture.recordings.all()[0].ticks.size() + 1);
   }
 };
 

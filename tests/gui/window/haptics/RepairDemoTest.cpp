@@ -48,52 +48,52 @@ class RepairDemoTest : public QObject {
   // Smoothed, bridged, two parts filled, subdivided, pulled, the seam smoothed: seven steps, and one hole less. The
   // first step is that of opening, which has reversed triangles.
   void aHoleIsRepaired() {
-    ShowFixture b;
-    QSignalSpy ended(&b.show, &ScriptedDeviceDemo::ended);
-    b.driver.choose("watchRepair");
-    QVERIFY(b.waitFor("1 of 5"));
-    QVERIFY(b.session.simulatedHand());
-    const int holes = b.driver.count(DefectKind::Hole);
-    QVERIFY(b.waitFor("4 of 5"));
-    QTRY_COMPARE(b.driver.count(DefectKind::Hole), holes + 1);  // the bridge has parted it
+    ShowFixture fixture;
+    QSignalSpy ended(&fixture.show, &ScriptedDeviceDemo::ended);
+    fixture.driver.choose("watchRepair");
+    QVERIFY(fixture.waitFor("1 of 5"));
+    QVERIFY(fixture.session.simulatedHand());
+    const int holes = fixture.driver.count(DefectKind::Hole);
+    QVERIFY(fixture.waitFor("4 of 5"));
+    QTRY_COMPARE(fixture.driver.count(DefectKind::Hole), holes + 1);  // the bridge has parted it
     QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kWholeMs);
     QVERIFY(ended.first().first().toBool());
-    QVERIFY(b.driver.settle());
-    QCOMPARE(b.driver.count(DefectKind::Hole), holes - 1);
-    QVERIFY(!b.session.isOpen() && b.session.chosen().driver.empty());
-    QStringList steps = b.undoAll();
+    QVERIFY(fixture.driver.settle());
+    QCOMPARE(fixture.driver.count(DefectKind::Hole), holes - 1);
+    QVERIFY(!fixture.session.isOpen() && fixture.session.chosen().driver.empty());
+    QStringList steps = fixture.undoAll();
     for (QString& step : steps) step = step.section(QLatin1Char(' '), 1, 1);  // "Fill", of "&Undo Fill hole 8"
     QCOMPARE(steps, QStringList({"Smooth", "Drag", "Subdivide", "Fill", "Fill", "Add", "Smooth", "Triangles"}));
-    QCOMPARE(b.driver.count(DefectKind::Hole), holes);
+    QCOMPARE(fixture.driver.count(DefectKind::Hole), holes);
   }
 
   // Stopped in the midst nothing stays in the air, and the device comes back that was in use.
   void itCanBeStopped() {
-    ShowFixture b;
-    b.session.choose("mouse", "pointer");
-    QTRY_VERIFY(b.session.mouse());
-    QSignalSpy ended(&b.show, &ScriptedDeviceDemo::ended);
-    b.driver.choose("watchRepair");
-    QVERIFY(b.waitFor("3 of 5"));
-    b.driver.find<QAction>("stopShow")->trigger();
-    QVERIFY(!b.show.isRunning() && b.show.caption().isEmpty());
+    ShowFixture fixture;
+    fixture.session.choose("mouse", "pointer");
+    QTRY_VERIFY(fixture.session.mouse());
+    QSignalSpy ended(&fixture.show, &ScriptedDeviceDemo::ended);
+    fixture.driver.choose("watchRepair");
+    QVERIFY(fixture.waitFor("3 of 5"));
+    fixture.driver.find<QAction>("stopShow")->trigger();
+    QVERIFY(!fixture.show.isRunning() && fixture.show.caption().isEmpty());
     QCOMPARE(ended.count(), 1);
     QVERIFY(!ended.first().first().toBool());
-    QTRY_VERIFY(b.session.mouse());
-    QVERIFY(b.driver.settle());
-    const QStringList steps = b.undoAll();  // the last is what opening has done
+    QTRY_VERIFY(fixture.session.mouse());
+    QVERIFY(fixture.driver.settle());
+    const QStringList steps = fixture.undoAll();  // the last is what opening has done
     QCOMPARE(steps.size(), 2);
     QCOMPARE(steps.first(), "&Undo Smooth the boundary");
   }
 
   // Who turns to another device ends it.
   void anotherDeviceEndsIt() {
-    ShowFixture b;
-    b.driver.choose("watchRepair");
-    QVERIFY(b.waitFor("1 of 5"));
-    b.session.choose("mouse", "pointer");
-    QVERIFY(!b.show.isRunning());
-    QTRY_VERIFY(b.session.mouse());
+    ShowFixture fixture;
+    fixture.driver.choose("watchRepair");
+    QVERIFY(fixture.waitFor("1 of 5"));
+    fixture.session.choose("mouse", "pointer");
+    QVERIFY(!fixture.show.isRunning());
+    QTRY_VERIFY(fixture.session.mouse());
   }
 };
 

@@ -64,67 +64,67 @@ class SessionDevicePanelTest : public QObject {
   void init() { QSettings().clear(); }
 
   void aDeviceIsChosenSeenAndLeft() {
-    SessionDevicePanelFixture b;
-    b.dock->show();
-    b.choose("Simulated hand");
-    QCOMPARE(b.session->chosen().driver, std::string("simulated"));
-    QCOMPARE(b.headline(), QString("Starting…"));
-    QVERIFY(b.waitForTick());
-    QTRY_COMPARE(b.headline(), QString("Ready"));
-    QTRY_VERIFY(b.part<ForcePlot>("forcePlot")->trace().size() > 3);
-    QTRY_VERIFY(b.part<QLabel>("servoRate")->text().contains("ticks a second"));
-    b.choose("No device");
-    QVERIFY(!b.session->isOpen());
-    QCOMPARE(b.headline(), QString("No device in use"));
-    QCOMPARE(b.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
+    SessionDevicePanelFixture fixture;
+    fixture.dock->show();
+    fixture.choose("Simulated hand");
+    QCOMPARE(fixture.session->chosen().driver, std::string("simulated"));
+    QCOMPARE(fixture.headline(), QString("Starting…"));
+    QVERIFY(fixture.waitForTick());
+    QTRY_COMPARE(fixture.headline(), QString("Ready"));
+    QTRY_VERIFY(fixture.part<ForcePlot>("forcePlot")->trace().size() > 3);
+    QTRY_VERIFY(fixture.part<QLabel>("servoRate")->text().contains("ticks a second"));
+    fixture.choose("No device");
+    QVERIFY(!fixture.session->isOpen());
+    QCOMPARE(fixture.headline(), QString("No device in use"));
+    QCOMPARE(fixture.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
   }
 
   void whatTheUserChangesReachesTheSession() {
-    SessionDevicePanelFixture b;
-    b.dock->show();
-    b.choose("Simulated hand");
-    QVERIFY(b.waitForTick());
-    auto* force = b.part<QCheckBox>("forceOn");
+    SessionDevicePanelFixture fixture;
+    fixture.dock->show();
+    fixture.choose("Simulated hand");
+    QVERIFY(fixture.waitForTick());
+    auto* force = fixture.part<QCheckBox>("forceOn");
     QVERIFY(force->isChecked());
     force->click();
-    QVERIFY(!b.session->isForceOn());
-    b.session->setForceOn(true);  // from elsewhere
+    QVERIFY(!fixture.session->isForceOn());
+    fixture.session->setForceOn(true);  // from elsewhere
     QVERIFY(force->isChecked());
-    auto* right = b.part<QWidget>("property/right")->findChild<QComboBox*>("propertyChoice");
+    auto* right = fixture.part<QWidget>("property/right")->findChild<QComboBox*>("propertyChoice");
     QCOMPARE(right->currentIndex(), 0);
     emit right->activated(3);  // Y, inverted
-    QCOMPARE(b.session->mapping().axes[0].axis, 1);
-    QVERIFY(b.session->mapping().axes[0].isInverted);
+    QCOMPARE(fixture.session->mapping().axes[0].axis, 1);
+    QVERIFY(fixture.session->mapping().axes[0].isInverted);
     QCOMPARE(right->currentIndex(), 3);
-    WorkspaceMapping mapping = b.session->mapping();
+    WorkspaceMapping mapping = fixture.session->mapping();
     mapping.axes[0] = {1, false};
-    b.session->setMapping(mapping);  // from elsewhere
+    fixture.session->setMapping(mapping);  // from elsewhere
     QCOMPARE(right->currentIndex(), 2);
   }
 
   void theMouseWaitsForThePointer() {
-    SessionDevicePanelFixture b;
-    b.dock->show();
-    b.choose("Mouse as device");
-    QVERIFY(b.waitForTick());
-    QTRY_COMPARE(b.headline(), QString("The pointer is outside the view"));
-    QVERIFY(b.part<QLabel>("deviceDetail")->text().contains("without this"));
+    SessionDevicePanelFixture fixture;
+    fixture.dock->show();
+    fixture.choose("Mouse as device");
+    QVERIFY(fixture.waitForTick());
+    QTRY_COMPARE(fixture.headline(), QString("The pointer is outside the view"));
+    QVERIFY(fixture.part<QLabel>("deviceDetail")->text().contains("without this"));
   }
 
   // Nothing is shown to nobody, though the loop goes on.
   void hiddenItAsksForNothing() {
-    SessionDevicePanelFixture b;
-    b.session->choose("simulated", "hand");
-    QVERIFY(b.waitForTick());
-    QSignalSpy sampled(b.session.get(), &HapticSession::sampled);
+    SessionDevicePanelFixture fixture;
+    fixture.session->choose("simulated", "hand");
+    QVERIFY(fixture.waitForTick());
+    QSignalSpy sampled(fixture.session.get(), &HapticSession::sampled);
     QTRY_VERIFY(sampled.size() > 3);
-    QCOMPARE(b.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
-    b.dock->show();
-    QTRY_VERIFY(b.part<ForcePlot>("forcePlot")->trace().size() > 3);
-    b.dock->hide();
+    QCOMPARE(fixture.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
+    fixture.dock->show();
+    QTRY_VERIFY(fixture.part<ForcePlot>("forcePlot")->trace().size() > 3);
+    fixture.dock->hide();
     sampled.clear();
     QTRY_VERIFY(sampled.size() > 3);
-    QCOMPARE(b.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
+    QCOMPARE(fixture.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
   }
 };
 

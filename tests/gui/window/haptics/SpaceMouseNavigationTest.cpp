@@ -27,91 +27,91 @@ class SpaceMouseNavigationTest : public QObject {
 
   // Nobody has opened the panel of devices. The model goes where the cap is pushed: right, up, towards the user.
   void theModelFollowsTheCap() {
-    CapFixture b;
-    QVERIFY(b.begin(ball()));
-    QCOMPARE(b.device.names(), std::vector<std::string>{"SpaceMouse Compact"});
-    QVERIFY(!b.session.isOpen());
+    CapFixture fixture;
+    QVERIFY(fixture.begin(ball()));
+    QCOMPARE(fixture.device.names(), std::vector<std::string>{"SpaceMouse Compact"});
+    QVERIFY(!fixture.session.isOpen());
     const auto waitFor = [&](auto isThere) {
-      return QTest::qWaitFor([&] { return isThere(b.view.camera()); }, kPatienceMs);
+      return QTest::qWaitFor([&] { return isThere(fixture.view.camera()); }, kPatienceMs);
     };
-    const CameraState start = b.rest();
-    b.translation = {350, 0, 0};
+    const CameraState start = fixture.rest();
+    fixture.translation = {350, 0, 0};
     QVERIFY(waitFor(
         [&](const CameraState& c) { return (c.centre - start.centre).dot(start.right()) < -0.1 * start.height; }));
-    const CameraState right = b.rest();
+    const CameraState right = fixture.rest();
     QVERIFY(std::abs((right.centre - start.centre).dot(start.up())) < 1e-9 * start.height);
     QVERIFY(right.orientation.isApprox(start.orientation) && right.height == start.height);
-    b.translation = {0, 0, -350};  // Z is down
+    fixture.translation = {0, 0, -350};  // Z is down
     QVERIFY(
         waitFor([&](const CameraState& c) { return (c.centre - right.centre).dot(start.up()) < -0.1 * start.height; }));
-    const CameraState up = b.rest();
-    b.translation = {0, 350, 0};
+    const CameraState up = fixture.rest();
+    fixture.translation = {0, 350, 0};
     QVERIFY(waitFor([&](const CameraState& c) { return c.height < 0.8 * start.height; }));
-    const CameraState near = b.rest();
+    const CameraState near = fixture.rest();
     QVERIFY((near.centre - up.centre).norm() < 1e-9 * start.height);
-    b.rotation = {0, 0, -350};  // anticlockwise from above
+    fixture.rotation = {0, 0, -350};  // anticlockwise from above
     QVERIFY(waitFor([&](const CameraState& c) { return c.orientation.angularDistance(near.orientation) > 0.3; }));
-    const Eigen::AngleAxisd turned(near.orientation.conjugate() * b.rest().orientation);
+    const Eigen::AngleAxisd turned(near.orientation.conjugate() * fixture.rest().orientation);
     QVERIFY((turned.axis() * (turned.angle() > 0 ? 1.0 : -1.0) + Vec3::UnitY()).norm() <
             1e-6);  // the camera goes clockwise
   }
 
   void besideAHapticDevice() {
-    CapFixture b;
-    QVERIFY(b.begin(ball()));
-    b.session.choose("simulated", "hand");
-    QTRY_VERIFY_WITH_TIMEOUT(b.session.latest(), kPatienceMs);
-    const CameraState start = b.rest();
-    b.translation = {350, 0, 0};
-    QTRY_VERIFY_WITH_TIMEOUT((b.view.camera().centre - start.centre).norm() > 0.1 * start.height, kPatienceMs);
-    QCOMPARE(b.session.status(), DeviceStatus::Ready);
-    QVERIFY(b.session.simulatedHand());
+    CapFixture fixture;
+    QVERIFY(fixture.begin(ball()));
+    fixture.session.choose("simulated", "hand");
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.session.latest(), kPatienceMs);
+    const CameraState start = fixture.rest();
+    fixture.translation = {350, 0, 0};
+    QTRY_VERIFY_WITH_TIMEOUT((fixture.view.camera().centre - start.centre).norm() > 0.1 * start.height, kPatienceMs);
+    QCOMPARE(fixture.session.status(), DeviceStatus::Ready);
+    QVERIFY(fixture.session.simulatedHand());
   }
 
   // Chosen as the device it leads the tip, and only that.
   void chosenItLeadsTheTip() {
-    CapFixture b;
-    QVERIFY(b.begin(ball()));
-    b.session.choose("spacemouse", "/dev/hidraw0");
-    QVERIFY(b.device.names().empty());
-    QTRY_VERIFY_WITH_TIMEOUT(b.session.latest(), kPatienceMs);
-    const CameraState start = b.rest();
-    const Vec3 tip = b.session.latest()->tip.position;
-    b.translation = {350, 0, 0};
-    QTRY_VERIFY_WITH_TIMEOUT((b.session.latest()->tip.position - tip).norm() > 1.0, kPatienceMs);
-    QVERIFY(b.view.camera() == start);
-    b.translation = {};
-    b.session.close();
-    QVERIFY(b.waitForNavigation(true));
+    CapFixture fixture;
+    QVERIFY(fixture.begin(ball()));
+    fixture.session.choose("spacemouse", "/dev/hidraw0");
+    QVERIFY(fixture.device.names().empty());
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.session.latest(), kPatienceMs);
+    const CameraState start = fixture.rest();
+    const Vec3 tip = fixture.session.latest()->tip.position;
+    fixture.translation = {350, 0, 0};
+    QTRY_VERIFY_WITH_TIMEOUT((fixture.session.latest()->tip.position - tip).norm() > 1.0, kPatienceMs);
+    QVERIFY(fixture.view.camera() == start);
+    fixture.translation = {};
+    fixture.session.close();
+    QVERIFY(fixture.waitForNavigation(true));
   }
 
   void unpluggedAndPluggedInAgain() {
-    CapFixture b;
-    QVERIFY(b.begin(ball()));
-    b.plug(false);
-    QVERIFY(b.waitForNavigation(false));
-    b.plug(true);
-    QVERIFY(b.waitForNavigation(true));
+    CapFixture fixture;
+    QVERIFY(fixture.begin(ball()));
+    fixture.plug(false);
+    QVERIFY(fixture.waitForNavigation(false));
+    fixture.plug(true);
+    QVERIFY(fixture.waitForNavigation(true));
   }
 
   void switchedOff() {
-    CapFixture b;
-    QVERIFY(b.begin(ball()));
-    b.device.setMotion(false, 1.0);
-    const CameraState start = b.rest();
-    b.translation = {350, 0, 0};
+    CapFixture fixture;
+    QVERIFY(fixture.begin(ball()));
+    fixture.device.setMotion(false, 1.0);
+    const CameraState start = fixture.rest();
+    fixture.translation = {350, 0, 0};
     QTest::qWait(300);
-    QVERIFY(b.view.camera() == start);
-    b.device.setMotion(true, 1.0);
-    QTRY_VERIFY_WITH_TIMEOUT(!(b.view.camera() == start), kPatienceMs);
+    QVERIFY(fixture.view.camera() == start);
+    fixture.device.setMotion(true, 1.0);
+    QTRY_VERIFY_WITH_TIMEOUT(!(fixture.view.camera() == start), kPatienceMs);
   }
 
   // Without a node of a device nothing is looked for, and no plugin loaded.
   void withoutADeviceNothingIsLoaded() {
-    CapFixture b;
-    b.device.watch({b.dev.path()});
+    CapFixture fixture;
+    fixture.device.watch({fixture.dev.path()});
     QTest::qWait(1500);
-    QVERIFY(b.session.finder().found().empty() && b.device.names().empty());
+    QVERIFY(fixture.session.finder().found().empty() && fixture.device.names().empty());
   }
 };
 

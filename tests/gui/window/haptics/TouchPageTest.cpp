@@ -56,12 +56,12 @@ class TouchPageTest : public QObject {
   // The command switches what the page shows, and the next start begins with it.
   void theCommandSwitchesSnapping() {
     {
-      TouchPageFixture b;
-      QVERIFY(b.command()->isCheckable() && b.command()->isChecked());
-      QVERIFY(!b.command()->shortcut().isEmpty());
-      b.command()->trigger();
-      QVERIFY(!b.session.touch().isSnapping);
-      QVERIFY(!b.command()->isChecked());
+      TouchPageFixture fixture;
+      QVERIFY(fixture.command()->isCheckable() && fixture.command()->isChecked());
+      QVERIFY(!fixture.command()->shortcut().isEmpty());
+      fixture.command()->trigger();
+      QVERIFY(!fixture.session.touch().isSnapping);
+      QVERIFY(!fixture.command()->isChecked());
     }
     TouchPageFixture again;
     QVERIFY(!again.session.touch().isSnapping && !again.command()->isChecked());
@@ -71,11 +71,11 @@ class TouchPageTest : public QObject {
 
   void whatIsChosenIsFeltAndKept() {
     {
-      TouchPageFixture b;
-      b.choose("snap_profile", 3);
-      b.choose("snap_method", 1);
-      b.type("snap_stiffness", "0.8");
-      QVERIFY(b.session.touch().snapShape == SnapShape::Gaussian);
+      TouchPageFixture fixture;
+      fixture.choose("snap_profile", 3);
+      fixture.choose("snap_method", 1);
+      fixture.type("snap_stiffness", "0.8");
+      QVERIFY(fixture.session.touch().snapShape == SnapShape::Gaussian);
     }
     TouchPageFixture again;
     QVERIFY(again.session.touch().snapShape == SnapShape::Gaussian);
@@ -84,9 +84,9 @@ class TouchPageTest : public QObject {
   }
 
   void tooMuchIsNotTaken() {
-    TouchPageFixture b;
-    b.type("snap_stiffness", "1000");
-    QCOMPARE(b.session.touch().snapStiffness, TouchSettings().snapStiffness);
+    TouchPageFixture fixture;
+    fixture.type("snap_stiffness", "1000");
+    QCOMPARE(fixture.session.touch().snapStiffness, TouchSettings().snapStiffness);
   }
 };
 

@@ -283,8 +283,8 @@ class RepairJobsTest : public QObject {
     FidelityChoice fidelity;
     HiddenUi ui;
     RepairJobs jobs(tabs, runner, log, fidelity);
-    QList<Message> told;
-    connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { told << message; });
+    QList<Message> reported;
+    connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { reported << message; });
     tabs.add(ui.open(test::meshDocument(test::torusWithSlits(1e-5), "/scans/part.stl", NumberType::Float64)));
     auto* document = static_cast<MeshTab*>(tabs.current());
     DefectList& defectList = document->defectList;
@@ -295,8 +295,8 @@ class RepairJobsTest : public QObject {
     QCOMPARE(defectList.count(DefectKind::Hole), std::size_t{2});
     const QString summary = defectSummary(defectList).join(", ");
     QCOMPARE(summary, QString("1 of 2 holes filled, 3 of 3 pairs of near vertices removed"));
-    QCOMPARE(told.size(), 1);
-    QCOMPARE(told[0].detail, summary + '.');
+    QCOMPARE(reported.size(), 1);
+    QCOMPARE(reported[0].detail, summary + '.');
     QVERIFY(log.index(0, 1).data().toString().contains(summary));
   }
 

@@ -49,7 +49,7 @@ class LatheMessagesTest : public QObject {
              qPrintable(QString("%1 of %2: %3").arg(seen.width()).arg(latest->width()).arg(latest->text())));
   }
 
-  // A bar of 100 mm is parted off at Z 70, and behind that at Z 30: each time the piece that comes off is told.
+  // A bar of 100 mm is parted off at Z 70, and behind that at Z 30: each time the piece that comes off is reported.
   void whatComesOffIsTold() {
     TurningWindow window;
     window.driver.choose("newWorkpiece");

@@ -91,16 +91,16 @@ class OutOfProcessSessionTest : public QObject {
 
  private slots:
   void asksTheDeviceItself() {
-    Fixture b;
-    QCOMPARE(b.session.capabilities().maxForce, 5.0);  // of its kind
-    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Absent);
-    QVERIFY(b.session.open({}).hasValue());
-    QCOMPARE(b.session.capabilities().maxForce, 7.5);
-    QVERIFY(b.session.capabilities().latency > 0.002);  // the way there and back
-    const DeviceState state = b.session.exchange({Vec3(0, 0, 2), Vec3::Zero(), 0.0});
+    Fixture fixture;
+    QCOMPARE(fixture.session.capabilities().maxForce, 5.0);  // of its kind
+    QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Absent);
+    QVERIFY(fixture.session.open({}).hasValue());
+    QCOMPARE(fixture.session.capabilities().maxForce, 7.5);
+    QVERIFY(fixture.session.capabilities().latency > 0.002);  // the way there and back
+    const DeviceState state = fixture.session.exchange({Vec3(0, 0, 2), Vec3::Zero(), 0.0});
     QCOMPARE(state.status, DeviceStatus::Ready);
     QCOMPARE(state.position, Vec3(1, 2, 3));
-    QCOMPARE(std::get<guard::Force>(b.process->heard.back()).force.force, Vec3(0, 0, 2));
+    QCOMPARE(std::get<guard::Force>(fixture.process->heard.back()).force.force, Vec3(0, 0, 2));
   }
 
   void whyItIsNotOpenIsTold() {
@@ -119,9 +119,9 @@ class OutOfProcessSessionTest : public QObject {
   }
 
   void openingTellsHowFarItIsAndCanBeCancelled() {
-    Fixture b;
+    Fixture fixture;
     JobState job;
-    QVERIFY(b.session.open(Progress(job)).hasValue());
+    QVERIFY(fixture.session.open(Progress(job)).hasValue());
     QCOMPARE(job.fraction.load(), 0.25);
     Fixture busy;
     busy.process->isBusy = true;
@@ -133,44 +133,44 @@ class OutOfProcessSessionTest : public QObject {
 
   // The watchdog of this side: it waits for each answer 20 ms at most, and gives it up after 100 ms.
   void aGuardThatHangsHasFailed() {
-    Fixture b;
-    QVERIFY(b.session.open({}).hasValue());
-    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Ready);
-    b.process->isMute = true;
-    const double begun = b.clock->now();
-    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Ready);  // what was known last
-    QVERIFY(b.clock->now() - begun < 0.0201);
-    for (int i = 0; i < 6; ++i) b.session.exchange({});
-    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Failed);
-    b.process->isMute = false;
-    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Ready);
+    Fixture fixture;
+    QVERIFY(fixture.session.open({}).hasValue());
+    QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Ready);
+    fixture.process->isMute = true;
+    const double begun = fixture.clock->now();
+    QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Ready);  // what was known last
+    QVERIFY(fixture.clock->now() - begun < 0.0201);
+    for (int i = 0; i < 6; ++i) fixture.session.exchange({});
+    QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Failed);
+    fixture.process->isMute = false;
+    QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Ready);
   }
 
   // An answer to an older force is not taken for the one to this; it is news all the same.
   void whatComesLateIsNotTakenForTheNext() {
-    Fixture b;
-    QVERIFY(b.session.open({}).hasValue());
-    b.process->answersOld = true;
-    const double begun = b.clock->now();
-    QCOMPARE(b.session.exchange({}).position, Vec3(1, 2, 3));
-    QVERIFY(b.clock->now() - begun > 0.019);  // it has waited for the other
+    Fixture fixture;
+    QVERIFY(fixture.session.open({}).hasValue());
+    fixture.process->answersOld = true;
+    const double begun = fixture.clock->now();
+    QCOMPARE(fixture.session.exchange({}).position, Vec3(1, 2, 3));
+    QVERIFY(fixture.clock->now() - begun > 0.019);  // it has waited for the other
   }
 
   void aGuardThatDiesIsADeviceThatIsGone() {
-    Fixture b;
-    QVERIFY(b.session.open({}).hasValue());
-    b.process->gone = true;
-    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Absent);
-    b.session.close();
-    b.session.close();
+    Fixture fixture;
+    QVERIFY(fixture.session.open({}).hasValue());
+    fixture.process->gone = true;
+    QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Absent);
+    fixture.session.close();
+    fixture.session.close();
   }
 
   void closingWaitsUntilTheGuardHasGone() {
-    Fixture b;
-    QVERIFY(b.session.open({}).hasValue());
-    b.session.close();
-    QVERIFY(b.process->gone);
-    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Absent);
+    Fixture fixture;
+    QVERIFY(fixture.session.open({}).hasValue());
+    fixture.session.close();
+    QVERIFY(fixture.process->gone);
+    QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Absent);
   }
 
   // Real processes that are no guards.

@@ -152,48 +152,48 @@ class SessionHostTest : public QObject {
 
  private slots:
   void passesForcesAndPlacesOn() {
-    SessionHostFixture b;
-    for (std::uint32_t i = 1; i <= 5; ++i) b.program.say(0.001, guard::Force{i, push(i)});
-    b.serve();
-    QCOMPARE(b.program.lastHeard<guard::Opened>()->capabilities.maxForce, 4.5);
-    QCOMPARE(b.program.lastHeard<guard::State>()->number, std::uint32_t{5});
-    QCOMPARE(b.program.lastHeard<guard::State>()->state.status, DeviceStatus::Ready);
-    QCOMPARE(b.motors.sent[4].force.z(), 5.0);
+    SessionHostFixture fixture;
+    for (std::uint32_t i = 1; i <= 5; ++i) fixture.program.say(0.001, guard::Force{i, push(i)});
+    fixture.serve();
+    QCOMPARE(fixture.program.lastHeard<guard::Opened>()->capabilities.maxForce, 4.5);
+    QCOMPARE(fixture.program.lastHeard<guard::State>()->number, std::uint32_t{5});
+    QCOMPARE(fixture.program.lastHeard<guard::State>()->state.status, DeviceStatus::Ready);
+    QCOMPARE(fixture.motors.sent[4].force.z(), 5.0);
   }
 
   // However it goes: killed, leaving, speaking nonsense, asked to stop.
   void theEndIsZeroForce() {
     for (const char* how : {"gone", "close", "nonsense", "stop"}) {
-      SessionHostFixture b;
-      b.program.say(0.001, guard::Force{1, push()});
-      b.program.say(0.001, guard::Force{2, push()});
+      SessionHostFixture fixture;
+      fixture.program.say(0.001, guard::Force{1, push()});
+      fixture.program.say(0.001, guard::Force{2, push()});
       const std::string way = how;
-      if (way == "close") b.program.say(0.001, guard::Close{});
-      if (way == "nonsense") b.program.words.push_back({0.001, std::string(20, '\xff')});
-      if (way != "gone") b.program.silenceAtTheEnd = 1e9;
-      if (way == "stop") b.program.atTheEnd = [&b] { b.stop = true; };
-      b.serve();
-      QCOMPARE(b.motors.sent[1].force, push().force);
-      QVERIFY2(b.motors.isClosed && b.motors.sent.back().force.isZero(), how);
-      QVERIFY2(b.motors.sent.back().time - b.motors.sent[1].time < 0.05, how);
+      if (way == "close") fixture.program.say(0.001, guard::Close{});
+      if (way == "nonsense") fixture.program.words.push_back({0.001, std::string(20, '\xff')});
+      if (way != "gone") fixture.program.silenceAtTheEnd = 1e9;
+      if (way == "stop") fixture.program.atTheEnd = [&fixture] { fixture.stop = true; };
+      fixture.serve();
+      QCOMPARE(fixture.motors.sent[1].force, push().force);
+      QVERIFY2(fixture.motors.isClosed && fixture.motors.sent.back().force.isZero(), how);
+      QVERIFY2(fixture.motors.sent.back().time - fixture.motors.sent[1].time < 0.05, how);
     }
   }
 
   void silenceIsZeroForceUntilZeroWasAskedFor() {
-    SessionHostFixture b;
-    b.program.say(0.001, guard::Force{1, push()});
-    b.program.silenceAtTheEnd = 0.2;
-    b.program.say(0.2, guard::Force{2, push()});
-    b.program.say(0.02, guard::Force{3, {}});  // too early for anybody to have noticed
-    b.program.say(0.02, guard::Force{4, push()});
-    b.program.say(0.02, guard::Force{5, push()});
-    b.program.say(0.001, guard::Force{6, {}});
-    b.program.say(0.001, guard::Force{7, push()});
-    b.serve();
+    SessionHostFixture fixture;
+    fixture.program.say(0.001, guard::Force{1, push()});
+    fixture.program.silenceAtTheEnd = 0.2;
+    fixture.program.say(0.2, guard::Force{2, push()});
+    fixture.program.say(0.02, guard::Force{3, {}});  // too early for anybody to have noticed
+    fixture.program.say(0.02, guard::Force{4, push()});
+    fixture.program.say(0.02, guard::Force{5, push()});
+    fixture.program.say(0.001, guard::Force{6, {}});
+    fixture.program.say(0.001, guard::Force{7, push()});
+    fixture.serve();
     const auto isPush = [](const Motors::Sent& each) { return !each.force.isZero(); };
-    QCOMPARE(std::count_if(b.motors.sent.begin(), b.motors.sent.end(), isPush), 2);  // those of 1 and 7
+    QCOMPARE(std::count_if(fixture.motors.sent.begin(), fixture.motors.sent.end(), isPush), 2);  // those of 1 and 7
     std::vector<DeviceStatus> statuses;
-    for (const guard::Message& message : b.program.heard) {
+    for (const guard::Message& message : fixture.program.heard) {
       if (const auto* state = std::get_if<guard::State>(&message)) statuses.push_back(state->state.status);
     }
     const std::vector<DeviceStatus> expected{DeviceStatus::Ready,    DeviceStatus::Starting, DeviceStatus::Starting,
@@ -205,58 +205,59 @@ class SessionHostTest : public QObject {
   // Whenever the program says what: 50 ms later nothing is held any more.
   void noForceIsOlderThanFiftyMilliseconds() {
     QVERIFY(rc::check([] {
-      SessionHostFixture b;
+      SessionHostFixture fixture;
       for (int i = *rc::gen::inRange(1, 30); i > 0; --i) {
         const double pause = *rc::gen::element(0.0005, 0.001, 0.003, 0.03, 0.045, 0.09, 0.3);
-        b.program.say(pause, guard::Force{1, *rc::gen::arbitrary<bool>() ? push() : DeviceForce()});
+        fixture.program.say(pause, guard::Force{1, *rc::gen::arbitrary<bool>() ? push() : DeviceForce()});
       }
-      b.program.silenceAtTheEnd = 0.3;
-      b.serve();
-      RC_ASSERT(b.motors.isClosed);
-      RC_ASSERT(b.motors.sent.back().force.isZero());
+      fixture.program.silenceAtTheEnd = 0.3;
+      fixture.serve();
+      RC_ASSERT(fixture.motors.isClosed);
+      RC_ASSERT(fixture.motors.sent.back().force.isZero());
       // Between two that push, no more than 50 ms pass without a word: the gap was filled with zeros.
-      for (std::size_t i = 1; i < b.motors.sent.size(); ++i) {
-        if (!b.motors.sent[i - 1].force.isZero()) RC_ASSERT(b.motors.sent[i].time - b.motors.sent[i - 1].time < 0.05);
+      for (std::size_t i = 1; i < fixture.motors.sent.size(); ++i) {
+        if (!fixture.motors.sent[i - 1].force.isZero())
+          RC_ASSERT(fixture.motors.sent[i].time - fixture.motors.sent[i - 1].time < 0.05);
       }
     }));
   }
 
   void aRefusalIsPassedOn() {
-    SessionHostFixture b;
-    b.motors.result = Error{ErrorCode::ReferenceMissing, {"the firmware file", "falcon.bin"}, {}, "here"};
-    b.serve();
-    const auto* refused = b.program.lastHeard<guard::Refused>();
+    SessionHostFixture fixture;
+    fixture.motors.result = Error{ErrorCode::ReferenceMissing, {"the firmware file", "falcon.bin"}, {}, "here"};
+    fixture.serve();
+    const auto* refused = fixture.program.lastHeard<guard::Refused>();
     QVERIFY(refused && refused->error.code == ErrorCode::ReferenceMissing);
     QCOMPARE(refused->error.arguments[1], std::string("falcon.bin"));
-    QVERIFY(b.motors.isClosed && !b.program.lastHeard<guard::Opened>());
+    QVERIFY(fixture.motors.isClosed && !fixture.program.lastHeard<guard::Opened>());
   }
 
   void anotherVersionIsRefused() {
-    SessionHostFixture b;
-    b.program.words.clear();
-    b.program.say(0.0, guard::Open{guard::kVersion + 1});
-    b.serve();
-    QVERIFY(b.program.lastHeard<guard::Refused>()->error.code == DeviceError::PluginVersion);
-    QCOMPARE(b.motors.sent.size(), std::size_t{1});  // on closing
+    SessionHostFixture fixture;
+    fixture.program.words.clear();
+    fixture.program.say(0.0, guard::Open{guard::kVersion + 1});
+    fixture.serve();
+    QVERIFY(fixture.program.lastHeard<guard::Refused>()->error.code == DeviceError::PluginVersion);
+    QCOMPARE(fixture.motors.sent.size(), std::size_t{1});  // on closing
   }
 
   void whoLeavesWhileItOpensCancels() {
-    SessionHostFixture b;
-    b.motors.waitsForCancel = true;
-    b.motors.result = Error{ErrorCode::Cancelled, {}, {}, {}};
-    b.program.isHasty = true;
-    b.program.say(0.1, guard::Close{});
-    b.serve();
-    QVERIFY(b.motors.wasCancelled && b.motors.isClosed);
-    QVERIFY(b.program.lastHeard<guard::Opening>());
+    SessionHostFixture fixture;
+    fixture.motors.waitsForCancel = true;
+    fixture.motors.result = Error{ErrorCode::Cancelled, {}, {}, {}};
+    fixture.program.isHasty = true;
+    fixture.program.say(0.1, guard::Close{});
+    fixture.serve();
+    QVERIFY(fixture.motors.wasCancelled && fixture.motors.isClosed);
+    QVERIFY(fixture.program.lastHeard<guard::Opening>());
   }
 
   void whoNeverAsksIsLeft() {
-    SessionHostFixture b;
-    b.program.words.clear();
-    b.program.silenceAtTheEnd = 1e9;  // and never a word
-    b.serve();
-    QVERIFY(b.motors.isClosed);
+    SessionHostFixture fixture;
+    fixture.program.words.clear();
+    fixture.program.silenceAtTheEnd = 1e9;  // and never a word
+    fixture.serve();
+    QVERIFY(fixture.motors.isClosed);
   }
 };
 

@@ -13,7 +13,7 @@ namespace tbb {
 
 namespace this_task_arena {
 
-inline thread_local int concurrency = 4;  // more than the machine may have: threads shall overlap
+inline thread_local int concurrency = 4;  // more than the machine may have: threads must overlap
 
 inline int max_concurrency() {
   return concurrency;

@@ -137,7 +137,7 @@ class SolidSubtractionTest : public QObject {
   }
 
   // In the numbers of an STL file: each coordinate is one, and the shape is that to their digits. What rounding folds
-  // is refused, which is seldom.
+  // is refused, which is rare.
   void singlePrecision() {
     int done = 0;
     for (int i = 0; i < 8; ++i) {

@@ -16,7 +16,7 @@ using namespace handwheel;
 
 namespace {
 
-// An IRB 120 in a cell, with a box before it if wished.
+// An IRB 120 in a cell, with a box before it if requested.
 class PlannedRobot {
  public:
   explicit PlannedRobot(bool hasBox = false) : m_cell(*cellOf(*libraryTable("irb120"))) {

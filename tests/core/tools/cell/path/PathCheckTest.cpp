@@ -110,7 +110,7 @@ class PathCheckTest : public QObject {
     QVERIFY(program.motions[1].joints == path.places[1].joints);
   }
 
-  // Blends that are smaller than wished for, or none: each of the first twenty is told, and how many there are more.
+  // Blends that are smaller than requested, or none: each of the first twenty is reported, and how many there are more.
   void remarksOnBlends() {
     ArmCell cell;
     const RobotPath path = turningPath(6);

@@ -23,7 +23,7 @@ Pose toolOfLength(double length) {
 
 }  // namespace
 
-// What is told of programs that are opened as paths.
+// What is reported of programs that are opened as paths.
 class ProgramRemarksTest : public QObject {
   Q_OBJECT
 
@@ -59,14 +59,14 @@ class ProgramRemarksTest : public QObject {
     CellPlans plans;
     plans.tool = toolOfLength(120.0);
     cell.plan(plans);
-    const auto told = [&](double length) {
+    const auto reported = [&](double length) {
       QByteArray program = text;
       program.replace("@T", QByteArray::number(length)).replace("@M", QByteArray::number(1e-3 * length, 'f', 6));
       return remarksOn(cell, post.constData(), program.toStdString());
     };
-    QCOMPARE(told(120.0), QString());
-    QCOMPARE(told(120.01), QString());
-    const QString other = told(150.0);
+    QCOMPARE(reported(120.0), QString());
+    QCOMPARE(reported(120.01), QString());
+    const QString other = reported(150.0);
     QVERIFY2(other.contains("0, 0, 150 mm") && other.contains("0, 0, 120 mm"), qPrintable(other));
   }
 
@@ -186,7 +186,7 @@ class ProgramRemarksTest : public QObject {
   }
 
   // A joint motion to a pose: in the way that its configuration names, whatever is nearer; without one in the nearest,
-  // and its line is told, once.
+  // and its line is reported, once.
   void ways() {
     ArmCell cell;
     const SerialArm arm = cell.scene()->armFromBase();
@@ -241,8 +241,8 @@ class ProgramRemarksTest : public QObject {
     QVERIFY(begins.hasValue());
     QVERIFY((cell.scene()->planned(begins->path.places[0].joints) - far).cwiseAbs().maxCoeff() < 1e-5);
     QCOMPARE(remarksOn(cell, "rapid", program("[0,-2,2,1]")), QString());
-    const QString told = remarksOn(cell, "rapid", program("[9E9,9E9,9E9,9E9]"));
-    QVERIFY2(told.contains(": 3."), qPrintable(told));
+    const QString reported = remarksOn(cell, "rapid", program("[9E9,9E9,9E9,9E9]"));
+    QVERIFY2(reported.contains(": 3."), qPrintable(reported));
     ProgramPath many;
     many.openWays.resize(1000);
     std::iota(many.openWays.begin(), many.openWays.end(), std::size_t{1});
