@@ -6,6 +6,7 @@
 
 #include <QTest>
 #include <QtEndian>
+#include <nlohmann/json.hpp>
 
 using namespace handwheel;
 
@@ -73,6 +74,23 @@ class ConvertTest : public QObject {
     const Ran ran = fixture.run({"convert", "a.ply", "b.stl"});
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.err, QByteArray("handwheel: Not kept: colours.\n"));
+  }
+
+  // Two pyramids, tip to tip: apart in double precision, and in the file of a document, too. Triangles that a file
+  // lists stay as they are.
+  void aDocumentStaysManifold() {
+    const Fixture fixture;
+    fixture.put("a.off",
+                "OFF\n8 8 0\n0 0 0\n2 0 0\n0 2 0\n1 1 1\n0 0 2\n0 2 2\n2 0 2\n1 1 1.000000000001\n"
+                "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n");
+    QCOMPARE(fixture.run({"convert", "a.off", "a.handwheel"}).code, 0);
+    const auto nonManifold = [&](const char* file) {
+      if (fixture.run({"convert", file, "b.stl"}).code != 0) return -1;
+      const Ran inspected = fixture.run({"inspect", "b.stl", "--json"});
+      return nlohmann::json::parse(inspected.out.toStdString()).at("non_manifold_vertices").get<int>();
+    };
+    QCOMPARE(nonManifold("a.handwheel"), 0);
+    QCOMPARE(nonManifold("a.off"), 1);
   }
 
   void inPlace() {

@@ -63,7 +63,9 @@ Result<Conversion> convert(const std::filesystem::path& input, const std::filesy
     if (!read) return read.error();
     const std::string refusal = refusalToReplace(output, read->opened.file);
     if (!refusal.empty()) return Conversion{read->opened.file, {}, refusal};
-    return read->mesh ? convertMesh(*read, output, writing) : convertDocument(read->opened, output, writing);
+    // A document keeps apart in the file what is apart in it.
+    const bool isFileOfTriangles = read->mesh && !read->meshDocument();
+    return isFileOfTriangles ? convertMesh(*read, output, writing) : convertDocument(read->opened, output, writing);
   }
   const Result<OpenedFile> opened = kinds.open(input, options, reading);
   if (!opened) return opened.error();
@@ -80,17 +82,19 @@ Result<Conversion> convert(const std::filesystem::path& input, const std::filesy
 }  // namespace
 
 CommandSpec convertSpec() {
-  return {"convert",
-          "IN OUT",
-          "Writes a document in another format, given by the extension of OUT. The triangles of a mesh stay the same, "
-          "in the\n"
-          "same order; nothing is repaired, but in a .handwheel equal positions are merged to one vertex, and "
-          "triangles are\n"
-          "reversed to agree with their neighbours.",
-          {
-              {"partial", 0, "", "Read the undamaged part of a damaged file"},
-              {"help", 'h', "", "Show this help"},
-          }};
+  return {
+      "convert",
+      "IN OUT",
+      "Writes a document in another format, given by the extension of OUT. The triangles of a mesh stay the same, "
+      "in the\n"
+      "same order; nothing is repaired, but in a .handwheel equal positions are merged to one vertex, and "
+      "triangles are\n"
+      "reversed to agree with their neighbours. Vertices of a .handwheel that the format would weld so that edges or\n"
+      "vertices become non-manifold are moved apart by its last digit.",
+      {
+          {"partial", 0, "", "Read the undamaged part of a damaged file"},
+          {"help", 'h', "", "Show this help"},
+      }};
 }
 
 std::string convertDetails(const DocumentKinds& kinds) {

@@ -172,6 +172,19 @@ class MeshExportTest : public QObject {
     }
   }
 
+  // So would the tips of two pyramids, which stand on each other, become one vertex of both.
+  void partsVerticesThatRoundingWouldWeld() {
+    TriangleSoup soup;
+    addTetrahedron(soup, {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 2, 0), Vec3(1, 1, 1)});
+    addTetrahedron(soup, {Vec3(0, 0, 2), Vec3(0, 2, 2), Vec3(2, 0, 2), Vec3(1, 1, 1 + 1e-12)});
+    QCOMPARE(statistics(soup).nonManifoldVertices, std::size_t(0));
+    const Exported result = exported(soup, NumberType::Float64, "a.stl");
+    QCOMPARE(result.report.parted.size(), std::size_t(1));
+    QVERIFY(statistics(result.file).isSound());
+    QCOMPARE(statistics(result.file).components, std::size_t(2));
+    QVERIFY(exported(soup, NumberType::Float64, "a.ply").report.parted.empty());
+  }
+
   // What is one edge with four faces in the mesh itself is the user's: it is written as it is.
   void leavesWhatTheMeshItselfWelds() {
     const TriangleSoup soup = pairAtAnEdge(0.0);
