@@ -137,6 +137,7 @@ Result<LoadedMesh> readMeshBlobs(const nlohmann::json& document, const Container
   std::size_t lost = countOf(faces.lost);
   const TriangleSoup soup = readableTriangles(positions.values, faces.values, lost, progress.part(0.6, 0.7));
   if (progress.cancelled()) return cancelled;
+  if (soup.triangles.empty() && lost > 0) return damage.empty() ? rebuilt(0, lost) : damage.front();
   if (soup.triangles.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
   damage.push_back(rebuilt(soup.triangles.size(), lost));
   BuiltMesh built = buildMesh(soup, progress.part(0.7, 1.0));

@@ -22,7 +22,8 @@ struct LoadedMesh {
 };
 
 // Reads a mesh from the blobs of a container. A mesh that violates an invariant, or has lost blobs, is rebuilt from the
-// triangles that can still be read; this is added to damage. Errors: NoTriangles, Cancelled.
+// triangles that can still be read; this is added to damage. damage: what is known of the container. Errors: the first
+// damage, if no triangle is left; NoTriangles, Cancelled.
 Result<LoadedMesh> readMeshBlobs(const nlohmann::json& document, const Container& container, std::vector<Error>& damage,
                                  Progress progress);
 

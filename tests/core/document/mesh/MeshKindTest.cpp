@@ -5,6 +5,7 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "document/container/ArchiveErrors.h"
 #include "document/mesh/MeshBlobs.h"
 #include "mesh/repair/Repair.h"
 #include "mesh/structure/MeshErrors.h"
@@ -262,6 +263,20 @@ class MeshKindTest : public QObject {
     QCOMPARE(damage.size(), std::size_t(2));
     QCOMPARE(damage[0].arguments[0], std::string("mesh"));
     QCOMPARE(damage[1].arguments[0], std::string("kept_open"));
+  }
+
+  // A mesh without triangles that can be read is damaged, not empty: its file is the right one.
+  void aMeshOfWhichNothingIsReadableIsDamaged() {
+    const auto document = test::meshDocument(grid(3));
+    Container container;
+    kKind.save(*document->snapshot(), container);
+    container.blobs.erase("mesh/faces/0000");
+    const Error known{ArchiveError::EntryDamaged, {"mesh/faces/0000"}, {}, {}};
+    for (std::vector<Error> damage : {std::vector<Error>(), {known}}) {
+      const auto back = kKind.load(container, damage, {});
+      QVERIFY(!back);
+      QCOMPARE(back.error().code, damage.empty() ? ErrorCode::DataTruncated : ArchiveError::EntryDamaged);
+    }
   }
 
   // A position that is no number differs from itself: every edit would seem to change it.
