@@ -41,10 +41,22 @@ const PostProcessor& postOf(const QString& filter) {
   return found == posts().end() ? *posts().front() : **found;
 }
 
+// The post whose ending ends like the name: ".json" is that of ".program.json". None: null.
+const PostProcessor* postForSuffix(const QString& file) {
+  const std::string suffix = '.' + QFileInfo(file).suffix().toLower().toStdString();
+  const auto found = std::find_if(posts().begin(), posts().end(), [&](const auto& post) {
+    return suffix.size() > 1 && std::string_view(post->ending()).ends_with(suffix);
+  });
+  return found == posts().end() ? nullptr : found->get();
+}
+
 // The name with the ending of the post, in place of that of another.
 QString withEnding(const QString& file, const PostProcessor& post) {
-  const PostProcessor* const other = postForEnding(file.toStdString());
-  const qsizetype ending = other ? static_cast<qsizetype>(std::string_view(other->ending()).size()) : 0;
+  qsizetype ending = 0;
+  if (const PostProcessor* const whole = postForEnding(file.toStdString()))
+    ending = static_cast<qsizetype>(std::string_view(whole->ending()).size());
+  else if (postForSuffix(file))
+    ending = QFileInfo(file).suffix().size() + 1;
   return file.chopped(ending) + QLatin1String(post.ending());
 }
 
@@ -136,9 +148,11 @@ void CellPaths::askForProgram(OutdatedPath outdated) {
   dialog->open();
 }
 
-// The ending of the file tells the language; only a name without one gets that of the chosen type.
-void CellPaths::exportAs(const QString& file, const PostProcessor& chosen, const ProgramRequest& request) {
+// The ending of the file decides on the language; only a name without one gets that of the chosen type.
+void CellPaths::exportAs(const QString& file, const PostProcessor& ofType, const ProgramRequest& request) {
   if (const PostProcessor* const post = postForEnding(file.toStdString())) return exportProgram(*post, file, request);
+  const PostProcessor* const meant = postForSuffix(file);
+  const PostProcessor& chosen = meant ? *meant : ofType;
   const QString whole = withEnding(file, chosen);
   if (!QFileInfo::exists(whole)) return exportProgram(chosen, whole, request);
   emit message(

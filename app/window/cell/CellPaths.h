@@ -169,7 +169,7 @@ class CellPaths : public QObject {
     OutdatedPath outdated;
   };
   bool choosePath(const std::string& name);
-  void exportAs(const QString& file, const PostProcessor& chosen, const ProgramRequest& request);
+  void exportAs(const QString& file, const PostProcessor& ofType, const ProgramRequest& request);
   void exportProgram(const PostProcessor& post, const QString& file, const ProgramRequest& request);
   void reportRemoved(const QString& configuration, const std::vector<std::string>& paths);
   void reportNotWritten(const std::string& path);

@@ -172,7 +172,8 @@ class CellReplanningWindowTest : public QObject {
     QCOMPARE(dialog->directory().canonicalPath(), QDir(folder.path()).canonicalPath());
     const auto name = [&] { return dialog->findChild<QLineEdit*>("fileNameEdit")->text(); };
     auto* types = dialog->findChild<QComboBox*>("fileTypeCombo");
-    for (const auto& [type, ending] : {std::pair("KRL", ".src"), std::pair("URScript", ".script")}) {
+    for (const auto& [type, ending] :
+         {std::pair("KRL", ".src"), std::pair("JSON", ".program.json"), std::pair("URScript", ".script")}) {
       types->setCurrentIndex(types->findText(QString(type), Qt::MatchContains));
       emit types->textActivated(types->currentText());
       QTRY_COMPARE(name(), driver.paths()->child(0)->text(0) + ending);
@@ -181,6 +182,11 @@ class CellReplanningWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("way.ls was written"), kPatienceMs);
     QFile written(folder.filePath("way.ls"));
     QVERIFY(written.open(QIODevice::ReadOnly) && written.readAll().startsWith("/PROG"));
+    // The end of an ending is enough, whatever the type.
+    QTRY_VERIFY(!driver.window().findChild<QFileDialog*>("exportProgramDialog"));
+    driver.choose("exportProgram");
+    QVERIFY(driver.enterFileName("exportProgramDialog", folder.filePath("way.json")));
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("way.program.json was written"), kPatienceMs);
   }
 
   // From the start page, where nothing is open.
