@@ -13,6 +13,20 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
+namespace {
+
+// Waits for the first scene of a recording: a contact that began before is not felt again.
+bool isSceneRecorded(HapticSession& session) {
+  const auto isThere = [&] {
+    const std::vector<RecordedEvent> events = session.recorder()->recording().events();
+    return std::any_of(events.begin(), events.end(),
+                       [](const RecordedEvent& e) { return e.text.starts_with(kSceneEvent); });
+  };
+  return QTest::qWaitFor(isThere, kPatienceMs);
+}
+
+}  // namespace
+
 // A recording of the hand is felt again by the command line: the same forces, through every edit that was made.
 class FeltAgainTest : public QObject {
   Q_OBJECT
@@ -45,7 +59,7 @@ class FeltAgainTest : public QObject {
     leadTo(Vec3::Zero());
     QTRY_VERIFY(session.latest()->felt.isContact);
     driver.choose("recordDevice");
-    QVERIFY(wait(50));
+    QVERIFY(isSceneRecorded(session));
     leadTo(60.0 * session.camera().towardsViewer());
     QTRY_VERIFY(!session.latest()->felt.isContact && session.latest()->tip.position.norm() > 30.0);
     QVERIFY(wait(50));
@@ -99,6 +113,7 @@ class FeltAgainTest : public QObject {
     QTRY_VERIFY(session.latest() != nullptr);
     QVERIFY(driver.settle());
     driver.choose("recordDevice");
+    QVERIFY(isSceneRecorded(session));
     const auto leadIn = [&] {
       const WorkspaceMapping mapping = session.mappingInScene();
       const Vec3 inView = mapping.sceneFromView.linear().transpose() * (box - session.latest()->tip.position);
