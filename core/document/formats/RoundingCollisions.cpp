@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/RoundingCollisions.h"
 
-#include "mesh/structure/DisjointSets.h"
+#include "mesh/defects/NonManifoldVertices.h"
 #include "mesh/structure/EdgeTable.h"
 #include "mesh/structure/Weld.h"
 
@@ -32,34 +32,6 @@ std::pair<std::uint32_t, std::uint32_t> meantEdge(const Positions& positions, co
   return std::minmax(positions.meant.classOf[t[corner]], positions.meant.classOf[t[(corner + 1) % 3]]);
 }
 
-// Per seen class: it holds several meant ones, and welding them joins faces that share no edge there.
-std::vector<bool> classesOfSeveralFans(const std::vector<Triangle>& seenTriangles, const EdgeTable& edges,
-                                       const std::vector<std::uint32_t>& members, Progress progress) {
-  DisjointSets corners(3 * seenTriangles.size());
-  const auto cornerAt = [&](std::uint32_t halfEdge, std::uint32_t seen) {
-    return seenTriangles[halfEdge / 3][halfEdge % 3] == seen ? halfEdge : halfEdge / 3 * 3 + (halfEdge % 3 + 1) % 3;
-  };
-  edges.forEachEdge(
-      [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
-        for (const EdgeTable::Entry& e : run.subspan(1)) {
-          corners.join(cornerAt(run[0].halfEdge, low), cornerAt(e.halfEdge, low));
-          corners.join(cornerAt(run[0].halfEdge, high), cornerAt(e.halfEdge, high));
-        }
-      },
-      progress);
-  std::vector<bool> isOfSeveral(members.size(), false);
-  std::vector<std::uint32_t> fan(members.size(), kNone);
-  for (std::uint32_t corner = 0; corner < 3 * seenTriangles.size(); ++corner) {
-    const Triangle& t = seenTriangles[corner / 3];
-    const std::uint32_t seen = t[corner % 3];
-    if (members[seen] < 2 || hasRepeatedVertex(t)) continue;
-    const std::uint32_t root = corners.root(corner);
-    if (fan[seen] == kNone) fan[seen] = root;
-    if (fan[seen] != root) isOfSeveral[seen] = true;
-  }
-  return isOfSeveral;
-}
-
 // Per seen class: it holds several meant ones, and welding them spoils it or an edge that was sound before.
 std::vector<bool> spoilingClasses(const Positions& positions, const std::vector<Triangle>& triangles,
                                   Progress progress) {
@@ -71,8 +43,9 @@ std::vector<bool> spoilingClasses(const Positions& positions, const std::vector<
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) seenTriangles[f][k] = positions.seen.classOf[triangles[f][k]];
   }
+  std::vector<bool> spoiling(count, false);
+  for (std::uint32_t c : findNonManifoldVertices(seenTriangles, count, progress)) spoiling[c] = members[c] > 1;
   const EdgeTable edges(seenTriangles, count, progress);
-  std::vector<bool> spoiling = classesOfSeveralFans(seenTriangles, edges, members, progress);
   edges.forEachEdge(
       [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
         if (run.size() < 2 || (members[low] < 2 && members[high] < 2)) return;

@@ -3,6 +3,7 @@
 #include "document/mesh/MeshBlobs.h"
 
 #include "base/JsonText.h"
+#include "document/container/ArchiveErrors.h"
 #include "document/container/Blobs.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/MeshErrors.h"
@@ -98,6 +99,15 @@ Error rebuilt(std::size_t read, std::size_t lost) {
   return {ErrorCode::DataTruncated, {"triangles", std::to_string(read + lost), std::to_string(read)}, {}, {}};
 }
 
+// Why no triangle is left: damage of the blobs that hold them, or of the archive as a whole.
+Error causeOf(std::size_t lost, const std::vector<Error>& damage) {
+  const auto found = std::find_if(damage.begin(), damage.end(), [](const Error& each) {
+    const bool isOfEntry = each.code == ArchiveError::EntryDamaged || each.code == ArchiveError::EntryMissing;
+    return !isOfEntry || each.arguments[0].starts_with(kFaces) || each.arguments[0].starts_with(kPositions);
+  });
+  return found == damage.end() ? rebuilt(0, lost) : *found;
+}
+
 }  // namespace
 
 void writeMeshBlobs(const HalfEdgeMesh& mesh, Container& container) {
@@ -137,7 +147,7 @@ Result<LoadedMesh> readMeshBlobs(const nlohmann::json& document, const Container
   std::size_t lost = countOf(faces.lost);
   const TriangleSoup soup = readableTriangles(positions.values, faces.values, lost, progress.part(0.6, 0.7));
   if (progress.cancelled()) return cancelled;
-  if (soup.triangles.empty() && lost > 0) return damage.empty() ? rebuilt(0, lost) : damage.front();
+  if (soup.triangles.empty() && lost > 0) return causeOf(lost, damage);
   if (soup.triangles.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
   damage.push_back(rebuilt(soup.triangles.size(), lost));
   BuiltMesh built = buildMesh(soup, progress.part(0.7, 1.0));

@@ -22,8 +22,8 @@ struct LoadedMesh {
 };
 
 // Reads a mesh from the blobs of a container. A mesh that violates an invariant, or has lost blobs, is rebuilt from the
-// triangles that can still be read; this is added to damage. damage: what is known of the container. Errors: the first
-// damage, if no triangle is left; NoTriangles, Cancelled.
+// triangles that can still be read; this is added to damage. damage: what is known of the container. Errors: if no
+// triangle is left of some, the damage that explains it; NoTriangles, Cancelled.
 Result<LoadedMesh> readMeshBlobs(const nlohmann::json& document, const Container& container, std::vector<Error>& damage,
                                  Progress progress);
 
