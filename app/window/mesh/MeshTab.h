@@ -8,6 +8,8 @@
 #include "window/documents/DocumentTab.h"
 #include "window/mesh/OperationsOrigin.h"
 
+#include <map>
+
 namespace handwheel {
 
 struct MeshDeviation;
@@ -19,16 +21,22 @@ struct MeshTab : DocumentTab {
       : DocumentTab(std::move(made), of),
         document(static_cast<MeshDocument&>(DocumentTab::document)),
         defectList(document),
-        asOpened(document.mesh()) {}
+        asOpened(document.mesh()) {
+    QObject::connect(document.history(), &QUndoStack::indexChanged, &defectList, [this] {
+      const auto found = findings.find(presentPoint(document));
+      if (found != findings.end()) defectList.setFindings(found->second);
+    });
+  }
 
   MeshDocument& document;
   DefectList defectList;
-  const HalfEdgeMesh asOpened;                    // shares unchanged pages with the present mesh
-  std::shared_ptr<MeshDeviation> deviation;       // the comparison that is shown; null for none
-  Vertex selected = kNone;                        // DefectList::keyOf() of the selected loop
-  std::optional<std::uint64_t> repairedRevision;  // of the document, after "Repair all" ran last
-  FidelityValues repairedWith;                    // and the settings that it had
-  std::optional<HistoryPoint> fixedAt;            // after the last "Repair all" or fix of a defect that changed it
+  const HalfEdgeMesh asOpened;                      // shares unchanged pages with the present mesh
+  std::shared_ptr<MeshDeviation> deviation;         // the comparison that is shown; null for none
+  Vertex selected = kNone;                          // DefectList::keyOf() of the selected loop
+  std::optional<HistoryPoint> repairedAt;           // after "Repair all" ran last
+  FidelityValues repairedWith;                      // and the settings that it had
+  std::optional<HistoryPoint> fixedAt;              // after the last "Repair all" or fix of a defect that changed it
+  std::map<HistoryPoint, RepairFindings> findings;  // after each of them, for undo and redo
 
   std::size_t faceSlots = document.mesh().faceSlots();  // at the last change
   FaceSelection newest;                                 // the faces added by the last change, usually those of a patch
@@ -47,6 +55,9 @@ struct MeshTab : DocumentTab {
     newest.dropDead(document.mesh());
     if (!added.empty()) newest = added;
   }
+  // After a repair or fix of the present mesh.
+  void keepFindings() { findings[presentPoint(document)] = defectList.findings(); }
+  bool isRepaired() const { return repairedAt == presentPoint(document); }  // by "Repair all", which was the last step
   // Whether "Repair all" or the fix of a defect was what happened last, or was redone last, and changed something.
   bool isJustRepaired() const { return fixedAt == presentPoint(document); }
   // Whether the mesh equals that of the file, which was read without loss. The loops marked to be kept open may differ.

@@ -253,7 +253,7 @@ Suggestion suggestionFor(const MeshTab& document, const SuggestedActions& action
   if (document.cardDismissed) return {};
   if (defectList.isClean()) return cleanStep(document, actions);
   // Not once that is undone, or anything else was changed: then it may do something.
-  if (document.repairedRevision == document.document.revision()) return leftStep(document, actions);
+  if (document.isRepaired()) return leftStep(document, actions);
   const bool holes = !defectList.holes().empty();
   const QString changes = comparison(defectList);
   Suggestion step{
@@ -266,7 +266,7 @@ Suggestion suggestionFor(const MeshTab& document, const SuggestedActions& action
   if (holes) step.actions.push_back(actions.oneByOne);
   if (actions.uniteBodies->isEnabled()) step.actions.push_back(actions.uniteBodies);
   // Also after an undo: a repair of the triangles has left something once.
-  if (document.repairedRevision && needsVolume(defectList)) step.actions.push_back(actions.repairByVolume);
+  if (document.repairedAt && needsVolume(defectList)) step.actions.push_back(actions.repairByVolume);
   if (actions.showDefects) step.actions.push_back(actions.showDefects);
   return step;
 }

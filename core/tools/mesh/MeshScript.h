@@ -6,6 +6,7 @@
 #include "mesh/repair/SheetThickening.h"
 #include "tools/mesh/MeshServices.h"
 
+#include <compare>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,7 +43,7 @@ MeshChange addChange(const std::string& path, const HalfEdgeMesh& mesh);
 struct HistoryPoint {
   int commands = 0;
   int stroke = 0;
-  bool operator==(const HistoryPoint&) const = default;
+  auto operator<=>(const HistoryPoint&) const = default;
 };
 // The present state in the history of a document.
 HistoryPoint presentPoint(const MeshDocument& document);

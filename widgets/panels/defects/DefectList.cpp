@@ -20,10 +20,7 @@ DefectList::DefectList(MeshDocument& document, QObject* parent) : QObject(parent
             const LengthUnit before = std::exchange(unit, m_document.displayUnit());
             const NumberType were = std::exchange(numbers, m_document.fileNumbers());
             const bool isRoundedAnew = were != numbers;
-            if (isRoundedAnew) {
-              m_selfIntersections.reset();
-              m_hopeless.clear();
-            }
+            if (isRoundedAnew) m_intersectionsBeforeRounding = std::exchange(m_selfIntersections, std::nullopt);
             if (unit != before || isRoundedAnew) emit changed();
           });
   nameLoops();
@@ -32,13 +29,8 @@ DefectList::DefectList(MeshDocument& document, QObject* parent) : QObject(parent
 
 void DefectList::documentChanged() {
   m_selfIntersections.reset();
-  m_before.clear();
-  m_loopOutcomes = {};
-  m_doneBesides.clear();
-  m_patchWarnings.clear();
-  m_removalWarning.clear();
-  m_reasons = {};
-  m_hopeless.clear();
+  m_intersectionsBeforeRounding.reset();
+  m_findings = {};
   nameLoops();
   sortLoops();
   emit changed();
@@ -83,8 +75,13 @@ std::size_t DefectList::sheetCount() const {
 
 void DefectList::setSelfIntersections(std::uint64_t revision, FacePairs pairs) {
   if (revision != m_document.revision()) return;
+  // What no cut separates, none does in numbers of a file in which the same triangles intersect.
+  if (m_intersectionsBeforeRounding && *m_intersectionsBeforeRounding != pairs)
+    m_findings.hopeless.erase(DefectKind::SelfIntersection);
+  m_intersectionsBeforeRounding.reset();
   m_selfIntersections = std::move(pairs);
-  std::erase_if(m_reasons.ofRow, [](const auto& of) { return of.first.first == DefectKind::SelfIntersection; });
+  std::erase_if(m_findings.reasons.ofRow,
+                [](const auto& of) { return of.first.first == DefectKind::SelfIntersection; });
   emit changed();
 }
 
@@ -131,50 +128,55 @@ std::map<DefectKind, std::size_t> DefectList::counts() const {
 }
 
 void DefectList::setBefore(std::map<DefectKind, std::size_t> counts, LoopCounts loops, QStringList doneBesides) {
-  m_before = std::move(counts);
-  m_loopOutcomes = loops;
-  m_doneBesides = std::move(doneBesides);
+  m_findings.before = std::move(counts);
+  m_findings.loopOutcomes = loops;
+  m_findings.doneBesides = std::move(doneBesides);
+  emit changed();
+}
+
+void DefectList::setFindings(RepairFindings findings) {
+  m_findings = std::move(findings);
   emit changed();
 }
 
 void DefectList::setHopeless(DefectKind kind) {
-  if (m_hopeless.insert(kind).second) emit changed();
+  if (m_findings.hopeless.insert(kind).second) emit changed();
 }
 
 void DefectList::setPatchWarnings(QStringList warnings) {
-  m_patchWarnings = std::move(warnings);
+  m_findings.patchWarnings = std::move(warnings);
   emit changed();
 }
 
 void DefectList::setRemovalWarning(QString warning) {
-  m_removalWarning = std::move(warning);
+  m_findings.removalWarning = std::move(warning);
   emit changed();
 }
 
 QString DefectList::reason(DefectKind kind, int row) const {
-  const auto own = m_reasons.ofRow.find({kind, row});
-  if (own != m_reasons.ofRow.end()) return own->second;
-  const auto common = m_reasons.ofKind.find(kind);
-  return common == m_reasons.ofKind.end() ? QString() : common->second;
+  const auto own = m_findings.reasons.ofRow.find({kind, row});
+  if (own != m_findings.reasons.ofRow.end()) return own->second;
+  const auto common = m_findings.reasons.ofKind.find(kind);
+  return common == m_findings.reasons.ofKind.end() ? QString() : common->second;
 }
 
 void DefectList::setReasons(DefectReasons reasons) {
-  m_reasons = std::move(reasons);
+  m_findings.reasons = std::move(reasons);
   emit changed();
 }
 
 void DefectList::setReason(DefectKind kind, int row, const QString& reason) {
   if (row >= 0)
-    m_reasons.ofRow[{kind, row}] = reason;
+    m_findings.reasons.ofRow[{kind, row}] = reason;
   else
-    m_reasons.ofKind[kind] = reason;
+    m_findings.reasons.ofKind[kind] = reason;
   emit reasonsChanged(kind);
 }
 
 std::optional<std::size_t> DefectList::countBefore(DefectKind kind) const {
-  const auto found = m_before.find(kind);
+  const auto found = m_findings.before.find(kind);
   const bool isSearching = kind == DefectKind::SelfIntersection && !m_selfIntersections;
-  if (found == m_before.end() || isSearching || found->second == count(kind)) return std::nullopt;
+  if (found == m_findings.before.end() || isSearching || found->second == count(kind)) return std::nullopt;
   return found->second;
 }
 

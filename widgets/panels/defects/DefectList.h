@@ -12,6 +12,7 @@
 #include <QStringList>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace handwheel {
 
@@ -31,6 +32,17 @@ struct DefectRow {
 struct DefectReasons {
   std::map<DefectKind, QString> ofKind;
   std::map<std::pair<DefectKind, int>, QString> ofRow;
+};
+
+// What the repair or fix that made the present mesh has found out about it.
+struct RepairFindings {
+  std::map<DefectKind, std::size_t> before;
+  LoopCounts loopOutcomes;
+  QStringList doneBesides;
+  QStringList patchWarnings;
+  QString removalWarning;
+  DefectReasons reasons;
+  std::set<DefectKind> hopeless;
 };
 
 // The defects of a mesh document as the window shows them. Adds to the document which loops count as holes, the loop
@@ -66,14 +78,14 @@ class DefectList : public QObject {
   // Sets what there was before the repair that made the present mesh, what it did with the loops, and what else it did,
   // a phrase each. Kept until the mesh changes.
   void setBefore(std::map<DefectKind, std::size_t> counts, LoopCounts loops = {}, QStringList doneBesides = {});
-  const LoopCounts& loopOutcomes() const { return m_loopOutcomes; }
-  const QStringList& doneBesides() const { return m_doneBesides; }
+  const LoopCounts& loopOutcomes() const { return m_findings.loopOutcomes; }
+  const QStringList& doneBesides() const { return m_findings.doneBesides; }
   // Sentences about patches of the last repair that a person should look at. Kept until the mesh changes.
-  const QStringList& patchWarnings() const { return m_patchWarnings; }
+  const QStringList& patchWarnings() const { return m_findings.patchWarnings; }
   void setPatchWarnings(QStringList warnings);
   // The sentence about what the last repair took away from the outside; empty where nothing. Kept until the mesh
   // changes.
-  const QString& removalWarning() const { return m_removalWarning; }
+  const QString& removalWarning() const { return m_findings.removalWarning; }
   void setRemovalWarning(QString warning);
   // None where nothing is known to compare with, or the number is the same.
   std::optional<std::size_t> countBefore(DefectKind kind) const;
@@ -102,8 +114,11 @@ class DefectList : public QObject {
   QString reason(DefectKind kind, int row) const;
   void setReasons(DefectReasons reasons);
   // A fix of all of this kind was tried on the present mesh and changed nothing; reason() says why.
-  bool isHopeless(DefectKind kind) const { return m_hopeless.contains(kind); }
+  bool isHopeless(DefectKind kind) const { return m_findings.hopeless.contains(kind); }
   void setHopeless(DefectKind kind);
+  // All that is kept until the mesh changes: for the state of the history that undo and redo come back to.
+  const RepairFindings& findings() const { return m_findings; }
+  void setFindings(RepairFindings findings);
   // Of a row, or -1: of those of the kind without their own.
   void setReason(DefectKind kind, int row, const QString& reason);
   // Sets the failures by loop key; keys of removed loops are allowed.
@@ -130,17 +145,12 @@ class DefectList : public QObject {
   std::vector<std::size_t> m_debris;
   std::set<PointKey> m_keptPieces;  // corners; by position, so that undo and redo find them again
   std::optional<FacePairs> m_selfIntersections;
-  std::vector<Vertex> m_keys;                        // by loop id
-  std::map<std::pair<bool, Vertex>, int> m_numbers;  // by being an outer edge, and key; from 1, never reused
+  std::optional<FacePairs> m_intersectionsBeforeRounding;  // as the former file held the same mesh
+  std::vector<Vertex> m_keys;                              // by loop id
+  std::map<std::pair<bool, Vertex>, int> m_numbers;        // by being an outer edge, and key; from 1, never reused
   LoopNumbers m_named;
   std::map<Vertex, FillFailure> m_failures;
-  std::map<DefectKind, std::size_t> m_before;
-  LoopCounts m_loopOutcomes;
-  QStringList m_doneBesides;
-  QStringList m_patchWarnings;
-  QString m_removalWarning;
-  DefectReasons m_reasons;
-  std::set<DefectKind> m_hopeless;
+  RepairFindings m_findings;
 };
 
 }  // namespace handwheel

@@ -146,8 +146,7 @@ void RepairActions::offerJob(QAction& action, bool isThere, const QString& reaso
 
 // Whether another repair would find what the last one left, and no more: the list has the reasons.
 bool RepairActions::isTried(const MeshTab& document) const {
-  if (document.repairedRevision != document.document.revision() || document.repairedWith != m_fidelity.values())
-    return false;
+  if (!document.isRepaired() || document.repairedWith != m_fidelity.values()) return false;
   const auto& holes = document.defectList.holes();
   return std::none_of(holes.begin(), holes.end(), [&](int id) {
     const FillFailure failure = document.defectList.failure(id);

@@ -185,6 +185,7 @@ void RepairJobs::changed(const Request& request, const QString& text, const Insp
       defectList.setBefore(before, effects.loops);
     }
     noteReasons(defectList, wanted, request.of, document->document.revision() == request.revision);
+    document->keepFindings();
     const auto undo = [this, document] {
       if (m_tabs.contains(document)) document->document.history()->undo();
     };
@@ -205,6 +206,7 @@ void RepairJobs::changed(const Request& request, const QString& text, const Insp
   } else if (const char* reason = reasonOf(wanted)) {
     noteReasons(defectList, wanted, request.of, document->document.revision() == request.revision);
     if (request.of && request.of->row < 0) defectList.setHopeless(request.of->kind);
+    document->keepFindings();
     emit changedNothing(document, text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", reason)));
   }
 }
@@ -216,7 +218,7 @@ void RepairJobs::logChange(const MeshTab& document, const MeshChange& done, cons
             summary.isPartly || summary.hasLostWalls ? LogEntry::Weight::Warning : LogEntry::Weight::Info);
   if (summary.isPartly) {
     emit changedPartly(&document, text, summary.how);
-  } else if (summary.isTold) {
+  } else if (summary.isWorthMessage) {
     emit message(changeMessage(document.document, text, summary.how));
   }
 }
@@ -278,7 +280,7 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
     if (loop.id >= 0) names[loop.id] = defectList.loopName(loop.id);
   const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
   if (isChanged && done.pairs) defectList.setSelfIntersections(document->document.revision(), *done.pairs);
-  document->repairedRevision = document->document.revision();
+  document->repairedAt = presentPoint(document->document);
   document->repairedWith = done.settings;
   if (isChanged) document->fixedAt = presentPoint(document->document);
   defectList.setFailures(failuresOf(done.report));
@@ -294,6 +296,7 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   if (isChanged) defectList.setPatchWarnings(patchWarningsOf(done.report, names));
   if (isChanged && done.report.removed)
     defectList.setRemovalWarning(removalWarning(*done.report.removed, document->document.displayUnit()));
+  document->keepFindings();
   if (!isChanged)
     emit changedNothing(document, tr("Repair all"),
                         tr("Nothing more could be repaired without damage. The list of defects gives the reasons that "

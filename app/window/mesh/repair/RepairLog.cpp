@@ -36,7 +36,7 @@ ChangeSummary changeSummaryOf(const MeshTab& document, const MeshChange& done, c
     summary.line = RepairJobs::tr("%1: %2: %3").arg(name, text, how.join(separator));
   }
   summary.how = how.join(separator);
-  summary.isTold = isMeasured || !defects.isEmpty() || (isThickened && done.sheets->thickness.thinVertices > 0);
+  summary.isWorthMessage = isMeasured || !defects.isEmpty() || (isThickened && done.sheets->thickness.thinVertices > 0);
   return summary;
 }
 

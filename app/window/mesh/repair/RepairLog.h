@@ -17,11 +17,11 @@ struct MeshTab;
 
 // What a change has done, in words.
 struct ChangeSummary {
-  QString line;               // for the log
-  QString how;                // for the message, a list of phrases; may be empty
-  bool isPartly = false;      // it had its effect on some of the sheets only
-  bool hasLostWalls = false;  // which were thinner than the voxels
-  bool isTold = false;        // it is worth a message
+  QString line;                 // for the log
+  QString how;                  // for the message, a list of phrases; may be empty
+  bool isPartly = false;        // it had its effect on some of the sheets only
+  bool hasLostWalls = false;    // which were thinner than the voxels
+  bool isWorthMessage = false;  // it is worth a message
 };
 
 // text: the name of the change, translated. After it was committed.

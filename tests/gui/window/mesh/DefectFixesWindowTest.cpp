@@ -6,6 +6,8 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "controls/CommandModel.h"
+#include "document/AtomicFile.h"
+#include "document/formats/MeshWriter.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 
@@ -32,6 +34,19 @@ class DefectFixesWindowTest : public QObject {
     const QString path = m_folder.filePath(QString::fromLatin1(name));
     writeStl(path, triangles);
     return path;
+  }
+
+  // Two sheets.
+  static TriangleSoup acrossOneAnother() {
+    return {{{0.0, 0.0, 0.0},
+             {1.0, 0.0, 0.0},
+             {1.0, 1.0, 0.0},
+             {0.0, 1.0, 0.0},
+             {0.5, 0.0, -0.5},
+             {0.5, 1.0, -0.5},
+             {0.5, 1.0, 0.5},
+             {0.5, 0.0, 0.5}},
+            {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
   }
 
   static void clickGroup(WindowDriver& driver, DefectKind kind) {
@@ -357,17 +372,8 @@ class DefectFixesWindowTest : public QObject {
 
   // Two sheets across one another are not cut: each piece would hang at the others. The window says so.
   void whatCannotBeMended() {
-    const TriangleSoup soup{{{0.0, 0.0, 0.0},
-                             {1.0, 0.0, 0.0},
-                             {1.0, 1.0, 0.0},
-                             {0.0, 1.0, 0.0},
-                             {0.5, 0.0, -0.5},
-                             {0.5, 1.0, -0.5},
-                             {0.5, 1.0, 0.5},
-                             {0.5, 0.0, 0.5}},
-                            {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
     WindowDriver driver;
-    QVERIFY(driver.open(file("across.stl", soup)));
+    QVERIFY(driver.open(file("across.stl", acrossOneAnother())));
     const int crossings = driver.count(DefectKind::SelfIntersection);
     QVERIFY(crossings > 0);
     clickGroup(driver, DefectKind::SelfIntersection);
@@ -383,6 +389,38 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY2(driver.text("nextStepDetail").contains("no cut would separate"),
              qPrintable(driver.text("nextStepDetail")));
     QVERIFY(!driver.find<QAbstractButton>("repairAllButton")->isEnabled());
+  }
+
+  // What a repair has found out is known again after undo and redo, and after saving in numbers that keep the
+  // triangles.
+  void whatIsKnownComesBack() {
+    TriangleSoup soup = acrossOneAnother();
+    TriangleSoup open = cube(1.0, {3.0, 0.0, 0.0});
+    open.triangles.pop_back();
+    append(soup, open);
+    const QString path = m_folder.filePath("across.obj");
+    QVERIFY(writeFileAtomically(path.toStdString(), writeObj(soup, NumberType::Float64)));
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    const int crossings = driver.count(DefectKind::SelfIntersection);
+    QVERIFY(crossings > 0 && driver.count(DefectKind::Hole) == 1);
+    driver.click("repairAllButton");
+    const auto isKnown = [&] {
+      return driver.settle() && driver.count(DefectKind::Hole) == 0 &&
+             driver.count(DefectKind::SelfIntersection) == crossings &&
+             driver.text("nextStepDetail").contains("no cut would separate") &&
+             !driver.find<QAbstractButton>("repairAllButton")->isEnabled();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isKnown(), kPatienceMs);
+    driver.choose("undo");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.find<QAbstractButton>("repairAllButton")->isEnabled(), kPatienceMs);
+    driver.choose("redo");
+    QTRY_VERIFY_WITH_TIMEOUT(isKnown(), kPatienceMs);
+    driver.choose("saveFileAs");
+    QVERIFY(driver.enterFileName("saveDialog", m_folder.filePath("rounded.stl")) && driver.settle());
+    QVERIFY(!driver.window().isWindowModified());
+    QTRY_VERIFY_WITH_TIMEOUT(isKnown(), kPatienceMs);
   }
 
   // Two solids that overlap, with walls in one plane, become one.
