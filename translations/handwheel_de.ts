@@ -3942,8 +3942,8 @@
         <translation>eben</translation>
     </message>
     <message>
-        <source>Largest deviation of triangles from the surfaces of a STEP file</source>
-        <translation>Größte Abweichung der Dreiecke von den Flächen einer STEP-Datei</translation>
+        <source>Deviation of triangles from the surfaces of a STEP file to aim at</source>
+        <translation>Angestrebte Abweichung der Dreiecke von den Flächen einer STEP-Datei</translation>
     </message>
     <message>
         <source>penetration at 2 N into the stiffest wall that the rate allows</source>
@@ -13252,6 +13252,10 @@
     <message>
         <source>When it was opened, its file had contents that were damaged or that Handwheel does not keep. They are still in that file.</source>
         <translation>Beim Öffnen enthielt die Datei Inhalte, die beschädigt waren oder die Handwheel nicht behält. Sie stehen noch in dieser Datei.</translation>
+    </message>
+    <message>
+        <source>Save it to keep it.</source>
+        <translation>Speichern Sie es, um es zu behalten.</translation>
     </message>
 </context>
 <context>

@@ -3942,8 +3942,8 @@
         <translation>平面</translation>
     </message>
     <message>
-        <source>Largest deviation of triangles from the surfaces of a STEP file</source>
-        <translation>三角形相对 STEP 文件曲面的最大偏差</translation>
+        <source>Deviation of triangles from the surfaces of a STEP file to aim at</source>
+        <translation>三角形相对 STEP 文件曲面的目标偏差</translation>
     </message>
     <message>
         <source>penetration at 2 N into the stiffest wall that the rate allows</source>
@@ -13167,6 +13167,10 @@
     <message>
         <source>When it was opened, its file had contents that were damaged or that Handwheel does not keep. They are still in that file.</source>
         <translation>打开时，该文件含有已损坏或 Handwheel 不保留的内容。这些内容仍在原文件中。</translation>
+    </message>
+    <message>
+        <source>Save it to keep it.</source>
+        <translation>保存后才会保留。</translation>
     </message>
 </context>
 <context>

@@ -58,7 +58,7 @@ std::string readableText(const MeshReport& report) {
   text += line("Triangles", std::to_string(report.triangles));
   text += line("Vertices", std::to_string(report.vertices));
   text += line("State", stateText(report).toStdString());
-  if (report.inconsistentEdges > 0) text += line("Orientation disagrees at", disagreementText(report));
+  if (!report.oriented) text += line("Orientation disagrees at", disagreementText(report));
   if (report.insideOutBodies > 0)
     text += line("Inside out",
                  std::to_string(report.insideOutBodies) + (report.insideOutBodies == 1 ? " body" : " bodies"));

@@ -95,8 +95,8 @@ void FileLoader::recover(const std::filesystem::path& file, const AutosaveInfo& 
     return [this, file, info, path, then, joined = *joined, opened = std::move(opened.value())] {
       DocumentTab* recovered = open(opened);
       recovered->document.markRecovered(path, info.stamp, info.isPartial);
-      m_log.add(tr("Recovered %1 as it was last autosaved").arg(recovered->document.name()));
       then(recovered);
+      reportRecovered(recovered->document);
       reportLosses(recovered->document);
       if (joined == JoinedChanges::Damaged) reportDamagedChanges(recovered->document, file);
     };
@@ -151,6 +151,15 @@ void FileLoader::notRecovered(const QString& path, const Error& error) {
                 tr("Its autosave is kept, and offered again at the next start."),
                 {},
                 {}});
+}
+
+void FileLoader::reportRecovered(const Document& document) {
+  const QString title = tr("Recovered %1 as it was last autosaved").arg(document.name());
+  m_log.add(title);
+  Message notice{Message::Weight::Info, title, tr("Save it to keep it."), {}, {}, {}};
+  notice.about = &document;
+  notice.isOver = [&document] { return !document.isModified(); };
+  emit message(notice);
 }
 
 void FileLoader::reportDamagedChanges(const Document& document, const std::filesystem::path& autosave) {

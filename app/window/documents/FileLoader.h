@@ -58,6 +58,7 @@ class FileLoader : public QObject {
   DocumentTab* add(OpenedFile opened);
   void loaded(const QString& path, const ReadOptions& options, OpenedFile opened);
   void failed(const QString& path, const Error& error, const ReadOptions& options);
+  void reportRecovered(const Document& document);
   void notRecovered(const QString& path, const Error& error);
   void reportDamagedChanges(const Document& document, const std::filesystem::path& autosave);
   void reportNotes(const Document& document);

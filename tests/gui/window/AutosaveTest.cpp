@@ -78,6 +78,7 @@ class AutosaveTest : public QObject {
     QVERIFY(second.settle());
     QCOMPARE(second.text("figures"), wanted);
     QVERIFY(second.window().isWindowModified());
+    QVERIFY(second.text("messageText").contains("as it was last autosaved"));
   }
 
   // A program that was just killed has its lock a while longer: its works are offered as soon as it is released.
@@ -183,7 +184,7 @@ class AutosaveTest : public QObject {
   }
 
   // The folder of autosaves cannot be made: somebody has to save by hand.
-  void aFailureIsTold() {
+  void aFailureIsReported() {
     const QString folder = QString::fromStdString(recoveryFolder().string());
     QVERIFY(QDir().mkpath(QFileInfo(folder).path()));
     QFile inItsPlace(folder);

@@ -10,7 +10,7 @@ namespace handwheel {
 FidelitySetting stepChordSetting() {
   FidelitySetting s;
   s.id = "step.chord";
-  s.label = translatable("Fidelity", "Largest deviation of triangles from the surfaces of a STEP file");
+  s.label = translatable("Fidelity", "Deviation of triangles from the surfaces of a STEP file to aim at");
   s.unit = translatable("Fidelity", "share of the diagonal");
   s.scale = FidelityScale::Logarithmic;
   s.least = 1e-5;
