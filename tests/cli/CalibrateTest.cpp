@@ -76,7 +76,7 @@ class CalibrateTest : public QObject {
   }
 
   // It is shown all the same.
-  void whatCannotBeKeptIsTold() {
+  void whatCannotBeKeptIsReported() {
     qputenv("XDG_CACHE_HOME", "/proc/nowhere");
     const Fixture fixture;
     const Ran ran = fixture.run(kCalibrate + QStringList{"nurbs.chord_mm"});

@@ -48,7 +48,7 @@ class DevicesTest : public QObject {
     QVERIFY2(readable.out.contains("3 axes in, 3 driven, up to 5 N, 0 buttons"), readable.out);
   }
 
-  void aPluginOfAnotherVersionIsToldAndTheRestGoesOn() {
+  void aPluginOfAnotherVersionIsReportedAndTheRestGoesOn() {
     const Fixture fixture;
     qputenv("HANDWHEEL_PLUGINS", OLD_PLUGINS ":" EXAMPLE_PLUGINS);
     const Ran ran = fixture.run({"devices", "--json"});

@@ -59,7 +59,7 @@ class EditTest : public QObject {
   }
 
   // What was counted before saving need not hold for the rounded file: a third is no number of single precision.
-  void roundingIsTold() {
+  void roundingIsReported() {
     const Fixture fixture;
     fixture.put("a.off", cube(2.0).off());
     const char* warning = "single precision of the format moved vertices by up to";

@@ -76,7 +76,7 @@ class CalibrationTest : public QObject {
     QCOMPARE(jsonOf(registry, *read), jsonOf(registry, calibration));
   }
 
-  void whatCannotBeWrittenIsTold() {
+  void whatCannotBeWrittenIsReported() {
     const FidelityRegistry registry = madeUp();
     QVERIFY(!storeCalibration(registry, measured(registry), "/proc/nowhere/calibration.json"));
   }

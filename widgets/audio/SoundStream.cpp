@@ -37,7 +37,7 @@ SoundStream::SoundStream(double sampleRate, int channels, Format format, QObject
 }
 
 void SoundStream::setState(const MachineSoundState& state) {
-  m_untold = 0.0;
+  m_sinceUpdate = 0.0;
   m_synthesizer.set(state);
 }
 
@@ -52,8 +52,8 @@ qint64 SoundStream::bytesAvailable() const {
 qint64 SoundStream::readData(char* data, qint64 most) {
   const qint64 frames = std::clamp<qint64>(most / bytesPerFrame(), 0, kMostFrames);
   const std::span<float> samples(m_samples.data(), static_cast<std::size_t>(frames));
-  m_untold += static_cast<double>(frames) / m_synthesizer.sampleRate();
-  if (m_untold > kPatience) m_synthesizer.set({});
+  m_sinceUpdate += static_cast<double>(frames) / m_synthesizer.sampleRate();
+  if (m_sinceUpdate > kPatience) m_synthesizer.set({});
   m_synthesizer.render(samples);
   if (m_format == Format::Float)
     writeSamples(data, samples, m_channels, [](float s) { return s; });

@@ -37,7 +37,7 @@ class SoundStream : public QIODevice {
   int m_channels;
   Format m_format;
   std::vector<float> m_samples;
-  double m_untold = 0.0;  // s, of sound since the last state
+  double m_sinceUpdate = 0.0;  // s, of sound since the last state
 };
 
 }  // namespace handwheel

@@ -200,8 +200,8 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 
 // What is not accepted comes once more as an event of the mouse, by the same pen.
 void Viewport::tabletEvent(QTabletEvent* event) {
-  const bool isTold = event->pointingDevice()->capabilities().testFlag(QInputDevice::Capability::Pressure);
-  d->pressure = isTold ? std::optional(event->pressure()) : std::nullopt;
+  const bool hasPressure = event->pointingDevice()->capabilities().testFlag(QInputDevice::Capability::Pressure);
+  d->pressure = hasPressure ? std::optional(event->pressure()) : std::nullopt;
   event->ignore();
 }
 

@@ -25,7 +25,7 @@ namespace handwheel {
 namespace {
 
 // Of the diagonal. A part near the origin loses less.
-constexpr double kToldRounding = 1e-6;
+constexpr double kReportedRounding = 1e-6;
 
 std::string summary(const RepairRun& run, const RepairRequest& request) {
   return outcomesText(countOutcomes(run.repair)) + ". " + request.output.string() + ": " +
@@ -41,7 +41,7 @@ struct Delivery {
 
 Delivery deliveryOf(const RepairRun& run, const RepairRequest& request, const Arguments& arguments) {
   Delivery delivery{lossSentences(run.file), {}, {}};
-  if (run.roundingMove > kToldRounding * run.after.box.diagonal().norm()) {
+  if (run.roundingMove > kReportedRounding * run.after.box.diagonal().norm()) {
     delivery.complaints.push_back("The single precision of the format moved vertices by up to " +
                                   roundedText(run.roundingMove) +
                                   " mm. Move the part near the origin, or write .ply, .obj or .off.");

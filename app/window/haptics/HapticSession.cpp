@@ -199,8 +199,8 @@ void HapticSession::closeLoop() {
 
 void HapticSession::reportPlugins() {
   const std::vector<PluginInfo>& all = m_finder.plugins();
-  for (; m_pluginsTold < all.size(); ++m_pluginsTold) {
-    if (all[m_pluginsTold].error) emit message(unusedPluginMessage(all[m_pluginsTold]));
+  for (; m_pluginsReported < all.size(); ++m_pluginsReported) {
+    if (all[m_pluginsReported].error) emit message(unusedPluginMessage(all[m_pluginsReported]));
   }
 }
 

@@ -163,7 +163,7 @@ class HapticSession : public QObject {
   std::uint64_t m_rateTick = 0;
   bool m_isForceOn = true;
   std::optional<double> m_testEnd;  // s, by the clock of the loop
-  std::size_t m_pluginsTold = 0;
+  std::size_t m_pluginsReported = 0;
   bool m_isWatched = false;            // a list of devices is visible
   std::optional<DeviceStatus> m_lost;  // how the chosen device was lost, whose return is waited for,
   bool m_isMissed = false;             // and it has been absent from the list since

@@ -25,7 +25,7 @@ TickTiming::TickTiming(HapticSession& session, FidelityChoice& choice, QWidget* 
   connect(&session, &HapticSession::sampled, this, &TickTiming::sample);
   connect(&session, &HapticSession::chosenChanged, this, [this] {
     m_ticks.clear();
-    m_untold = 0;
+    m_sinceUpdate = 0;
     if (!m_session.isOpen()) hide();
   });
 }
@@ -36,8 +36,8 @@ void TickTiming::sample() {
   if (!last || !parentWidget()->isVisible()) return;
   m_ticks.push_back({static_cast<double>(last->microseconds), last->felt.isContact});
   if (m_ticks.size() > kKeptSamples) m_ticks.pop_front();
-  if (++m_untold < kEvery) return;
-  m_untold = 0;
+  if (++m_sinceUpdate < kEvery) return;
+  m_sinceUpdate = 0;
   setText(text());
   show();
 }

@@ -30,7 +30,7 @@ class TickTiming : public QLabel {
   HapticSession& m_session;
   FidelityChoice& m_choice;
   std::deque<Tick> m_ticks;
-  int m_untold = 0;  // samples since the text was updated
+  int m_sinceUpdate = 0;  // samples since the text was updated
 };
 
 }  // namespace handwheel

@@ -47,7 +47,7 @@ class RepairFilesTest : public QObject {
     QCOMPARE(fixture.names(), QStringList{"a.off"});
   }
 
-  void unknownEndingIsToldBeforeTheWork() {
+  void unknownEndingIsReportedBeforeTheWork() {
     const Fixture fixture;
     const Ran ran = fixture.run({"repair", "none.stl", "-o", "b.docx"});
     QCOMPARE(ran.code, 1);

@@ -211,7 +211,7 @@ class RepairOptionsTest : public QObject {
   }
 
   // Two cubes that pass through each other: each is sound, and together they are not what one wants to print.
-  void crossingsAreToldAndCut() {
+  void crossingsAreReportedAndCut() {
     const Fixture fixture;
     fixture.put("a.off", cube(2).add(cube(2), {1.1, 0.9, 1.3}).off());
     const Ran repaired = fixture.run({"repair", "a.off", "-o", "b.off"});
@@ -248,7 +248,7 @@ class RepairOptionsTest : public QObject {
   }
 
   // Single precision is coarse far from the origin.
-  void roundingIsTold() {
+  void roundingIsReported() {
     const Fixture fixture;
     fixture.put("near.off", cube().off());
     fixture.put("far.off", Shape().add(cube(), {1e6 + 0.01, 0, 0}).off());

@@ -80,7 +80,7 @@ class TurnProgramTest : public QObject {
     QVERIFY2(std::abs(figuresOf(ran)["removed_mm3"].get<double>() / expected - 1.0) < 1e-3, ran.out);
   }
 
-  void aStillSpindleIsTold() {
+  void aStillSpindleIsReported() {
     const Fixture fixture;
     fixture.put("p.ngc", "G21 G18 G7 S500\nF100\nG0 X44 Z2\nX36\nG1 Z-20\nM2\n");
     const Ran ran = fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.stl", "--json"});
@@ -169,7 +169,7 @@ class TurnProgramTest : public QObject {
 
   // A sleeve of 24 mm inside: without a drill its bore stays solid, 12 mm from the wall to the axis, and that is
   // reported.
-  void aBoreThatIsLeftIsTold() {
+  void aBoreThatIsLeftIsReported() {
     const Fixture fixture;
     QByteArray drawing = "0\nSECTION\n2\nENTITIES\n";
     const double corners[][2] = {{0, 12}, {0, 18}, {50, 18}, {50, 12}, {0, 12}};

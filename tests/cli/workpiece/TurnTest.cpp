@@ -149,7 +149,7 @@ class TurnTest : public QObject {
   }
 
   // 1 mm/s at 600 r/min, a nose of 1 mm: f²/(32 R) of 0.1 mm.
-  void theFinishIsTold() {
+  void theFinishIsReported() {
     const Fixture fixture;
     fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,24,0,105\n80,24,0,25\n");
     QCOMPARE(fixture.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);

@@ -51,9 +51,9 @@ class Victim {
 
   // False when it did not come.
   bool waitFor(const QByteArray& word) {
-    const qsizetype from = m_told.size();
+    const qsizetype from = m_output.size();
     for (const std::int64_t end = now() + kPatience; now() < end; read(100))
-      if (m_told.indexOf(word, from) >= 0) return true;
+      if (m_output.indexOf(word, from) >= 0) return true;
     return false;
   }
 
@@ -62,7 +62,7 @@ class Victim {
     const std::int64_t time = now();
     m_process.kill();
     m_process.waitForFinished();
-    m_told += m_process.readAllStandardOutput();
+    m_output += m_process.readAllStandardOutput();
     return time;
   }
 
@@ -70,7 +70,7 @@ class Victim {
 
   std::vector<Event> events() const {
     std::vector<Event> events;
-    const QList<QByteArray> lines = m_told.split('\n');
+    const QList<QByteArray> lines = m_output.split('\n');
     for (qsizetype i = 0; i + 1 < lines.size(); ++i) {  // the last one has no end
       const QList<QByteArray> words = lines[i].split(' ');
       events.push_back({words.at(0).toStdString(), words.at(1).toLongLong(), words.at(2).toLongLong()});
@@ -81,11 +81,11 @@ class Victim {
  private:
   void read(int milliseconds) {
     m_process.waitForReadyRead(milliseconds);
-    m_told += m_process.readAllStandardOutput();
+    m_output += m_process.readAllStandardOutput();
   }
 
   QProcess m_process;
-  QByteArray m_told;
+  QByteArray m_output;
 };
 
 std::int64_t editsInFile(const std::filesystem::path& file) {

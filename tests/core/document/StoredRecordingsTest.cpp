@@ -173,7 +173,7 @@ class StoredRecordingsTest : public QObject {
     QVERIFY(opened->file.wouldLoseDataOnOverwrite());
   }
 
-  void whatIsLostIsTold() {
+  void whatIsLostIsReported() {
     Fixture fixture;
     fixture.give({{"0001", "gone", "", 0.0, steady(7)}});
     QVERIFY(fixture.save());

@@ -31,7 +31,7 @@ class DevicePartsTest : public QObject {
   void homingIsTheDevicesOwn();
   void dataSheetLeavesOutWhatIsNot();
   void barsOfEveryTick();
-  void lateTicksAreToldOf();
+  void lateTicksAreReported();
   void axesStayAPermutation();
   void mappingByProperties();
   void mappingSuitsTheDevice();
@@ -181,7 +181,7 @@ void DevicePartsTest::barsOfEveryTick() {
   }));
 }
 
-void DevicePartsTest::lateTicksAreToldOf() {
+void DevicePartsTest::lateTicksAreReported() {
   TimingHistogram histogram(5e-6);
   for (int i = 0; i < 98; ++i) histogram.add(12e-6);
   histogram.add(102e-6);

@@ -107,7 +107,7 @@ class PropertyListTest : public QObject {
 
   void editsOfEachKind();
   void longTexts();
-  void typedTextIsTold();
+  void typedTextIsReported();
   void numbersInTexts();
   void sliderDrags();
   void valuesChangeInPlace();
@@ -235,7 +235,7 @@ void PropertyListTest::longTexts() {
 }
 
 // What is typed is reported before it is saved or hidden, and typing goes on.
-void PropertyListTest::typedTextIsTold() {
+void PropertyListTest::typedTextIsReported() {
   PropertyListFixture fixture;
   auto* note = fixture.find<QLineEdit>("note", "propertyText");
   note->setFocus();

@@ -86,7 +86,7 @@ class ViewLayerTest : public ViewportFixture {
     QVERIFY(partOf(point).empty() && faceOf(point) == kNone && loopOf(point) == -1);
   }
 
-  void isHoveredAndTold() {
+  void isHoveredAndReported() {
     show({{4, 6, 1}, {15, 12, 1}});
     const QImage before = m_view->grabImage();
     QSignalSpy hovered(m_view.get(), &Viewport::hovered);

@@ -34,16 +34,16 @@ class IncompleteSaveTest : public QObject {
     driver.choose("saveFile");
     return driver.settle() && !driver.window().isWindowModified();
   }
-  static bool isTold(WindowDriver& driver) { return driver.find<QWidget>("messageBar")->isVisible(); }
+  static bool hasMessage(WindowDriver& driver) { return driver.find<QWidget>("messageBar")->isVisible(); }
 
  private slots:
   // The file is written as it was requested; the container that is offered holds the mark.
-  void marksAreToldAndAContainerIsOffered() {
+  void marksAreReportedAndAContainerIsOffered() {
     WindowDriver driver;
     const QString path = openMarked(driver, "marked.stl");
     QVERIFY(save(driver));
     QCOMPARE(openEdges(readStl(path)), 8);
-    QVERIFY(isTold(driver));
+    QVERIFY(hasMessage(driver));
     QVERIFY2(driver.text("messageText").contains("keep open"), qPrintable(driver.text("messageText")));
     driver.click("messageAction");
     const QString container = m_folder.filePath("marked.handwheel");
@@ -51,7 +51,7 @@ class IncompleteSaveTest : public QObject {
     QCOMPARE(driver.find<QFileDialog>("saveDialog")->selectedFiles(), QStringList(container));
     QVERIFY(driver.enterFileName("saveDialog", container));
     QVERIFY(driver.settle());
-    QVERIFY(!isTold(driver));
+    QVERIFY(!hasMessage(driver));
     driver.click("closeTab");
     QVERIFY(driver.open(container));
     QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
@@ -107,7 +107,7 @@ class IncompleteSaveTest : public QObject {
   }
 
   // Who has read it need not read it at each save; but when there is something else.
-  void itIsToldOnce() {
+  void itIsReportedOnce() {
     WindowDriver driver;
     openMarked(driver, "once.stl");
     QVERIFY(save(driver));
@@ -116,18 +116,18 @@ class IncompleteSaveTest : public QObject {
     driver.click("fillHoleButton");
     QTRY_VERIFY_WITH_TIMEOUT(driver.window().isWindowModified(), kPatienceMs);
     QVERIFY(save(driver));
-    QVERIFY(!isTold(driver));
+    QVERIFY(!hasMessage(driver));
     auto* unit = driver.find<QWidget>("property/display_unit")->findChild<QComboBox*>();
     unit->setCurrentIndex(unit->findText("in"));
     emit unit->activated(unit->currentIndex());
     QTRY_VERIFY(driver.window().isWindowModified());
     QVERIFY(save(driver));
-    QVERIFY(isTold(driver));
+    QVERIFY(hasMessage(driver));
     QVERIFY2(driver.text("messageText").contains("display unit"), qPrintable(driver.text("messageText")));
   }
 
   // What is closed could not be saved any more: it stays open until its user knows.
-  void closingWaitsUntilItWasTold() {
+  void closingWaitsUntilItWasReported() {
     WindowDriver driver;
     const QString path = openMarked(driver, "closed.stl");
     QTimer::singleShot(200, qApp, [] {
@@ -136,14 +136,14 @@ class IncompleteSaveTest : public QObject {
       QTest::mouseClick(box->button(QMessageBox::Save), Qt::LeftButton);
     });
     driver.click("closeTab");
-    QTRY_VERIFY_WITH_TIMEOUT(isTold(driver), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(hasMessage(driver), kPatienceMs);
     QCOMPARE(driver.tabs(), 1);
     QVERIFY(!driver.window().isWindowModified());
     driver.click("closeTab");
     QCOMPARE(driver.tabs(), 0);
   }
 
-  void whatIsWholeIsNotTold() {
+  void whatIsWholeIsNotReported() {
     WindowDriver driver;
     openMarked(driver, "whole.stl");
     driver.click("quickActions/undo");
@@ -151,7 +151,7 @@ class IncompleteSaveTest : public QObject {
     driver.click("fillHoleButton");
     QTRY_VERIFY_WITH_TIMEOUT(driver.window().isWindowModified(), kPatienceMs);
     QVERIFY(save(driver));
-    QVERIFY(!isTold(driver));
+    QVERIFY(!hasMessage(driver));
   }
 };
 

@@ -94,7 +94,7 @@ class JobsWindowTest : public QObject {
   }
 
   // Each job is in the list, and can be cancelled there. Nobody has to read the log to know what was not saved.
-  void aCancelledSaveIsTold() {
+  void aCancelledSaveIsReported() {
     WindowDriver driver;
     const QString path = openHalfRepaired(driver, "list.stl");
     driver.hold();

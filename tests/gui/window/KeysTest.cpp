@@ -144,7 +144,7 @@ class KeysTest : public QObject {
   }
 
   // What the tooltip and the page of keys say follows what the user has chosen.
-  void changedKeysAreTold() {
+  void changedKeysAreReported() {
     WindowDriver driver;
     auto* open = driver.find<QAction>("openFile");
     open->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_F5));

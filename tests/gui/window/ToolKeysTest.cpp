@@ -50,7 +50,7 @@ class ToolKeysTest : public QObject {
  private slots:
   void init() { QSettings().clear(); }
   void everyKeyOfEveryToolHasARow();
-  void aNewKeyActsAndIsTold();
+  void aNewKeyActsAndIsReported();
   void anActionWithoutAKeyGetsOne();
   void keysThatQtWouldTake();
   void signsNeedShiftOrNot();
@@ -74,7 +74,7 @@ void ToolKeysTest::everyKeyOfEveryToolHasARow() {
   QCOMPARE(page.rows().rowCount(), 3);  // to select, to sculpt, and to shape clay
 }
 
-void ToolKeysTest::aNewKeyActsAndIsTold() {
+void ToolKeysTest::aNewKeyActsAndIsReported() {
   BrushFixture fixture;
   WindowDriver& driver = fixture.driver;
   const double before = fixture.radius();

@@ -180,8 +180,8 @@ bool BatchRun::saveReport() {
   const Status written = writeFileAtomically(m_request.report, textOf(report()));
   m_nextReport = Clock::now() + kReportShare * (Clock::now() - start);
   m_isReported = written.hasValue();
-  if (!written && !m_hasToldOfReport) complain(sentenceFor(written.error()));
-  m_hasToldOfReport = !written;
+  if (!written && !m_isReportFailureKnown) complain(sentenceFor(written.error()));
+  m_isReportFailureKnown = !written;
   return m_isReported;
 }
 

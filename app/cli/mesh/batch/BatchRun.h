@@ -65,9 +65,9 @@ class BatchRun {
   std::vector<std::unique_ptr<ChildProcess>> m_children;  // of m_running, in the same order
   ProgressBar m_bar{"Repairing"};
   Clock::time_point m_nextReport = Clock::time_point::max();
-  bool m_isMute = false;           // stdout cannot be written any more
-  bool m_isReported = false;       // the report on disk has all finished files
-  bool m_hasToldOfReport = false;  // the failure to write the report was reported
+  bool m_isMute = false;                // stdout cannot be written any more
+  bool m_isReported = false;            // the report on disk has all finished files
+  bool m_isReportFailureKnown = false;  // the failure to write the report was reported
 };
 
 }  // namespace handwheel

@@ -181,7 +181,7 @@ class PolygonTriangulationTest : public QObject {
     QCOMPARE(result.triangles.size(), points.size() - 2);
   }
 
-  void stopsWhenTold() {
+  void stopsOnCancellation() {
     const auto points = star(100000, 0.5);
     std::vector<std::uint32_t> corners(points.size());
     std::iota(corners.begin(), corners.end(), 0u);

@@ -70,7 +70,7 @@ class BodyImportTest : public QObject {
   }
 
   // A texture coordinate is not kept.
-  void whatIsLostIsTold() {
+  void whatIsLostIsReported() {
     const std::string text = "v 0 0 0\nv 30 0 0\nv 0 20 0\nvt 0 0\nf 1/1 2/1 3/1\n";
     QVERIFY(writeFileAtomically(m_root / "textured.obj", text, {}).hasValue());
     const ImportedBody read = valueOf(readBody(kinds(), m_root / "textured.obj", false));

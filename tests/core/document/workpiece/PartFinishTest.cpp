@@ -154,7 +154,7 @@ class PartFinishTest : public QObject {
     QVERIFY(isSame(lost, finished()) && !markAt(lost, kFine).isKnown());
   }
 
-  void isTold() {
+  void isReported() {
     const nlohmann::json described = m_kind.describe(finished());
     const nlohmann::json& outside = described["finish"]["outside"];
     QCOMPARE(outside.size(), std::size_t{2});

@@ -324,7 +324,7 @@ class TurnedPartTest : public QObject {
   }
 
   // Two pieces parted off one after the other: the volumes of the pieces are those of their lengths.
-  void piecesAreToldApart() {
+  void piecesAreDistinguished() {
     TurnedProfile part(StockCylinder{40.0, 100.0, 0.0}, 0.1);
     for (const double z : {70.0, 30.0}) part.cut({0.0, z}, {0.0, z}, 1.0);
     const std::vector<TurnedProfile::Range> pieces = piecesOf(part);

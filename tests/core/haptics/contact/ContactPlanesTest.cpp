@@ -59,7 +59,7 @@ class ContactPlanesTest : public QObject {
       planes.moveTo({0.2, (10.0 - 0.5 * i) * kSkin, kSkin}, kSkin);
     QVERIFY2(kept >= 20 && kept <= 24, qPrintable(QString::number(kept)));
   }
-  void areToldFromWhereItIs() {
+  void areSeenFromTheTip() {
     ContactPlanes planes = onFloor({0.2, 0.2, kSkin});
     planes.moveTo({0.2, 0.2, 1.5 * kSkin}, kSkin);
     QVERIFY(std::abs(planes.all()[0].least + 0.5 * kSkin) < 1e-20);

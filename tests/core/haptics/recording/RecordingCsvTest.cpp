@@ -66,7 +66,7 @@ class RecordingCsvTest : public QObject {
     QCOMPARE(QString::fromStdString(out.str()).count('\n'), 1);
   }
 
-  void aFullDiskIsTold() {
+  void aFullDiskIsReported() {
     std::ostringstream out;
     out.setstate(std::ios::badbit);
     const Status status = writeCsv(Recording(), out);

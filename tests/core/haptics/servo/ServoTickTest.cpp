@@ -38,7 +38,7 @@ class ServoTickTest : public QObject {
   }
 
   // b/(T/2) = 0.005/0.0005 = 10 N/mm once the loop has measured itself; until then as if it were half as fast.
-  void theSceneIsToldHowStiffItMayBe() {
+  void theSceneGetsTheStiffnessLimit() {
     Rig rig;
     QVERIFY(qAbs(rig.run().tip.stiffnessLimit - 5.0) < 1e-9);
     QVERIFY(qAbs(rig.runMany(10000).tip.stiffnessLimit - 10.0) < 1e-6);
@@ -220,7 +220,7 @@ class ServoTickTest : public QObject {
     QVERIFY(std::isinf(sample.tip.dampingLimit));
   }
 
-  void everyTickIsTold() {
+  void everyTickIsReported() {
     Rig rig;
     rig.runMany(1000);
     ServoSample sample;

@@ -42,7 +42,7 @@ class LinuxCncModesTest : public QObject {
     QVERIFY(lathe.endsAt(program("M73\nM71"), 3, 0));
   }
 
-  void coolantIsToldByVariables() {
+  void coolantIsReadFromVariables() {
     const ProgramTrial lathe;
     QVERIFY(lathe.endsAt("M7\nG0 X2 Z2\nG0 X#<_mist> Z#<_flood>\n", 1, 0));
     QVERIFY(lathe.endsAt("M8\nG0 X2 Z2\nG0 X#<_mist> Z#<_flood>\n", 0, 1));

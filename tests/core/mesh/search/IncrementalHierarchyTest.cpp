@@ -13,7 +13,7 @@ class IncrementalHierarchyTest : public QObject {
 
  private slots:
   void againstAll();
-  void stopsWhenTold();
+  void stopsWithTheVisitor();
 };
 
 // After each of many additions the hierarchy visits at least the triangles with a corner in the box, and each once.
@@ -42,7 +42,7 @@ void IncrementalHierarchyTest::againstAll() {
   }
 }
 
-void IncrementalHierarchyTest::stopsWhenTold() {
+void IncrementalHierarchyTest::stopsWithTheVisitor() {
   IncrementalHierarchy growing;
   for (int i = 0; i < 200; ++i) growing.add({Vec3(i, 0, 0), Vec3(i, 1, 0), Vec3(i, 0, 1)});
   const Box everything(Vec3(-1, -1, -1), Vec3(300, 2, 2));

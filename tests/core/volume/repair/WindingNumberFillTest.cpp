@@ -47,10 +47,10 @@ class WindingNumberFillTest : public QObject {
     TriangleSoup closed = bowl(radius, height);
     const BoundaryCaps caps = closeBoundaries(closed, 4.0);
     QVERIFY(!caps.wide.empty());
-    const double foretold = WindingNumberFill::predictedBlocks(closed, caps.wide);
+    const double predicted = WindingNumberFill::predictedBlocks(closed, caps.wide);
     const auto found = static_cast<double>(WindingNumberFill(closed, caps.wide, {}).blocks().size());
-    QVERIFY2(found < 2.0 * foretold && foretold < 2.0 * found,
-             qPrintable(QString("%1 for %2").arg(foretold).arg(found)));
+    QVERIFY2(found < 2.0 * predicted && predicted < 2.0 * found,
+             qPrintable(QString("%1 for %2").arg(predicted).arg(found)));
   }
 
   // Of a hole of a hundred metres, in voxels of a millimetre, membranes alone would take more than there is; this is

@@ -62,7 +62,7 @@ class CellTargetsWindowTest : public QObject {
   }
 
   // Of each axis its own colour, and lengths along the axes of the pose.
-  void axesAreTold() {
+  void axesAreReported() {
     Pose pose = Pose::Identity();
     pose.linear() = Eigen::AngleAxisd(std::numbers::pi / 2.0, Vec3::UnitZ()).toRotationMatrix();
     pose.translation() = Vec3(1.0, 2.0, 3.0);

@@ -69,7 +69,7 @@ class GlobeServicesTest : public QObject {
   }
 
   // What a service did not do in time is reported once, as a share of the time since it was asked last.
-  void troublesAreTold() {
+  void troublesAreReported() {
     WindowServices services;
     Service dents("slow dents");
     services.add(dents, "Slow dents");

@@ -120,11 +120,11 @@ class ExerciseHandTest : public QObject {
     auto* lesson = driver.find<QWidget>("exerciseLesson");
     lesson->findChild<QPushButton*>("lesson/measure")->click();
     QVERIFY(driver.settle());
-    const auto isTold = [lesson](const QString& sign) {
+    const auto isReported = [lesson](const QString& sign) {
       const auto labels = lesson->findChildren<QLabel*>();
       return std::any_of(labels.begin(), labels.end(), [&](const QLabel* each) { return each->text().contains(sign); });
     };
-    QTRY_VERIFY(isTold(std::abs(diameter - kWanted) <= kWithin ? QStringLiteral("✓") : QStringLiteral("✗")));
+    QTRY_VERIFY(isReported(std::abs(diameter - kWanted) <= kWithin ? QStringLiteral("✓") : QStringLiteral("✗")));
     QTest::keyClicks(lesson->findChild<QLineEdit*>("lesson/name"), "Ada");
     lesson->findChild<QPushButton*>("lesson/handIn")->click();
     QVERIFY(driver.enterFileName("handInDialog", handedIn));

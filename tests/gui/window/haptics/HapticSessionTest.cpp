@@ -195,7 +195,7 @@ class HapticSessionTest : public QObject {
     QVERIFY(fixture.session->latest()->sent.isZero());
   }
 
-  void whatCannotBeOpenedIsTold() {
+  void whatCannotBeOpenedIsReported() {
     for (const char* address : {"deaf", "nowhere"}) {
       HapticSessionFixture fixture;
       fixture.session->choose("fake", address);

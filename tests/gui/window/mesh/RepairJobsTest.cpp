@@ -54,7 +54,7 @@ class RepairJobsTest : public QObject {
 
  private slots:
   // What, why, and what to do; the document is as it was. Nobody hears of a job that he cancelled himself.
-  void aFailureIsTold() {
+  void aFailureIsReported() {
     QThreadPool pool;
     JobRunner runner(JobRunner::Policy::Queue, pool);
     DocumentTabs tabs;

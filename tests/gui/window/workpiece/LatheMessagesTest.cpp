@@ -50,7 +50,7 @@ class LatheMessagesTest : public QObject {
   }
 
   // A bar of 100 mm is parted off at Z 70, and behind that at Z 30: each time the piece that comes off is reported.
-  void whatComesOffIsTold() {
+  void whatComesOffIsReported() {
     TurningWindow window;
     window.driver.choose("newWorkpiece");
     QVERIFY(window.driver.settle());

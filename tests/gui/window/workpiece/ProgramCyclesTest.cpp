@@ -28,7 +28,7 @@ class ProgramCyclesTest : public QObject {
 
   // A bowl of 14 mm with a round bottom, for which there is no drill: written, with a warning of what stays in it. Its
   // file is offered the name of the document.
-  void aBowlThatIsLeftIsTold() {
+  void aBowlThatIsLeftIsReported() {
     WindowDriver driver;
     driver.choose("newWorkpiece");
     QVERIFY(driver.settle());

@@ -75,7 +75,7 @@ class FalconSessionTest : public QObject {
     QCOMPARE(session.open({}).error().arguments[0], std::string("a packet of the firmware"));
   }
 
-  void aMissingFirmwareFileIsTold() {
+  void aMissingFirmwareFileIsReported() {
     const auto connect = [this]() -> Result<std::unique_ptr<UsbTransport>> {
       return std::unique_ptr<UsbTransport>(std::make_unique<FakeUsb>(m_falcon, m_clock));
     };

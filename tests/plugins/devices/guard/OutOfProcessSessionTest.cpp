@@ -103,7 +103,7 @@ class OutOfProcessSessionTest : public QObject {
     QCOMPARE(std::get<guard::Force>(fixture.process->heard.back()).force.force, Vec3(0, 0, 2));
   }
 
-  void whyItIsNotOpenIsTold() {
+  void whyItIsNotOpenIsReported() {
     Fixture refused;
     refused.process->refusal = Error{ErrorCode::ReferenceMissing, {"the firmware file", "falcon.bin"}, {}, "x"};
     QCOMPARE(refused.whyNot(), ErrorCode::ReferenceMissing);
