@@ -127,10 +127,9 @@ std::map<DefectKind, std::size_t> DefectList::counts() const {
   return counts;
 }
 
-void DefectList::setBefore(std::map<DefectKind, std::size_t> counts, LoopCounts loops, QStringList doneBesides) {
+void DefectList::setBefore(std::map<DefectKind, std::size_t> counts, LoopCounts loops) {
   m_findings.before = std::move(counts);
   m_findings.loopOutcomes = loops;
-  m_findings.doneBesides = std::move(doneBesides);
   emit changed();
 }
 
@@ -143,26 +142,11 @@ void DefectList::setHopeless(DefectKind kind) {
   if (m_findings.hopeless.insert(kind).second) emit changed();
 }
 
-void DefectList::setPatchWarnings(QStringList warnings) {
-  m_findings.patchWarnings = std::move(warnings);
-  emit changed();
-}
-
-void DefectList::setRemovalWarning(QString warning) {
-  m_findings.removalWarning = std::move(warning);
-  emit changed();
-}
-
 QString DefectList::reason(DefectKind kind, int row) const {
   const auto own = m_findings.reasons.ofRow.find({kind, row});
   if (own != m_findings.reasons.ofRow.end()) return own->second;
   const auto common = m_findings.reasons.ofKind.find(kind);
   return common == m_findings.reasons.ofKind.end() ? QString() : common->second;
-}
-
-void DefectList::setReasons(DefectReasons reasons) {
-  m_findings.reasons = std::move(reasons);
-  emit changed();
 }
 
 void DefectList::setReason(DefectKind kind, int row, const QString& reason) {

@@ -75,18 +75,17 @@ class DefectList : public QObject {
   std::size_t count(DefectKind kind) const;
   // The numbers of all kinds of defects; without self-intersections while these are unknown.
   std::map<DefectKind, std::size_t> counts() const;
-  // Sets what there was before the repair that made the present mesh, what it did with the loops, and what else it did,
-  // a phrase each. Kept until the mesh changes.
-  void setBefore(std::map<DefectKind, std::size_t> counts, LoopCounts loops = {}, QStringList doneBesides = {});
+  // Sets what there was before the fix that made the present mesh, and what it did with the loops. Kept until the mesh
+  // changes.
+  void setBefore(std::map<DefectKind, std::size_t> counts, LoopCounts loops);
   const LoopCounts& loopOutcomes() const { return m_findings.loopOutcomes; }
+  // What else the last repair did, a phrase each. Kept until the mesh changes.
   const QStringList& doneBesides() const { return m_findings.doneBesides; }
   // Sentences about patches of the last repair that a person should look at. Kept until the mesh changes.
   const QStringList& patchWarnings() const { return m_findings.patchWarnings; }
-  void setPatchWarnings(QStringList warnings);
   // The sentence about what the last repair took away from the outside; empty where nothing. Kept until the mesh
   // changes.
   const QString& removalWarning() const { return m_findings.removalWarning; }
-  void setRemovalWarning(QString warning);
   // None where nothing is known to compare with, or the number is the same.
   std::optional<std::size_t> countBefore(DefectKind kind) const;
   // The state of the present mesh, with its self-intersections once they are computed.
@@ -112,7 +111,6 @@ class DefectList : public QObject {
   // Why a defect other than a hole remains after a repair or fix, as the end of a sentence: its own reason, else that
   // of its kind. Kept until the mesh changes.
   QString reason(DefectKind kind, int row) const;
-  void setReasons(DefectReasons reasons);
   // A fix of all of this kind was tried on the present mesh and changed nothing; reason() says why.
   bool isHopeless(DefectKind kind) const { return m_findings.hopeless.contains(kind); }
   void setHopeless(DefectKind kind);

@@ -15,8 +15,8 @@ class DefectList;
 // "26 holes", in the grammar of a list; all kinds that may be wrong or left open.
 QString defectPhrase(DefectKind kind, std::size_t count);
 
-// What has changed since DefectList::setBefore(), a phrase each: "26 of 28 holes filled", "new: 2 pieces of debris",
-// then what else was done. Empty where nothing is known to compare with.
+// What has changed since the counts in RepairFindings::before, a phrase each: "26 of 28 holes filled", "new: 2 pieces
+// of debris", then what else was done. Empty where nothing is known to compare with.
 QStringList defectSummary(const DefectList& defectList);
 
 }  // namespace handwheel

@@ -273,6 +273,7 @@ void RepairJobs::startRepair(MeshTab* document, Round round) {
 void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done) {
   DefectList& defectList = document->defectList;
   const auto before = defectList.counts();
+  const LengthUnit unit = document->document.displayUnit();
   const QString command = document->isAsInFile() ? repairCommand(document->document.path(), done.options)
                                                  : stepCommand(*document, done.step);
   std::map<int, QString> names;
@@ -284,19 +285,18 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   document->repairedWith = done.settings;
   if (isChanged) document->fixedAt = presentPoint(document->document);
   defectList.setFailures(failuresOf(done.report));
-  // A repair that changes nothing has no summary: what is known from before is of another change.
-  if (isChanged)
-    defectList.setBefore(before, countOutcomes(done.report),
-                         doneBesides(done.report, before, defectList.counts(), document->document.displayUnit()));
-  else
-    defectList.setBefore({});
-  defectList.setReasons(reasonsOf(done.left, done.report, done.options));
-  if (!done.report.isIntersectionRemovalIncomplete) defectList.setHopeless(DefectKind::SelfIntersection);
-  logRepair(m_log, *document, done.report, names, command);
-  if (isChanged) defectList.setPatchWarnings(patchWarningsOf(done.report, names));
-  if (isChanged && done.report.removed)
-    defectList.setRemovalWarning(removalWarning(*done.report.removed, document->document.displayUnit()));
+  // A repair that changes nothing has no summary: what is known from before is of another change, whose warnings stay.
+  RepairFindings findings = defectList.findings();
+  findings.before = isChanged ? before : decltype(before)();
+  findings.loopOutcomes = isChanged ? countOutcomes(done.report) : LoopCounts();
+  findings.doneBesides = isChanged ? doneBesides(done.report, before, defectList.counts(), unit) : QStringList();
+  findings.reasons = reasonsOf(done.left, done.report, done.options);
+  if (!done.report.isIntersectionRemovalIncomplete) findings.hopeless.insert(DefectKind::SelfIntersection);
+  if (isChanged) findings.patchWarnings = patchWarningsOf(done.report, names);
+  if (isChanged && done.report.removed) findings.removalWarning = removalWarning(*done.report.removed, unit);
+  defectList.setFindings(std::move(findings));  // at once: each change of the list is shown
   document->keepFindings();
+  logRepair(m_log, *document, done.report, names, command);
   if (!isChanged)
     emit changedNothing(document, tr("Repair all"),
                         tr("Nothing more could be repaired without damage. The list of defects gives the reasons that "
