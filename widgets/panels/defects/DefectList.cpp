@@ -20,7 +20,10 @@ DefectList::DefectList(MeshDocument& document, QObject* parent) : QObject(parent
             const LengthUnit before = std::exchange(unit, m_document.displayUnit());
             const NumberType were = std::exchange(numbers, m_document.fileNumbers());
             const bool isRoundedAnew = were != numbers;
-            if (isRoundedAnew) m_intersectionsBeforeRounding = std::exchange(m_selfIntersections, std::nullopt);
+            if (isRoundedAnew && m_selfIntersections)
+              m_intersectionsBeforeRounding = std::exchange(m_selfIntersections, std::nullopt);
+            else if (isRoundedAnew && !m_intersectionsBeforeRounding)  // with nothing to compare with
+              m_findings.hopeless.erase(DefectKind::SelfIntersection);
             if (unit != before || isRoundedAnew) emit changed();
           });
   nameLoops();
