@@ -154,4 +154,8 @@ Result<ImageFile> imageOfText(const ImageGrid& grid, const SampleLayout& layout,
   return finished(grid, std::move(values), remarksOn(layout));
 }
 
+ImageFile imageOfValues(const ImageGrid& grid, std::vector<float> values) {
+  return finished(grid, std::move(values), {});
+}
+
 }  // namespace handwheel

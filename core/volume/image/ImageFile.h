@@ -61,6 +61,9 @@ Result<ImageFile> imageOfBytes(const ImageGrid& grid, const SampleLayout& layout
 // The same of numbers as text, separated by blanks. Errors: NumberMalformed, too.
 Result<ImageFile> imageOfText(const ImageGrid& grid, const SampleLayout& layout, std::string_view text);
 
+// The same of values. Precondition: checkGrid(), and as many values as the grid has samples. Errors: none.
+ImageFile imageOfValues(const ImageGrid& grid, std::vector<float> values);
+
 // The bytes that the samples of an image take in a file.
 std::size_t bytesOf(const ImageGrid& grid, const SampleLayout& layout);
 

@@ -14,9 +14,9 @@ std::string vectorText(const Vec3& v) {
 
 }  // namespace
 
-std::string nrrdOf(const ImageVolume& image, const std::string& content) {
+void appendNrrd(const ImageVolume& image, const std::string& content, std::string& file) {
   const ImageGrid& grid = image.grid();
-  std::string file = "NRRD0004\ntype: ";
+  file += "NRRD0004\ntype: ";
   file += image.isWhole() ? "int16" : "float";
   if (!content.empty()) file += "\ncontent: " + content;
   file += "\ndimension: 3\nspace: left-posterior-superior\nsizes:";
@@ -34,6 +34,11 @@ std::string nrrdOf(const ImageVolume& image, const std::string& content) {
       for (const auto v : samples) appendNumber(file, v, std::endian::little);
     }
   });
+}
+
+std::string nrrdOf(const ImageVolume& image, const std::string& content) {
+  std::string file;
+  appendNrrd(image, content, file);
   return file;
 }
 

@@ -11,5 +11,7 @@ namespace handwheel {
 // An image as a file in NRRD: raw, little-endian, with places as ImageGrid has them. content: what the
 // values are, one line; may be empty.
 std::string nrrdOf(const ImageVolume& image, const std::string& content = {});
+// The same at the end of a text.
+void appendNrrd(const ImageVolume& image, const std::string& content, std::string& file);
 
 }  // namespace handwheel

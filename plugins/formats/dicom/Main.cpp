@@ -37,14 +37,15 @@ Result<std::string> answerOf(std::string_view bytes, bool ofFirst, Progress prog
   if (!series) return series.error();
   const Result<ImageFile> image = imageOf(*series, progress.part(0.3, 1.0));
   if (!image) return image.error();
-  std::string line;
+  std::string answer;
   for (const double figure :
        {series->tilt, series->isUneven ? series->least : 0.0, series->isUneven ? series->largest : 0.0,
         static_cast<double>(series->missing), static_cast<double>(series->others),
         static_cast<double>(series->samePlace), static_cast<double>(unreadable)})
-    line += shortestText(figure) + " ";
-  line.back() = '\n';
-  return line + nrrdOf(image->image);
+    answer += shortestText(figure) + " ";
+  answer.back() = '\n';
+  appendNrrd(image->image, {}, answer);
+  return answer;
 }
 
 // The library's exceptions as errors; what they say may be of the patient.

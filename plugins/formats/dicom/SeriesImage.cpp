@@ -3,7 +3,6 @@
 #include "dicom/SeriesImage.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace handwheel {
@@ -54,8 +53,7 @@ Result<ImageFile> imageOf(const Series& series, Progress progress) {
     if (i > 0) fill(values, pixels, series.heights[i - 1], before, series.heights[i], *own);
     before = std::move(*own);
   }
-  const std::string_view bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
-  return imageOfBytes(grid, {.type = SampleType::Float32, .order = std::endian::native}, bytes);
+  return imageOfValues(grid, std::move(values));
 }
 
 }  // namespace handwheel
