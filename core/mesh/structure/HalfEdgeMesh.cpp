@@ -25,26 +25,11 @@ HalfEdge HalfEdgeMesh::nextOpen(HalfEdge h) const {
 }
 
 std::vector<HalfEdge> HalfEdgeMesh::fan(HalfEdge h) const {
-  HalfEdge first = h;
-  while (hasOpposite(first)) {
-    first = next(opposite(first));
-    if (first == h) break;
-  }
+  constexpr std::size_t kUsual = 8;  // faces; six on average
   std::vector<HalfEdge> result;
-  for (HalfEdge g = first;;) {
-    result.push_back(g);
-    const HalfEdge back = previous(g);
-    if (!hasOpposite(back)) break;
-    g = opposite(back);
-    if (g == first) break;
-  }
+  result.reserve(kUsual);
+  visitFan(h, [&](HalfEdge g) { result.push_back(g); });
   return result;
-}
-
-std::size_t HalfEdgeMesh::liveFaceCount() const {
-  std::size_t n = 0;
-  for (Face f = 0; f < faceSlots(); ++f) n += isLive(f);
-  return n;
 }
 
 HalfEdgeMesh::Compact HalfEdgeMesh::compact() const {
@@ -78,32 +63,37 @@ Vertex HalfEdgeMesh::addVertex(const Vec3& p) {
 }
 
 Face HalfEdgeMesh::addSlot(const Triangle& corners, const std::array<HalfEdge, 3>& opposites) {
-  m_faces.push_back({corners, opposites});
+  const FaceSlot slot{corners, opposites};
+  m_faces.push_back(slot);
+  m_liveFaces += slot.isLive();
   return static_cast<Face>(m_faces.size() - 1);
 }
 
 Face HalfEdgeMesh::addFace(const Triangle& corners) {
-  FaceSlot slot;
-  slot.corners = corners;
-  m_faces.push_back(slot);
-  return static_cast<Face>(m_faces.size() - 1);
+  return addSlot(corners, FaceSlot().opposites);
+}
+
+void HalfEdgeMesh::setSlot(Face f, const FaceSlot& slot) {
+  m_liveFaces = m_liveFaces - isLive(f) + slot.isLive();
+  m_faces.set(f, slot);
 }
 
 void HalfEdgeMesh::removeFace(Face f) {
   for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
     if (hasOpposite(h)) setOpen(opposite(h), Open::Border);
   }
-  m_faces.set(f, FaceSlot{});
+  setSlot(f, FaceSlot{});
 }
 
 void HalfEdgeMesh::setCorner(HalfEdge h, Vertex v) {
   if (from(h) == v) return;  // keeps the page shared
   FaceSlot slot = m_faces[face(h)];
   slot.corners[h % 3] = v;
-  m_faces.set(face(h), slot);
+  setSlot(face(h), slot);
 }
 
 void HalfEdgeMesh::truncate(std::size_t vertexSlots, std::size_t faceSlots) {
+  for (std::size_t f = faceSlots; f < m_faces.size(); ++f) m_liveFaces -= m_faces[f].isLive();
   m_positions.truncate(vertexSlots);
   m_faces.truncate(faceSlots);
 }

@@ -36,7 +36,7 @@ class HalfEdgeMesh {
 
   const Vec3& position(Vertex v) const { return m_positions[v]; }
   const Triangle& triangle(Face f) const { return m_faces[f].corners; }
-  bool isLive(Face f) const { return m_faces[f].corners[0] != kNone; }
+  bool isLive(Face f) const { return m_faces[f].isLive(); }
   // True when all three corners differ: the face takes part in the surface.
   bool isProper(Face f) const;
 
@@ -57,9 +57,12 @@ class HalfEdgeMesh {
   // The half-edges that leave the same fan of faces as h, counter-clockwise, from the open one where there is one.
   // h must be proper.
   std::vector<HalfEdge> fan(HalfEdge h) const;
+  // Calls visit with each of them, without allocating.
+  template <class Visit>
+  void visitFan(HalfEdge h, Visit visit) const;
   TrianglePoints points(Face f) const;
 
-  std::size_t liveFaceCount() const;
+  std::size_t liveFaceCount() const { return m_liveFaces; }
   // The live faces and the vertices they use, renumbered without gaps; faceOf[i] is the face of triangle i.
   struct Compact {
     TriangleSoup soup;
@@ -90,11 +93,30 @@ class HalfEdgeMesh {
   struct FaceSlot {
     Triangle corners{kNone, kNone, kNone};
     std::array<HalfEdge, 3> opposites{kNone, kNone, kNone};
+    bool isLive() const { return corners[0] != kNone; }
     bool operator==(const FaceSlot&) const = default;
   };
+  void setSlot(Face f, const FaceSlot& slot);
 
   PagedArray<Vec3> m_positions;
   PagedArray<FaceSlot> m_faces;
+  std::size_t m_liveFaces = 0;
 };
+
+template <class Visit>
+void HalfEdgeMesh::visitFan(HalfEdge h, Visit visit) const {
+  HalfEdge first = h;
+  while (hasOpposite(first)) {
+    first = next(opposite(first));
+    if (first == h) break;
+  }
+  for (HalfEdge g = first;;) {
+    visit(g);
+    const HalfEdge back = previous(g);
+    if (!hasOpposite(back)) break;
+    g = opposite(back);
+    if (g == first) break;
+  }
+}
 
 }  // namespace handwheel

@@ -102,7 +102,15 @@ MeshDelta MeshDelta::between(const HalfEdgeMesh& before, const HalfEdgeMesh& aft
 
 void MeshDelta::swap(HalfEdgeMesh& mesh) {
   swapSlots(mesh.m_positions, m_positions);
+  const auto liveFaces = [this] {
+    const auto countIn = [](const std::vector<HalfEdgeMesh::FaceSlot>& slots) {
+      return std::count_if(slots.begin(), slots.end(), [](const auto& slot) { return slot.isLive(); });
+    };
+    return static_cast<std::size_t>(countIn(m_faces.values) + countIn(m_faces.tail));
+  };
+  mesh.m_liveFaces += liveFaces();
   swapSlots(mesh.m_faces, m_faces);
+  mesh.m_liveFaces -= liveFaces();
 }
 
 std::size_t MeshDelta::bytes() const {

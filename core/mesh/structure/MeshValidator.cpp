@@ -72,10 +72,13 @@ std::string checkFans(const HalfEdgeMesh& mesh, Progress progress) {
 }  // namespace
 
 std::string validate(const HalfEdgeMesh& mesh, Progress progress) {
+  std::size_t live = 0;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!pollProgress(f, mesh.faceSlots(), progress.part(0.0, 0.2))) return kCancelled;
     if (std::string broken = checkFace(mesh, f); !broken.empty()) return broken;
+    live += mesh.isLive(f);
   }
+  if (live != mesh.liveFaceCount()) return "the number of live faces is not that of the slots";
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
     if (!pollProgress(h, mesh.halfEdgeSlots(), progress.part(0.2, 0.5))) return kCancelled;
     if (std::string broken = checkHalfEdge(mesh, h); !broken.empty()) return broken;

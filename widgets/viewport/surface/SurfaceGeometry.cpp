@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace handwheel {
 
@@ -63,7 +62,7 @@ class BlockBuilder {
   void addVertex(HalfEdge h) {
     std::vector<Corner>& corners = m_corners;
     corners.clear();
-    for (const HalfEdge g : m_mesh.fan(h)) corners.push_back(cornerAt(m_mesh, g));
+    m_mesh.visitFan(h, [&](HalfEdge g) { corners.push_back(cornerAt(m_mesh, g)); });
     const std::size_t n = corners.size();
     if (m_mesh.hasOpposite(corners.front().edge)) {  // faces all around: begin at a crease, if there is one
       std::size_t begin = 0;
@@ -116,17 +115,19 @@ std::size_t blockCount(const HalfEdgeMesh& mesh, Face blockFaces) {
 
 std::vector<std::size_t> blocksAround(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
                                       const std::vector<Face>& touched, Face blockFaces) {
-  std::set<std::size_t> blocks;
+  std::vector<bool> isAround(std::max(blockCount(before, blockFaces), blockCount(after, blockFaces)));
   for (const Face f : touched) {
-    if (f < after.faceSlots()) blocks.insert(f / blockFaces);
+    if (f < after.faceSlots()) isAround[f / blockFaces] = true;
     for (const HalfEdgeMesh* mesh : {&before, &after}) {
       if (f >= mesh->faceSlots() || !mesh->isProper(f)) continue;
-      for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
-        for (const HalfEdge g : mesh->fan(h)) blocks.insert(HalfEdgeMesh::face(g) / blockFaces);
-      }
+      for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h)
+        mesh->visitFan(h, [&](HalfEdge g) { isAround[HalfEdgeMesh::face(g) / blockFaces] = true; });
     }
   }
-  return {blocks.begin(), blocks.end()};
+  std::vector<std::size_t> blocks;
+  for (std::size_t b = 0; b < isAround.size(); ++b)
+    if (isAround[b]) blocks.push_back(b);
+  return blocks;
 }
 
 SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin, Face blockFaces,
