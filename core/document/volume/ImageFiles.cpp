@@ -43,19 +43,27 @@ Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Pr
   if (failed) return Error{ErrorCode::FileUnreadable, {failed.message()}, {}, folder.string()};
   std::sort(paths.begin(), paths.end());
   if (!first.empty()) paths.insert(paths.begin(), first);
-  std::string files;
-  std::size_t done = 0;
+  const Error cancelled{ErrorCode::Cancelled, {}, {}, {}};
+  std::vector<fs::path> dicoms;
+  std::size_t size = 0;  // of all in the input of the reader
   for (const fs::path& path : paths) {
-    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    progress.set(static_cast<double>(done++) / static_cast<double>(paths.size()));
+    if (progress.cancelled()) return cancelled;
     if (!isDicomFile(path)) continue;
     std::error_code ignored;
-    const auto size = static_cast<std::size_t>(fs::file_size(path, ignored));
-    if (size > most || files.size() + size > most)
+    size += sizeof(std::uint64_t) + std::min<std::size_t>(fs::file_size(path, ignored), most);
+    if (size > most)
       return Error{ErrorCode::FileTooLarge,
-                   {"bytes of DICOM files", std::to_string(files.size() + size), std::to_string(most)},
+                   {"bytes of DICOM files", std::to_string(size), std::to_string(most)},
                    {},
                    folder.string()};
+    dicoms.push_back(path);
+  }
+  std::string files;
+  files.reserve(size);
+  std::size_t done = 0;
+  for (const fs::path& path : dicoms) {
+    if (progress.cancelled()) return cancelled;
+    progress.set(static_cast<double>(done++) / static_cast<double>(dicoms.size()));
     const Result<std::string> bytes = readFileBytes(path);
     if (!bytes) return bytes.error();
     appendDicomFile(*bytes, files);

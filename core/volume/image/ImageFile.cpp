@@ -66,11 +66,6 @@ std::vector<Value> valuesOfType(const SampleLayout& layout, std::string_view byt
   return {};
 }
 
-bool areShort(const std::vector<float>& values) {
-  return std::all_of(values.begin(), values.end(),
-                     [](float v) { return v >= -32768.0f && v <= 32767.0f && v == std::trunc(v); });
-}
-
 ImageFile finished(const ImageGrid& grid, std::vector<float> values, std::vector<ImageRemark> remarks) {
   float least = std::numeric_limits<float>::max();
   std::size_t odd = 0;
@@ -152,6 +147,11 @@ Result<ImageFile> imageOfText(const ImageGrid& grid, const SampleLayout& layout,
   if (found < needed)
     return Error{ErrorCode::DataTruncated, {"samples", std::to_string(needed), std::to_string(found)}, {}, {}};
   return finished(grid, std::move(values), remarksOn(layout));
+}
+
+bool areShort(const std::vector<float>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](float v) { return v >= -32768.0f && v <= 32767.0f && v == std::trunc(v); });
 }
 
 ImageFile imageOfValues(const ImageGrid& grid, std::vector<float> values) {

@@ -61,6 +61,8 @@ Result<ImageFile> imageOfBytes(const ImageGrid& grid, const SampleLayout& layout
 // The same of numbers as text, separated by blanks. Errors: NumberMalformed, too.
 Result<ImageFile> imageOfText(const ImageGrid& grid, const SampleLayout& layout, std::string_view text);
 
+// Whether 16 bits hold all values.
+bool areShort(const std::vector<float>& values);
 // The same of values. Precondition: checkGrid(), and as many values as the grid has samples. Errors: none.
 ImageFile imageOfValues(const ImageGrid& grid, std::vector<float> values);
 

@@ -105,6 +105,19 @@ class DicomReaderTest : public QObject {
     QVERIFY(hasValues(read->image, MadeSlice().value));
   }
 
+  // Sixteen bits hold the values of all slices but one.
+  void oneSliceOfFractions() {
+    const auto value = [](const Vec3& p) { return 100.0 * p.x() + 10.0 * p.y() + (p.z() == 2.0 ? 0.25 : 0.0); };
+    std::vector<MadeSlice> slices = stack({0.0, 1.0, 2.0, 3.0});
+    for (MadeSlice& slice : slices) slice.value = value;
+    slices[2].slope = 0.25;
+    slices[2].intercept = 0.0;
+    const Result<ImageFile> read = readSlices(slices);
+    QVERIFY(read.hasValue());
+    QVERIFY(!read->image.isWhole());
+    QVERIFY(hasValues(read->image, value, 1e-6));
+  }
+
   // The scanner leans: each slice is further along y. Nothing is resampled, and places are right.
   void tilted() {
     std::vector<MadeSlice> slices = stack({0.0, 2.0, 4.0, 6.0});
