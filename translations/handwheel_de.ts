@@ -13435,13 +13435,6 @@
             <numerusform>%n Umdrehungen</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n turn(s) below zero</source>
-        <translation>
-            <numerusform>%n Umdrehung unter null</numerusform>
-            <numerusform>%n Umdrehungen unter null</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>handwheel::HapticSession</name>

@@ -13346,12 +13346,6 @@
             <numerusform>%n 圈</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n turn(s) below zero</source>
-        <translation>
-            <numerusform>零位以下 %n 圈</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>handwheel::HapticSession</name>

@@ -114,8 +114,8 @@ QString HandwheelDial::readingText() const {
   const QString divisions = tr("%1 div").arg(locale().toString(rest, 'f', 1));
   if (turns == 0.0) return divisions;
   const int whole = static_cast<int>(std::abs(turns));
-  const QString count = turns > 0.0 ? tr("%n turn(s)", nullptr, whole) : tr("%n turn(s) below zero", nullptr, whole);
-  return QStringLiteral("%1 + %2").arg(count, divisions);
+  const QString sign = turns < 0.0 ? locale().negativeSign() : QString();
+  return QStringLiteral("%1%2 + %3").arg(sign, tr("%n turn(s)", nullptr, whole), divisions);
 }
 
 QString HandwheelDial::text() const {

@@ -223,7 +223,7 @@ void HandwheelDialTest::texts() {
   dial.setValue(5.0 - 1e-9);
   QCOMPARE(dial.readingText(), QString("1 turn + 0.0 div"));
   dial.setValue(-0.05);
-  QCOMPARE(dial.text(), QString("-0.050 mm, 1 turn below zero + 99.0 div"));
+  QCOMPARE(dial.text(), QString("-0.050 mm, -1 turn + 99.0 div"));
   dial.setValue(4.999);
   QCOMPARE(dial.readingText(), QString("99.9 div"));
   dial.setPrefix("⌀");
