@@ -83,7 +83,6 @@ TargetPanel::TargetPanel(const QList<QAction*>& actions, QWidget* parent)
   m_dimensions->setObjectName(QStringLiteral("partDimensions"));
   m_dimensions->setAccessibleName(tr("Measured dimensions"));
   m_dimensions->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  m_dimensions->setWordWrap(true);
   m_wanted->setObjectName(QStringLiteral("targetSizes"));
   for (QLabel* label : {m_target, m_wanted, m_over, m_under}) label->setWordWrap(true);
   auto* heading = new QLabel(tr("Target"), this);
