@@ -79,7 +79,7 @@ std::vector<ClosingEdge> closingEdges(const HalfEdgeMesh& mesh, const VertexPair
   std::size_t seen = 0;
   for (const auto& [ends, forward] : edges) {
     if (!pollProgress(seen++, edges.size(), progress.part(0.7, 1.0))) return {};
-    if (ends.second < ends.first) continue;  // once for both directions
+    if (ends.second <= ends.first) continue;  // once for both directions; an edge between equal ends only shrinks
     const auto backward = edges.find({ends.second, ends.first});
     if (backward == edges.end()) continue;
     EdgeEnd low, high;

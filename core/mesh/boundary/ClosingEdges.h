@@ -8,15 +8,16 @@
 
 namespace handwheel {
 
-// Open edges that become one, or collapse, when near vertices are merged. One that collapses shrinks to a point.
+// Open edges that become one when near vertices are merged.
 struct ClosingEdge {
   std::vector<std::size_t> pairs;  // that have to be merged for it, by index, rising
   std::vector<PointKey> places;    // of the ends of the open edges
 };
 
 // The edges that close when the second vertex of each pair moves onto the first. A pair that is in none of them only
-// touches: two parts that meet in a vertex, or that were separated there. pairs: as nearBoundaryVertices() returns
-// them. O(n log n) for the border. The result is invalid if cancelled.
+// touches: two parts that meet in a vertex, or that were separated there. Nor does a short edge close by shrinking to a
+// point: that would move the surface, perhaps across what lies beside it, and join nothing. pairs: as
+// nearBoundaryVertices() returns them. O(n log n) for the border. The result is invalid if cancelled.
 std::vector<ClosingEdge> closingEdges(const HalfEdgeMesh& mesh, const VertexPairs& pairs, Progress progress = {});
 
 // The pairs that are in one of these edges.

@@ -4,6 +4,8 @@
 
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/boundary/Stitching.h"
 #include "mesh/structure/MeshBuilder.h"
 
 #include <QTest>
@@ -30,6 +32,7 @@ class ClosingEdgesTest : public QObject {
   void ofASlit();
   void partnersOfARow();
   void noneWhereOnlyCornersMeet();
+  void noneAlongAShortEdge();
   void runs();
   void manySheetsOverOneEdge();
 };
@@ -75,6 +78,25 @@ void ClosingEdgesTest::noneWhereOnlyCornersMeet() {
   QCOMPARE(nearBoundaryVertices(mesh).size(), std::size_t{1});
   QVERIFY(pairsThatClose(mesh).empty());
   QVERIFY(closingEdges(mesh, {}).empty());
+}
+
+// An edge of the border that is shorter than the reach stays, unless what lies across a tear from it closes with more.
+void ClosingEdgesTest::noneAlongAShortEdge() {
+  const TriangleSoup soup{{{0, 0, 0}, {1e-6, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}};
+  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  QCOMPARE(nearBoundaryVertices(mesh), (VertexPairs{{0, 1}}));
+  QVERIFY(pairsThatClose(mesh).empty());
+  HalfEdgeMesh stitched = mesh;
+  QVERIFY(stitchBoundaries(stitched, {}).empty());
+  QCOMPARE(stitched.liveFaceCount(), std::size_t{2});
+
+  TriangleSoup torn = soup;
+  test::append(torn, {{{1, 1e-6, 0}, {0, 1e-6, 0}, {0, -1, 0}}, {{0, 1, 2}}});
+  HalfEdgeMesh joined = buildMesh(torn).mesh;
+  stitchBoundaries(joined, {});
+  QCOMPARE(joined.liveFaceCount(), std::size_t{2});  // the one at the short edge shrinks
+  QCOMPARE(findBoundaryLoops(joined).size(), std::size_t{1});
+  QCOMPARE(findBoundaryLoops(joined)[0].halfEdges.size(), std::size_t{4});
 }
 
 // Two tears, which share no pair, are two runs.

@@ -94,6 +94,7 @@ class RepairPropertiesTest : public QObject {
   void manyNeedles();
   void holesOfConvexBodies();
   void randomHoles();
+  void shortEdgeOfAKeptSheet();
   void brokenBlocks();
   void anySoup();
   void againChangesNothing();
@@ -174,6 +175,21 @@ void RepairPropertiesTest::randomHoles() {
       }));
     }
   }));
+}
+
+// Found by randomHoles(): a patch cuts a sheet that stays open so near to one of its corners that merging the two, as a
+// later round did, moves the sheet across the patch.
+void RepairPropertiesTest::shortEdgeOfAKeptSheet() {
+  std::mt19937 random(101639);
+  QCOMPARE(random() % 3, 2u);  // of randomHoles(), the shape
+  HalfEdgeMesh mesh = buildMesh(cutAtRandom(test::bumpySphere(3), random)).mesh;
+  QCOMPARE(test::intersections(mesh), std::size_t{0});
+  RepairOptions options;
+  options.fill.numbers = NumberType::Float32;
+  QCOMPARE(repair(mesh, options).openLoops.size(), std::size_t{1});
+  QCOMPARE(test::intersections(mesh), std::size_t{0});
+  repair(mesh, options);
+  QCOMPARE(test::intersections(mesh), std::size_t{0});
 }
 
 // All of them can be made sound: what is missing can be put back, what is doubled taken away, what is turned turned
