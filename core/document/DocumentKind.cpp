@@ -94,6 +94,11 @@ Result<OpenedFile> load(const DocumentKinds& kinds, std::string_view bytes, Prog
 }
 
 Result<const DocumentKind*> recognised(const DocumentKinds& kinds, const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    for (const auto& kind : kinds.all())
+      if (kind->readsFolders()) return static_cast<const DocumentKind*>(kind.get());
+  }
   const Result<std::string> head = readFileHead(path);
   if (!head) return head.error();
   if (head->empty()) return Error{ErrorCode::FileEmpty, {}, {}, {}};

@@ -50,6 +50,8 @@ class DocumentKind {
 
   // Whether a foreign file is of this kind, by its first 64 KiB and its name.
   virtual bool recognises(std::string_view head, std::string_view name) const = 0;
+  // Whether import() also takes a folder, as a series of images is kept in one.
+  virtual bool readsFolders() const { return false; }
   virtual Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                                     Progress progress) const = 0;
   // Writes a foreign format by the ending of the path: the whole file or nothing.

@@ -155,7 +155,7 @@ void FileActions::fillRecentMenu() {
 
 void FileActions::openPaths(const QStringList& paths) {
   for (const QString& path : paths) {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
+    const QString absolute = QDir::cleanPath(QFileInfo(path).absoluteFilePath());  // a folder has a name then
     const DocumentTab* const current = m_tabs.current();
     if (current && current->ui.take(absolute)) continue;
     if (!offerBeside(absolute)) m_loader.load(absolute);

@@ -46,8 +46,10 @@ Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Pr
   const Error cancelled{ErrorCode::Cancelled, {}, {}, {}};
   std::vector<fs::path> dicoms;
   std::size_t size = 0;  // of all in the input of the reader
+  std::size_t seen = 0;
   for (const fs::path& path : paths) {
     if (progress.cancelled()) return cancelled;
+    progress.part(0.0, 0.3).set(static_cast<double>(seen++) / static_cast<double>(paths.size()));
     if (!isDicomFile(path)) continue;
     std::error_code ignored;
     size += sizeof(std::uint64_t) + std::min<std::size_t>(fs::file_size(path, ignored), most);
@@ -63,7 +65,7 @@ Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Pr
   std::size_t done = 0;
   for (const fs::path& path : dicoms) {
     if (progress.cancelled()) return cancelled;
-    progress.set(static_cast<double>(done++) / static_cast<double>(dicoms.size()));
+    progress.part(0.3, 1.0).set(static_cast<double>(done++) / static_cast<double>(dicoms.size()));
     const Result<std::string> bytes = readFileBytes(path);
     if (!bytes) return bytes.error();
     appendDicomFile(*bytes, files);

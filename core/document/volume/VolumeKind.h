@@ -20,6 +20,7 @@ class VolumeKind : public DocumentKind {
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
   bool recognises(std::string_view head, std::string_view name) const override;
+  bool readsFolders() const override { return true; }
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;
   Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,

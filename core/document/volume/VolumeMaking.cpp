@@ -135,7 +135,9 @@ std::vector<Note> notesOn(const SurfaceVolume& made) {
 
 Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,
                                                            Progress progress, int pieceCells) {
-  const Result<std::string> head = readFileHead(path);
+  std::error_code ignored;
+  const bool isFolder = std::filesystem::is_directory(path, ignored);
+  const Result<std::string> head = isFolder ? std::string() : readFileHead(path);
   if (!head) return head.error();
   const Progress reading = progress.part(0.0, 0.7);
   if (looksLikeVdb(*head)) {

@@ -4,6 +4,7 @@
 #include "TestClass.h"
 #include "document/DocumentErrors.h"
 #include "document/volume/ImageFiles.h"
+#include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 
 #include <QTemporaryDir>
@@ -27,6 +28,12 @@ void putSeries(const fs::path& folder, const std::string& name, const std::strin
   }
 }
 
+DocumentKinds kindsOfVolumes() {
+  std::vector<std::unique_ptr<DocumentKind>> kinds;
+  kinds.push_back(std::make_unique<VolumeKind>());
+  return DocumentKinds(std::move(kinds));
+}
+
 }  // namespace
 
 // Series of DICOM as they lie in folders, beside one another and beside other files.
@@ -39,6 +46,8 @@ class ImageSeriesTest : public QObject {
     putSeries(m_root, "long", "1.2.3.5", 5);
     putSeries(m_root, "short", "1.2.3.4", 3);
     std::ofstream(m_root / "readme.txt") << "two series";
+    fs::create_directory(m_root / "empty");
+    std::ofstream(m_root / "empty" / "readme.txt") << "no slices";
   }
 
   // Of a folder the largest series is read, and the others are reported.
@@ -74,9 +83,21 @@ class ImageSeriesTest : public QObject {
     QCOMPARE(notes.size(), std::size_t{2});  // of the other series and of the threshold
   }
 
+  // As a document, whose title is the name of the folder.
+  void opened() {
+    for (const fs::path& path : {m_root, m_root / ""}) {
+      const Result<OpenedFile> folder = kindsOfVolumes().open(path, {});
+      QVERIFY(folder.hasValue());
+      const auto& volume = static_cast<const VolumeSnapshot&>(*folder->content);
+      QCOMPARE(volume.scan->image.grid().size[2], 5);
+      QCOMPARE(folder->file.title, m_root.filename().string());
+    }
+    const Result<OpenedFile> empty = kindsOfVolumes().open(m_root / "empty", {});
+    QVERIFY(!empty);
+    QCOMPARE(empty.error().arguments, std::vector<std::string>{"there are no DICOM files in it"});
+  }
+
   void foldersWithoutASeries() {
-    fs::create_directory(m_root / "empty");
-    std::ofstream(m_root / "empty" / "readme.txt") << "no slices";
     const Result<ImageFile> none = readImageFile(m_root / "empty", {});
     QVERIFY(!none && none.error().code == ErrorCode::FileUnreadable);
     QCOMPARE(none.error().arguments, std::vector<std::string>{"there are no DICOM files in it"});
