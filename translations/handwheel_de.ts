@@ -1598,6 +1598,14 @@
         <source>In a copy of the program, correct the configuration, or write ConfL\Off before the line.</source>
         <translation>Berichtigen Sie in einer Kopie des Programms die Konfiguration, oder schreiben Sie ConfL\Off vor die Zeile.</translation>
     </message>
+    <message>
+        <source>the folder contains no DICOM files</source>
+        <translation>der Ordner enthält keine DICOM-Dateien</translation>
+    </message>
+    <message>
+        <source>Choose a file, or the folder in which the slices are; folders in it are not searched.</source>
+        <translation>Wählen Sie eine Datei oder den Ordner, in dem die Schichten liegen; Unterordner werden nicht durchsucht.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -2800,10 +2808,6 @@
     <message>
         <source>bytes of DICOM files</source>
         <translation>Bytes in DICOM-Dateien</translation>
-    </message>
-    <message>
-        <source>there are no DICOM files in it</source>
-        <translation>es sind keine DICOM-Dateien darin</translation>
     </message>
     <message>
         <source>a data file outside of the folder</source>
@@ -10120,6 +10124,10 @@
     <message>
         <source>this volume is to be drilled, not shaped</source>
         <translation>dieses Volumen ist zu bohren, nicht zu formen</translation>
+    </message>
+    <message>
+        <source>no two vertices can be merged so that an open edge closes and none gets a third triangle</source>
+        <translation>keine zwei Eckpunkte lassen sich so zusammenführen, dass sich eine offene Kante schließt und keine ein drittes Dreieck bekommt</translation>
     </message>
 </context>
 <context>

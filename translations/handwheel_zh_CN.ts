@@ -1598,6 +1598,14 @@
         <source>In a copy of the program, correct the configuration, or write ConfL\Off before the line.</source>
         <translation>请在程序的副本中更正构型，或在该行之前写入 ConfL\Off。</translation>
     </message>
+    <message>
+        <source>the folder contains no DICOM files</source>
+        <translation>文件夹中没有 DICOM 文件</translation>
+    </message>
+    <message>
+        <source>Choose a file, or the folder in which the slices are; folders in it are not searched.</source>
+        <translation>请选择一个文件，或切片所在的文件夹；不会搜索其中的子文件夹。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -2800,10 +2808,6 @@
     <message>
         <source>bytes of DICOM files</source>
         <translation>DICOM 文件的字节</translation>
-    </message>
-    <message>
-        <source>there are no DICOM files in it</source>
-        <translation>其中没有 DICOM 文件</translation>
     </message>
     <message>
         <source>a data file outside of the folder</source>
@@ -10067,6 +10071,10 @@
     <message>
         <source>this volume is to be drilled, not shaped</source>
         <translation>此体素模型用于钻孔，而非塑形</translation>
+    </message>
+    <message>
+        <source>no two vertices can be merged so that an open edge closes and none gets a third triangle</source>
+        <translation>没有任何两个顶点可以合并，使开放边闭合且不产生连接第三个三角形的边</translation>
     </message>
 </context>
 <context>

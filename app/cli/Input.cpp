@@ -61,9 +61,14 @@ Result<Input> readInput(const std::filesystem::path& path, const ReadOptions& op
 
 Result<Input> readMeshInput(const std::filesystem::path& path, const ReadOptions& options, const DocumentKinds& kinds,
                             Progress progress) {
+  const auto refusal = [&](const DocumentKind& kind) {
+    return Error{ErrorCode::Unsupported, {"this command on a " + kind.id()}, {}, path.string()};
+  };
+  const Result<const DocumentKind*> kind = kinds.kindOf(path);
+  if (kind && *kind && (*kind)->id() != kMeshKind) return refusal(**kind);  // before all of it is read
   Result<Input> input = readInput(path, options, kinds, progress);
   if (!input || input->mesh) return input;
-  return Error{ErrorCode::Unsupported, {"this command on a " + input->opened.kind->id()}, {}, path.string()};
+  return refusal(*input->opened.kind);
 }
 
 MeshReport reportOn(const Input& mesh, SelfIntersections choice, Progress progress) {

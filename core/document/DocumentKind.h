@@ -101,15 +101,15 @@ class DocumentKinds {
   std::span<const std::unique_ptr<DocumentKind>> all() const { return m_kinds; }
   const DocumentKind* withId(std::string_view id) const;  // null when unknown
 
-  // Reads a container or a foreign file of any kind, recognised by content. Errors: those of the readers,
-  // FormatUnknown, KindUnknown.
+  // Reads a container or a foreign file of any kind, recognised by content, or a folder (readsFolders()). Errors: those
+  // of the readers, FormatUnknown, KindUnknown.
   Result<OpenedFile> open(const std::filesystem::path& path, const ReadOptions& options, Progress progress = {}) const;
   // Reads a container from its bytes. Errors: those of open(), without subject; OutOfMemory.
   Result<OpenedFile> openContainer(std::string_view bytes, Progress progress = {}) const;
   // The file extensions that open() reads: ".stl", …, ".handwheel".
   std::vector<std::string> readEndings() const;
-  // The kind of a foreign file, by its first bytes and its name; null for a container. Errors: those of opening it,
-  // FormatUnknown.
+  // The kind of a foreign file, by its first bytes and its name, or of a folder; null for a container. Errors: those of
+  // opening it, FormatUnknown.
   Result<const DocumentKind*> kindOf(const std::filesystem::path& path) const;
   // A new, unsaved document of a kind that has blank ones.
   static OpenedFile blank(const DocumentKind& kind);

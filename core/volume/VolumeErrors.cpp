@@ -139,6 +139,12 @@ const ErrorDescription VolumeErrors::NothingStandsOut{
     .sentences = {translatable("ErrorText", "nothing stands out in it: all is black, or of one height")},
     .advice = {translatable("ErrorText", "Choose a picture with bright places, or a shape that rises along z.")}};
 
+const ErrorDescription VolumeErrors::FolderWithoutSeries{
+    .id = "FolderWithoutSeries",
+    .sentences = {translatable("ErrorText", "the folder contains no DICOM files")},
+    .advice = {translatable("ErrorText",
+                            "Choose a file, or the folder in which the slices are; folders in it are not searched.")}};
+
 const ErrorDescription VolumeErrors::NothingInRange{
     .id = "NothingInRange",
     .sentences = {translatable("ErrorText",

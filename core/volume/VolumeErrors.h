@@ -33,6 +33,7 @@ extern const ErrorDescription ProgramTooLong;       // {most moves}
 extern const ErrorDescription ProgramMovesNothing;  // a drilling program without a move
 extern const ErrorDescription PictureUnreadable;    // {format} of a stamp
 extern const ErrorDescription NothingStandsOut;     // of a stamp: all is black, or of one height
+extern const ErrorDescription FolderWithoutSeries;  // of images
 extern const ErrorDescription NothingInRange;       // {least, largest, least of the image, largest of it}
 
 }  // namespace handwheel::VolumeErrors

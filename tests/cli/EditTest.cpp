@@ -106,6 +106,9 @@ class EditTest : public QObject {
                         "handwheel: Step 1, 'debris' changed nothing: no piece is far smaller than the largest.\n"
                         "handwheel: Step 2, 'corner' changed nothing: it is already in place.\n"));
     QCOMPARE(ran.out, QByteArray("Triangles: 12 before, 12 now.\n"));
+    QCOMPARE(fixture.run({"edit", "a.off", "near-vertices", "-o", "b.off"}).err.split('\n').at(1),
+             QByteArray("handwheel: Step 1, 'near-vertices' changed nothing: no two vertices can be merged so that an "
+                        "open edge closes and none gets a third triangle."));
     QCOMPARE(
         fixture.run({"edit", "a.off", "bridge 3,9", "-o", "b.off"}).err.split('\n').at(1),
         QByteArray("handwheel: Step 1, 'bridge 3,9' changed nothing: there is no open edge, or a triangle would flip, "

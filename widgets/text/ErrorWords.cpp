@@ -129,7 +129,6 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "bytes of DICOM files"),
     QT_TRANSLATE_NOOP("ErrorWord", "bytes of the data file"),
     QT_TRANSLATE_NOOP("ErrorWord", "bytes of the unpacked image"),
-    QT_TRANSLATE_NOOP("ErrorWord", "there are no DICOM files in it"),
     QT_TRANSLATE_NOOP("ErrorWord", "a data file outside of the folder"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is too large"),
     QT_TRANSLATE_NOOP("ErrorWord", "it has no grid of floats"),

@@ -12,6 +12,7 @@
 #include "cli/volume/VolumeFiles.h"
 #include "document/FileBytes.h"
 #include "document/Utf8.h"
+#include "document/volume/ImageFiles.h"
 #include "document/volume/LayerSteps.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
@@ -82,7 +83,7 @@ Result<std::shared_ptr<const VolumeSnapshot>> clayOf(const OpenedFile& opened, c
   const Result<SparseVolume> made =
       materialOf(opened, request.part, request.voxel, {}, notice, progress.part(0.0, 0.7));
   if (!made) return made.error();
-  return snapshotOf(*made, request.part.filename().string(), progress.part(0.7, 1.0));
+  return snapshotOf(*made, sourceName(request.part), progress.part(0.7, 1.0));
 }
 
 Result<ClayAnswer> sculptFile(const ClayRequest& request, const OperationValues& values, const DocumentKinds& kinds,

@@ -15,6 +15,7 @@
 #include "document/FileBytes.h"
 #include "document/formats/MeshExport.h"
 #include "document/mesh/MeshSnapshot.h"
+#include "document/volume/ImageFiles.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "document/volume/exercise/DrillingTask.h"
@@ -88,7 +89,7 @@ Status writeResults(const DrillRequest& request, const DrillAnswer& done, Number
     snapshot->volume = done.drilled.volume;
     snapshot->surface = VolumeSurface(snapshot->volume, progress.part(0.0, 0.5));
     snapshot->layers = nullptr;
-    snapshot->source = request.part.filename().string();
+    snapshot->source = sourceName(request.part);
     snapshot->holes.push_back(done.drilled.hole);
     const Result<WrittenFile> written = saveDocument(kind, file, *snapshot, request.output, progress.part(0.5, 1.0));
     if (!written) return written.error();

@@ -18,6 +18,7 @@
 #include "cli/volume/ShellOffsetCommands.h"
 #include "cli/volume/VolumeFiles.h"
 #include "document/formats/MeshExport.h"
+#include "document/volume/ImageFiles.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
 #include "text/NoteText.h"
@@ -86,8 +87,7 @@ Result<Answer> voxelizeFile(const Request& request, const OperationValues& value
       values.isSet("method") ? static_cast<VoxelMethod>(values.whole("method")) : voxelMethodOf(request.fidelity);
   const Status begun = notice.begin(solid, voxel);
   const Result<MadeVolume> made =
-      begun ? makeVolume(solid, voxel, request.input.filename().string(), progress.part(0.1, 0.8), method)
-            : begun.error();
+      begun ? makeVolume(solid, voxel, sourceName(request.input), progress.part(0.1, 0.8), method) : begun.error();
   if (!made) {
     Error error = made.error();
     error.subject = request.input.string();

@@ -4,6 +4,7 @@
 
 #include "cli/MemoryNotice.h"
 #include "cli/volume/OutputName.h"
+#include "document/volume/ImageFiles.h"
 #include "document/volume/VolumeMaking.h"
 #include "volume/VolumeErrors.h"
 
@@ -52,7 +53,7 @@ Result<WrittenFile> writeVolume(const SparseVolume& volume, const std::filesyste
                                 const DocumentFile& inputFile, const std::filesystem::path& output,
                                 const DocumentKinds& kinds, Progress progress) {
   if (volume.isEmpty()) return Error{VolumeErrors::NothingLeft, {}, {}, {}};
-  const auto snapshot = snapshotOf(volume, input.filename().string(), progress.part(0.0, 0.5));
+  const auto snapshot = snapshotOf(volume, sourceName(input), progress.part(0.0, 0.5));
   if (!snapshot) return snapshot.error();
   DocumentFile file;
   file.displayUnit = inputFile.displayUnit;

@@ -155,7 +155,8 @@ void FileActions::fillRecentMenu() {
 
 void FileActions::openPaths(const QStringList& paths) {
   for (const QString& path : paths) {
-    const QString absolute = QDir::cleanPath(QFileInfo(path).absoluteFilePath());  // a folder has a name then
+    const QString absolute = QDir::cleanPath(
+        QFileInfo(path).absoluteFilePath());  // without the slash at its end, so that a folder has a name
     const DocumentTab* const current = m_tabs.current();
     if (current && current->ui.take(absolute)) continue;
     if (!offerBeside(absolute)) m_loader.load(absolute);
@@ -222,7 +223,8 @@ bool FileActions::needsNewName(const DocumentTab& open) const {
   if (!document.file().recordings.empty() && !isContainerName(document.file().path)) return true;
   if (open.written) return false;
   const QFileInfo file(document.path());
-  return document.file().wouldLoseDataOnOverwrite() || (file.exists() && !file.isWritable()) || isSample(file);
+  return document.file().wouldLoseDataOnOverwrite() || file.isDir() || (file.exists() && !file.isWritable()) ||
+         isSample(file);
 }
 
 void FileActions::saveOrAsk(DocumentTab* document, std::function<void(bool)> ended) {

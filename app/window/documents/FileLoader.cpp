@@ -91,7 +91,8 @@ void FileLoader::recover(const std::filesystem::path& file, const AutosaveInfo& 
     Result<OpenedFile> opened = m_kinds.open(file, {}, progress.part(0.4, 1.0));
     if (!opened) return [this, path, error = opened.error()] { failed(path, error, ReadOptions{.partial = true}); };
     // Containers do not keep it: saved, they are called by a file.
-    if (path.isEmpty() || info.name != QFileInfo(path).fileName().toStdString()) opened->file.title = info.name;
+    const QFileInfo from(path);
+    if (path.isEmpty() || from.isDir() || info.name != from.fileName().toStdString()) opened->file.title = info.name;
     return [this, file, info, path, then, joined = *joined, opened = std::move(opened.value())] {
       DocumentTab* recovered = open(opened);
       recovered->document.markRecovered(path, info.stamp, info.isPartial);

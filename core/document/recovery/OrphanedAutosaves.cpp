@@ -116,7 +116,7 @@ void OrphanedAutosaves::look(const fs::path& file) {
     leftover.bytes += fs::file_size(changes, ignored);
     leftover.savedAt = std::max(leftover.savedAt, timeOf(changes));
   }
-  leftover.isOutdated = !leftover.info.path.empty() && fs::exists(leftover.info.path, ignored) &&
+  leftover.isOutdated = !leftover.info.path.empty() && fs::is_regular_file(leftover.info.path, ignored) &&
                         timeOf(leftover.info.path) > leftover.savedAt;
   m_found.push_back(std::move(leftover));
 }

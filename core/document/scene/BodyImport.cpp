@@ -36,8 +36,10 @@ Result<ImportedBody> readBody(const DocumentKinds& kinds, const std::filesystem:
   read.body.geometry = opened->kind->bodyGeometry(*opened->content, read.file.notes);
   if (!read.body.geometry) return Error{MeshError::NoTriangles, {}, {}, path.string()};
   read.file.notes.push_back(sizeNote(*read.body.geometry));
+  std::error_code ignored;
+  const bool isFolder = std::filesystem::is_directory(path, ignored);  // of images, called as the patient perhaps
   const std::string name = path.stem().string();
-  read.body.name = isBodyName(name) ? name : "body";
+  read.body.name = isBodyName(name) && !isFolder ? name : "body";
   return read;
 }
 

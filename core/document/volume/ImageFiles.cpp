@@ -6,6 +6,7 @@
 #include "document/DocumentErrors.h"
 #include "document/FileBytes.h"
 #include "process/SystemMemory.h"
+#include "volume/VolumeErrors.h"
 #include "volume/image/DicomReader.h"
 #include "volume/image/MetaImageReader.h"
 #include "volume/image/NiftiReader.h"
@@ -70,7 +71,7 @@ Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Pr
     if (!bytes) return bytes.error();
     appendDicomFile(*bytes, files);
   }
-  if (files.empty()) return Error{ErrorCode::FileUnreadable, {"there are no DICOM files in it"}, {}, folder.string()};
+  if (files.empty()) return Error{VolumeErrors::FolderWithoutSeries, {}, {}, folder.string()};
   return files;
 }
 

@@ -14,8 +14,8 @@ namespace handwheel {
 // Reads a three-dimensional image from a file or a DICOM series. A file is in NRRD, MetaImage, NIfTI or has a
 // description of plain samples. DICOM: the largest series of a folder, or the one that a file is of, with the others of
 // it in its folder. Data in a file of their own are read from the folder of the header and those below it, and from
-// nowhere else. Errors: FileMissing, FileUnreadable, FileTooLarge, DocumentError::FormatUnknown; those of the readers;
-// OutOfMemory, Cancelled.
+// nowhere else. Errors: FileMissing, FileUnreadable, FileTooLarge, DocumentError::FormatUnknown,
+// VolumeErrors::FolderWithoutSeries; those of the readers; OutOfMemory, Cancelled.
 Result<ImageFile> readImageFile(const std::filesystem::path& path, Progress progress);
 
 // Whether the first bytes are those of an image.

@@ -40,9 +40,9 @@ std::vector<Note> notesOn(const SurfaceVolume& made);
 // are, when somebody holds it with others.
 std::shared_ptr<const VolumeSnapshot> skullContent(int pieceCells = VolumeSurface::kPieceCells);
 
-// The content of a document of a file of images (ImageFiles.h), or of VDB. An image becomes what is above the threshold
-// that parts it best (otsuThreshold()), which is a note, as is what there is to say of the file. Errors: those of the
-// readers and of volumeOfImage(); VolumeErrors::TooLargeToSave, ImageTooLarge.
+// The content of a document of a file or folder of images (ImageFiles.h), or of VDB. An image becomes what is above the
+// threshold that parts it best (otsuThreshold()), which is a note, as is what there is to say of the file. Errors:
+// those of the readers and of volumeOfImage(); VolumeErrors::TooLargeToSave, ImageTooLarge.
 Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,
                                                            Progress progress,
                                                            int pieceCells = VolumeSurface::kPieceCells);

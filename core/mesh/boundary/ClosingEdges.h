@@ -15,9 +15,9 @@ struct ClosingEdge {
 };
 
 // The edges that close when the second vertex of each pair moves onto the first. A pair that is in none of them only
-// touches: two parts that meet in a vertex, or that were separated there. Nor does a short edge close by shrinking to a
-// point: that would move the surface, perhaps across what lies beside it, and join nothing. pairs: as
-// nearBoundaryVertices() returns them. O(n log n) for the border. The result is invalid if cancelled.
+// touches (two parts that meet in a vertex, or that were separated there), or is the two ends of a short border edge.
+// Shrinking that edge to a point would move the surface, perhaps across what lies beside it, and join nothing. pairs:
+// as nearBoundaryVertices() returns them. O(n log n) for the border. The result is invalid if cancelled.
 std::vector<ClosingEdge> closingEdges(const HalfEdgeMesh& mesh, const VertexPairs& pairs, Progress progress = {});
 
 // The pairs that are in one of these edges.

@@ -16,8 +16,8 @@ std::vector<Vertex> stitchBoundaries(HalfEdgeMesh& mesh, const std::vector<bool>
                                      double nearWeld = tolerance::kNearWeld);
 
 // The near vertices that stitchBoundaries() may merge: those that close an open edge with others, also once border
-// edges are split at the vertices on them. The rest only touches, which is no defect. The result is invalid if
-// cancelled.
+// edges are split at the vertices on them. The rest only touches, or bounds a short edge, which is no defect. The
+// result is invalid if cancelled.
 VertexPairs stitchablePairs(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld, Progress progress = {});
 
 // The vertices to be fixed where only these pairs are to be merged, and what closes an edge only together with them.

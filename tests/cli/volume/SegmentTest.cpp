@@ -157,6 +157,12 @@ class SegmentTest : public QObject {
       for (const QByteArray& said : {ran.out, ran.err, fixture.content("a.handwheel"), inspected})
         QVERIFY(!said.contains("Mustermann") && !said.contains("Erika"));
     }
+    for (const QStringList& command : {QStringList{"voxelize"}, QStringList{"offset", "--distance", "1"}}) {
+      const Ran ran = fixture.run(command + QStringList{"Erika", "-o", "b.handwheel", "--voxel", "1"});
+      QVERIFY2(ran.code == 0, ran.err);
+      QVERIFY(!fixture.content("b.handwheel").contains("Erika"));
+      QVERIFY(!fixture.run({"inspect", "b.handwheel"}).out.contains("Erika"));
+    }
   }
 
   void refusals_data() {

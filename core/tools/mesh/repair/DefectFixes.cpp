@@ -111,7 +111,7 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
                   if (!pairs.empty()) fixed = fixedBut(mesh, pairs, nearWeld, progress.part(0.0, 0.4));
                   stitchBoundaries(mesh, fixed, progress.part(0.4, 1.0), nearWeld);
                 },
-                kCrowdsEdges},
+                kMergesNothing},
                step.text());
 }
 

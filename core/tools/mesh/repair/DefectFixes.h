@@ -17,6 +17,8 @@ inline constexpr const char* kPlateSides =
     QT_TRANSLATE_NOOP("Tool", "they are the two sides of a plate of zero thickness, which is closed");
 inline constexpr const char* kCrowdsEdges =
     QT_TRANSLATE_NOOP("Tool", "merging them would make edges with more than two triangles");
+inline constexpr const char* kMergesNothing = QT_TRANSLATE_NOOP(
+    "Tool", "no two vertices can be merged so that an open edge closes and none gets a third triangle");
 inline constexpr const char* kNotSeparable =
     QT_TRANSLATE_NOOP("Tool", "every separation would make the surface intersect itself");
 inline constexpr const char* kNoCleanSeparation =

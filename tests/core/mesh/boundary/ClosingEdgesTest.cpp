@@ -80,7 +80,7 @@ void ClosingEdgesTest::noneWhereOnlyCornersMeet() {
   QVERIFY(closingEdges(mesh, {}).empty());
 }
 
-// An edge of the border that is shorter than the reach stays, unless what lies across a tear from it closes with more.
+// An edge of the border that is shorter than the reach stays, unless a tear beside it closes only with its ends merged.
 void ClosingEdgesTest::noneAlongAShortEdge() {
   const TriangleSoup soup{{{0, 0, 0}, {1e-6, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}};
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
