@@ -155,8 +155,8 @@ void FileActions::fillRecentMenu() {
 
 void FileActions::openPaths(const QStringList& paths) {
   for (const QString& path : paths) {
-    const QString absolute = QDir::cleanPath(
-        QFileInfo(path).absoluteFilePath());  // without the slash at its end, so that a folder has a name
+    // Without a slash at its end, so that a folder has a name.
+    const QString absolute = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
     const DocumentTab* const current = m_tabs.current();
     if (current && current->ui.take(absolute)) continue;
     if (!offerBeside(absolute)) m_loader.load(absolute);
