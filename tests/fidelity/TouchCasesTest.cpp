@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "CaseRuns.h"
 #include "TestClass.h"
-#include "fidelity/MeasuredSettings.h"
 #include "fidelity/PressedWall.h"
 
 #include <QTest>
@@ -12,8 +12,7 @@ using namespace handwheel;
 namespace {
 
 const FidelityCase& caseOf(const char* id, std::size_t index) {
-  static const FidelityRegistry all = measuredSettings();
-  return all.find(id)->cases.at(index);
+  return test::measured().find(id)->cases.at(index);
 }
 
 }  // namespace
