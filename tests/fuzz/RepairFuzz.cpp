@@ -6,12 +6,14 @@
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <span>
+#include <utility>
 
 // Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The first byte chooses what the others
 // are: the corners of loose triangles on a small grid, so that places coincide and lines cross in points; pairs of a
@@ -23,10 +25,10 @@ using namespace handwheel;
 using Rest = std::span<const std::uint8_t>;
 
 constexpr std::size_t kMostTriangles = 60;  // loose ones; each may meet each
-// CPU seconds that a repair may take for each microsecond that its effort stands for: a slow machine, with sanitizers.
-// What is not counted shows above it.
-constexpr double kSlowest = 10e-6;
-constexpr double kLeastTime = 2.0;  // s, allowed in any case
+// CPU time of a counted step of effort, at most, to that of the reference repair on the same machine and build. Work
+// that is not counted shows above it.
+constexpr double kSlowest = 3.0;
+constexpr std::size_t kUncounted = 50'000;  // steps' time, for what a repair of so few triangles does beside
 
 void require(bool condition, const char* what) {
   if (condition) return;
@@ -75,19 +77,42 @@ double processorSeconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+struct Run {
+  RepairReport report;
+  double seconds;  // of CPU time
+};
+
+Run timedRepair(HalfEdgeMesh& mesh, bool cutCrossings) {
+  RepairOptions options;
+  options.cutCrossings = cutCrossings;
+  const double start = processorSeconds();
+  RepairReport report = repair(mesh, options);
+  return {std::move(report), processorSeconds() - start};
+}
+
+// CPU seconds of a step of effort in the repair of a certain damaged sphere: the faster of two runs.
+double referenceStep() {
+  double fastest = 1e9;
+  for (int run = 0; run < 2; ++run) {
+    std::mt19937 random(5);
+    HalfEdgeMesh mesh = buildMesh(test::damagedSphere(random, 1, 30)).mesh;
+    const auto [report, seconds] = timedRepair(mesh, true);
+    fastest = std::min(fastest, seconds / static_cast<double>(report.countedEffort));
+  }
+  return fastest;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const HalfEdgeMesh before = buildMesh(soupOf({data, size})).mesh;
+  static const double step = referenceStep();
   HalfEdgeMesh after = before;
-  RepairOptions options;
-  options.cutCrossings = size % 2 == 1;
-  const double start = processorSeconds();
-  const RepairReport report = repair(after, options);
-  const double seconds = processorSeconds() - start;
+  const auto [report, seconds] = timedRepair(after, size % 2 == 1);
   const std::size_t most = 2 * repairBudget(before.liveFaceCount());
   require(report.countedEffort <= most + most / 10, "more effort than a mesh of this size may take");
-  require(seconds <= kLeastTime + kSlowest * static_cast<double>(most), "too long for the number of triangles");
+  require(seconds <= kSlowest * step * static_cast<double>(report.countedEffort + kUncounted),
+          "too long for the effort that it counted");
   require(validate(after).empty(), "the repaired mesh is not valid");
   for (const LoopResult& loop : report.loops)
     require((loop.outcome == LoopOutcome::Filled) == (loop.reason == FillFailure::None),
