@@ -25,9 +25,15 @@ using namespace handwheel;
 using Rest = std::span<const std::uint8_t>;
 
 constexpr std::size_t kMostTriangles = 60;  // loose ones; each may meet each
+// CPU seconds that a repair may take for each microsecond that its effort stands for, with sanitizers.
+constexpr double kSlowest = 10e-6;
+constexpr double kLeastTime = 2.0;  // s, allowed in any case
+// CPU seconds of a step in the reference repair, with sanitizers. On a machine that needs more, a repair may take as
+// many times longer.
+constexpr double kUsualStep = 16e-6;
 // CPU time of a counted step of effort, at most, to that of the reference repair on the same machine and build. Work
 // that is not counted shows above it.
-constexpr double kSlowest = 3.0;
+constexpr double kSlowestToReference = 3.0;
 constexpr std::size_t kUncounted = 50'000;  // steps' time, for what a repair of so few triangles does beside
 
 void require(bool condition, const char* what) {
@@ -111,7 +117,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto [report, seconds] = timedRepair(after, size % 2 == 1);
   const std::size_t most = 2 * repairBudget(before.liveFaceCount());
   require(report.countedEffort <= most + most / 10, "more effort than a mesh of this size may take");
-  require(seconds <= kSlowest * step * static_cast<double>(report.countedEffort + kUncounted),
+  require(seconds <= std::max(1.0, step / kUsualStep) * (kLeastTime + kSlowest * static_cast<double>(most)),
+          "too long for the number of triangles");
+  require(seconds <= kSlowestToReference * step * static_cast<double>(report.countedEffort + kUncounted),
           "too long for the effort that it counted");
   require(validate(after).empty(), "the repaired mesh is not valid");
   for (const LoopResult& loop : report.loops)
