@@ -80,7 +80,7 @@ class CalibrationWindowTest : public QObject {
       driver.click("calibrateButton");
       QVERIFY(driver.find<QProgressBar>("calibrationProgress")->isVisible());
       QVERIFY(driver.text("calibrationText").contains("Rate of the servo loop"));
-      QTRY_VERIFY_WITH_TIMEOUT(choice.calibration().curves.contains("servo.rate"), 60'000);
+      QTRY_VERIFY_WITH_TIMEOUT(choice.calibration().curves.contains("servo.rate"), 3 * kPatienceMs);
       QCOMPARE(choice.calibration().ticksInUse.size(), std::size_t(5));  // 500 Hz to 8 kHz
       driver.click("calibrateButton");
       QVERIFY(!driver.find<QProgressBar>("calibrationProgress")->isVisible());

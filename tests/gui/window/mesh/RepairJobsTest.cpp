@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/repair/RepairJobs.h"
 
+#include "../WindowDriver.h"
 #include "../WindowTestMain.h"
 #include "HoleShapes.h"
 #include "MeshDocuments.h"
@@ -68,7 +69,7 @@ class RepairJobsTest : public QObject {
     auto* document = static_cast<MeshTab*>(tabs.current());
     const auto fail = [&](const char* text, std::function<void()> raise) {
       jobs.change(document, {text, [raise](HalfEdgeMesh&, Progress) { raise(); }});
-      QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+      QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     };
     fail("Swell", [] { throw std::bad_alloc(); });
     QCOMPARE(messages.size(), 1);
@@ -85,7 +86,7 @@ class RepairJobsTest : public QObject {
                              while (!progress.cancelled()) QThread::msleep(1);
                            }});
     runner.cancelAll();
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     QCOMPARE(messages.size(), 2);
   }
 
@@ -109,11 +110,11 @@ class RepairJobsTest : public QObject {
     const Vertex key = document->defectList.keyOf(hole);
     const auto isReady = [&] { return preview.state().kind == PreviewState::Kind::Ready; };
     preview.request(document, hole);
-    QTRY_VERIFY(isReady());
+    QTRY_VERIFY_WITH_TIMEOUT(isReady(), test::kPatienceMs);
     QVERIFY(preview.take(key).cache != nullptr);  // nobody uses it
 
     preview.request(document, hole);
-    QTRY_VERIFY(isReady());
+    QTRY_VERIFY_WITH_TIMEOUT(isReady(), test::kPatienceMs);
     QSemaphore gate;
     pool.start([&gate] { gate.acquire(); });
     preview.compare();
@@ -122,7 +123,7 @@ class RepairJobsTest : public QObject {
     QVERIFY(!taken.cache);
     QVERIFY(taken.attempt && !taken.attempt->patch.triangles.empty());
     jobs.fill(document, hole, std::move(taken));
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     QVERIFY(document->defectList.holes().empty());
   }
 
@@ -153,7 +154,7 @@ class RepairJobsTest : public QObject {
     };
 
     jobs.change(document, intersectionFix(document->document.fileNumbers(), *pairs));
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     QCOMPARE(defectList.count(DefectKind::SelfIntersection), std::size_t{0});
     QCOMPARE(*defectList.countBefore(DefectKind::SelfIntersection), pairs->size());
     const QString summary = defectSummary(defectList).join(", ");
@@ -163,7 +164,7 @@ class RepairJobsTest : public QObject {
     QVERIFY(isLogged(summary));
 
     jobs.repairAll(document);
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     QCOMPARE(defectList.count(DefectKind::Hole), std::size_t{0});
     const QString repaired = defectSummary(defectList).join(", ");
     QVERIFY2(repaired.startsWith("1 of 1"), qPrintable(repaired));
@@ -172,7 +173,7 @@ class RepairJobsTest : public QObject {
     // Once more there is nothing to do: the summary of the repair before is not that of this one.
     const int lines = log.rowCount({});
     jobs.repairAll(document);
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     QVERIFY(defectSummary(defectList).isEmpty());
     QCOMPARE(log.rowCount({}), lines + 1);
     int said = 0;
@@ -193,7 +194,7 @@ class RepairJobsTest : public QObject {
     tabs.add(ui.open(test::meshDocument(test::disc(12, 3))));
     auto* document = static_cast<MeshTab*>(tabs.current());
     jobs.change(document, thickenFix({document->defectList.keyOf(0)}, {}, 0.125));
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     const QString summary = defectSummary(document->defectList).join(", ");
     QVERIFY(summary.contains("1 of 1"));
     const QString logged = log.index(0, 1).data().toString();
@@ -217,7 +218,7 @@ class RepairJobsTest : public QObject {
     tabs.add(ui.open(test::meshDocument(soup)));
     auto* document = static_cast<MeshTab*>(tabs.current());
     jobs.change(document, volumeRepairChange({.voxel = 0.0625}, document->document.fileNumbers()));
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     QVERIFY(document->isJustRepaired());
     const auto warnings = [&] {
       QList<Message> those;
@@ -246,7 +247,7 @@ class RepairJobsTest : public QObject {
     messages.clear();
     tabs.add(ui.open(test::meshDocument(test::icosphere(5))));
     jobs.change(static_cast<MeshTab*>(tabs.current()), volumeRepairChange({.voxel = 0.125}, NumberType::Float64));
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     QVERIFY(warnings().isEmpty());
   }
 
@@ -267,7 +268,7 @@ class RepairJobsTest : public QObject {
     tabs.add(ui.open(test::meshDocument(soup)));
     auto* document = static_cast<MeshTab*>(tabs.current());
     jobs.repairAll(document);
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     QCOMPARE(why.size(), 1);
     QVERIFY2(document->defectList.reason(DefectKind::Duplicate, 0).contains("two sides of a plate"),
              qPrintable(document->defectList.reason(DefectKind::Duplicate, 0)));
@@ -291,7 +292,7 @@ class RepairJobsTest : public QObject {
     QCOMPARE(defectList.count(DefectKind::Hole), std::size_t{2});
     QCOMPARE(defectList.count(DefectKind::NearVertex), std::size_t{3});
     jobs.change(document, nearVertexFix(tolerance::kNearWeld), DefectRow{DefectKind::NearVertex, -1});
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     QCOMPARE(defectList.count(DefectKind::Hole), std::size_t{2});
     const QString summary = defectSummary(defectList).join(", ");
     QCOMPARE(summary, QString("1 of 2 holes filled, 3 of 3 pairs of near vertices removed"));
@@ -319,13 +320,13 @@ class RepairJobsTest : public QObject {
     QCOMPARE(faces.size(), std::size_t{2});
     QSignalSpy noted(&defectList, &DefectList::reasonsChanged);
     jobs.change(document, duplicateFix({faces[1]}), DefectRow{DefectKind::Duplicate, 1});
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     QCOMPARE(noted.size(), 1);
     QVERIFY(defectList.reason(DefectKind::Duplicate, 1).contains("two sides of a plate"));
     QVERIFY(defectList.reason(DefectKind::Duplicate, 0).isEmpty());
     // The other one goes, and with it the row.
     jobs.change(document, duplicateFix({faces[0]}), DefectRow{DefectKind::Duplicate, 0});
-    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isIdle() && !jobs.isWorking(), test::kPatienceMs);
     QCOMPARE(defectList.count(DefectKind::Duplicate), std::size_t{1});
     QVERIFY(defectList.reason(DefectKind::Duplicate, 0).isEmpty());
   }
