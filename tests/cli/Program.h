@@ -10,13 +10,7 @@
 
 namespace handwheel {
 
-// How long a run may take before it counts as hung, ms. With sanitizers the repair of a scan takes 7 minutes alone, and
-// more than 10 beside other tests.
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr int kLongestRun = 1'200'000;
-#else
-inline constexpr int kLongestRun = 600'000;
-#endif
+inline constexpr int kLongestRun = 600'000;  // ms; with sanitizers some runs take minutes
 
 // The output and exit code of the program. -1 when it crashed or did not end.
 struct Ran {
