@@ -55,6 +55,8 @@ class VolumeWindowTest : public QObject {
     QVERIFY(driver.open(path));
     driver.choose("copyAs/volume");
     QVERIFY(driver.settle());
+    // Return takes the number only where the field has the focus; elsewhere it makes the volume.
+    QVERIFY(QTest::qWaitForWindowActive(driver.find<QDialog>("voxelizeDialog"), kPatienceMs));
     driver.edit("voxel", QStringLiteral("1"));
     driver.find<QPushButton>("propertiesAccept")->click();
     QVERIFY(driver.settle());
