@@ -82,6 +82,9 @@ class CalibrationWindowTest : public QObject {
       QVERIFY(driver.text("calibrationText").contains("Rate of the servo loop"));
       QTRY_VERIFY_WITH_TIMEOUT(choice.calibration().curves.contains("servo.rate"), 3 * kPatienceMs);
       QCOMPARE(choice.calibration().ticksInUse.size(), std::size_t(5));  // 500 Hz to 8 kHz
+      // Where that alone took kLongestCalibration, nothing is measured any more: there it begins anew.
+      if (!driver.window().findChild<BenchmarkRunner*>()->isRunning()) driver.click("calibrateButton");
+      QVERIFY(driver.find<QProgressBar>("calibrationProgress")->isVisible());
       driver.click("calibrateButton");
       QVERIFY(!driver.find<QProgressBar>("calibrationProgress")->isVisible());
       QCOMPARE(driver.find<QPushButton>("calibrateButton")->text(), QString("Measure this machine"));
