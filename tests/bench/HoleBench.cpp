@@ -4,6 +4,7 @@
 #include "bench/Bars.h"
 #include "bench/LibraryHoles.h"
 #include "document/formats/MeshFormat.h"
+#include "mesh/boundary/BoundaryNeedles.h"
 #include "mesh/boundary/Stitching.h"
 #include "mesh/defects/DuplicateFaces.h"
 #include "mesh/holes/HoleFiller.h"
@@ -307,6 +308,7 @@ void longLoops(benchmark::State& state) {
   removeFlaps(mesh);
   stitchBoundaries(mesh, std::vector<bool>(mesh.vertexSlots(), false));
   removeDegenerateFaces(mesh);
+  for (const Face f : findBoundaryNeedles(mesh, findBoundaryLoops(mesh))) mesh.removeFace(f);
   const HoleFiller filler(mesh);
   std::vector<BoundaryLoop> cuts;
   for (BoundaryLoop& loop : findBoundaryLoops(mesh)) {

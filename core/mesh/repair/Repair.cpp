@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/repair/Repair.h"
 
+#include "mesh/boundary/BoundaryNeedles.h"
 #include "mesh/boundary/Stitching.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/defects/DuplicateFaces.h"
@@ -169,15 +170,31 @@ class Repairer {
     return kept;
   }
 
-  void fill(Progress progress) {
+  struct FillableLoops {
     std::vector<BoundaryLoop> loops;
     std::vector<std::set<int>> owners;
-    for (BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress.part(0.0, 0.1))) {
+  };
+
+  FillableLoops fillableLoops(Progress progress) const {
+    FillableLoops found;
+    for (BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress)) {
       std::set<int> of = m_results.ownersOf(m_mesh, loop);
       if (reasonToLeave(loop, of) != FillFailure::None) continue;
-      loops.push_back(std::move(loop));
-      owners.push_back(std::move(of));
+      found.loops.push_back(std::move(loop));
+      found.owners.push_back(std::move(of));
     }
+    return found;
+  }
+
+  void fill(Progress progress) {
+    FillableLoops fillable = fillableLoops(progress.part(0.0, 0.05));
+    if (const std::vector<Face> needles = findBoundaryNeedles(m_mesh, fillable.loops, m_options.nearWeld);
+        !needles.empty()) {
+      for (const Face f : needles) m_mesh.removeFace(f);
+      m_report.removedDegenerate += needles.size();
+      fillable = fillableLoops(progress.part(0.05, 0.1));
+    }
+    const auto& [loops, owners] = fillable;
     const HalfEdgeMesh before = m_mesh;
     const std::vector<HoleFill> fills =
         fillHoles(m_mesh, loops, m_options.fill, progress.part(0.1, 1.0).within(m_efforts.fill));

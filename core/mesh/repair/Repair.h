@@ -63,7 +63,7 @@ struct RepairReport {
   std::vector<LoopResult> loops;      // every loop of the input, by id; then those that the repair opened
   std::vector<OpenLoop> openLoops;    // every loop of the result
   std::vector<int> lostLoops;         // of keepOpen: gone with faces that were removed or stitched
-  std::size_t removedDegenerate = 0;  // faces
+  std::size_t removedDegenerate = 0;  // faces without area, and needles along holes
   std::size_t removedDuplicates = 0;
   std::size_t removedFlaps = 0;
   std::size_t removedDebris = 0;  // and of small closed pieces that the repair itself cut off

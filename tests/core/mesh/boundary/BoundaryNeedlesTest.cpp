@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/boundary/BoundaryNeedles.h"
+
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "mesh/repair/Repair.h"
+#include "mesh/structure/MeshBuilder.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+constexpr double kEdge = 2.0 * M_PI / 500.0;
+
+// A tube of 500 edges around, open at both ends, and on an edge of the upper one a needle that stands into the hole
+// beside an end of that edge. width: of the needle's shorter open edge.
+TriangleSoup tubeWithNeedle(double width) {
+  const std::uint32_t n = 500;
+  TriangleSoup soup = test::grid(n, 2, true, false, [](std::uint32_t i, std::uint32_t j) {
+    return Vec3(std::cos(kEdge * i), std::sin(kEdge * i), 4.0 * j);
+  });
+  soup.points.push_back(soup.points[1] + Vec3(0, 0, width));
+  soup.triangles.push_back({1, 3, 2 * n});  // 1 and 3 are the first two points of the upper end
+  return soup;
+}
+
+std::vector<Face> needlesOf(const HalfEdgeMesh& mesh) {
+  return findBoundaryNeedles(mesh, findBoundaryLoops(mesh));
+}
+
+}  // namespace
+
+class BoundaryNeedlesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void widths();
+  void whatIsNone();
+  void holeWithOneIsFilled();
+};
+
+// The reach is 1e-5 of the diagonal, √(2² + 2² + 4²): 4.9e-5.
+void BoundaryNeedlesTest::widths() {
+  for (const double width : {1e-9, 1e-6, 4.8e-5}) {
+    const HalfEdgeMesh mesh = buildMesh(tubeWithNeedle(width)).mesh;
+    QCOMPARE(needlesOf(mesh), std::vector<Face>{1000});
+  }
+  for (const double width : {5e-5, 1e-3, 0.1}) QVERIFY(needlesOf(buildMesh(tubeWithNeedle(width)).mesh).empty());
+}
+
+// A triangle by itself, and one as small as the reach but no needle.
+void BoundaryNeedlesTest::whatIsNone() {
+  QVERIFY(needlesOf(buildMesh({{{0, 0, 0}, {1e-7, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}).mesh).empty());
+  TriangleSoup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  soup.points.insert(soup.points.end(), {Vec3(1e-6, 0, 0), Vec3(0, 1e-6, 0), Vec3(-1e-6, 0, 0)});
+  soup.triangles = {{3, 1, 2}, {3, 2, 4}, {3, 4, 5}};
+  QVERIFY(needlesOf(buildMesh(soup).mesh).empty());
+  QVERIFY(findBoundaryNeedles({}, {}).empty());
+}
+
+// Without the needle both ends are flat loops, which any lid closes. Where they are kept open, it stays.
+void BoundaryNeedlesTest::holeWithOneIsFilled() {
+  const HalfEdgeMesh input = buildMesh(tubeWithNeedle(1e-6)).mesh;
+  HalfEdgeMesh mesh = input;
+  const RepairReport report = repair(mesh, {});
+  QCOMPARE(report.removedDegenerate, std::size_t{1});
+  QVERIFY(test::countEdges(mesh).sound());
+  QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+  QVERIFY(repair(mesh, {}).removedDegenerate == 0);
+
+  mesh = input;
+  RepairOptions options;
+  for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) options.keepOpen.insert(loop.id);
+  QCOMPARE(repair(mesh, options).removedDegenerate, std::size_t{0});
+  QCOMPARE(mesh.liveFaceCount(), std::size_t{1001});
+}
+
+HANDWHEEL_TEST(BoundaryNeedlesTest)
+#include "BoundaryNeedlesTest.moc"
