@@ -14,15 +14,11 @@ using namespace handwheel;
 
 namespace {
 
-constexpr double kEdge = 2.0 * M_PI / 500.0;
-
 // A tube of 500 edges around, open at both ends, and on an edge of the upper one a needle that stands into the hole
 // beside an end of that edge. width: of the needle's shorter open edge.
 TriangleSoup tubeWithNeedle(double width) {
   const std::uint32_t n = 500;
-  TriangleSoup soup = test::grid(n, 2, true, false, [](std::uint32_t i, std::uint32_t j) {
-    return Vec3(std::cos(kEdge * i), std::sin(kEdge * i), 4.0 * j);
-  });
+  TriangleSoup soup = test::cylinder(n, 1, 1.0, 4.0, false);
   soup.points.push_back(soup.points[1] + Vec3(0, 0, width));
   soup.triangles.push_back({1, 3, 2 * n});  // 1 and 3 are the first two points of the upper end
   return soup;
@@ -55,9 +51,8 @@ void BoundaryNeedlesTest::widths() {
 // A triangle by itself, and one as small as the reach but no needle.
 void BoundaryNeedlesTest::whatIsNone() {
   QVERIFY(needlesOf(buildMesh({{{0, 0, 0}, {1e-7, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}).mesh).empty());
-  TriangleSoup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  soup.points.insert(soup.points.end(), {Vec3(1e-6, 0, 0), Vec3(0, 1e-6, 0), Vec3(-1e-6, 0, 0)});
-  soup.triangles = {{3, 1, 2}, {3, 2, 4}, {3, 4, 5}};
+  const TriangleSoup soup{{{1, 0, 0}, {0, 1, 0}, {1e-6, 0, 0}, {0, 1e-6, 0}, {-1e-6, 0, 0}},
+                          {{2, 0, 1}, {2, 1, 3}, {2, 3, 4}}};
   QVERIFY(needlesOf(buildMesh(soup).mesh).empty());
   QVERIFY(findBoundaryNeedles({}, {}).empty());
 }
