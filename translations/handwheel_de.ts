@@ -6453,6 +6453,10 @@
         <translation>Jede Füllfläche würde sich weit vorwölben.</translation>
     </message>
     <message>
+        <source>No patch fits, perhaps due to narrow triangles along its boundary. “Repair all” removes them.</source>
+        <translation>Keine Füllfläche passt, vielleicht wegen schmaler Dreiecke an seinem Rand. „Alles reparieren“ entfernt sie.</translation>
+    </message>
+    <message>
         <source>Sharp edge angle</source>
         <translation>Winkel scharfer Kanten</translation>
     </message>
@@ -8340,6 +8344,10 @@
     <message>
         <source>every patch would bulge out too far</source>
         <translation>jede Füllfläche würde sich weit vorwölben</translation>
+    </message>
+    <message>
+        <source>no patch fits, perhaps due to narrow triangles along its boundary; “Repair all” removes them</source>
+        <translation>keine Füllfläche passt, vielleicht wegen schmaler Dreiecke an seinem Rand; „Alles reparieren“ entfernt sie</translation>
     </message>
     <message>
         <source>isolated points</source>

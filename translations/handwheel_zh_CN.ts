@@ -6449,6 +6449,10 @@
         <translation>任何补片都会明显鼓出。</translation>
     </message>
     <message>
+        <source>No patch fits, perhaps due to narrow triangles along its boundary. “Repair all” removes them.</source>
+        <translation>没有补片能贴合，可能因为其边界上有狭窄的三角形。“全部修复”会移除它们。</translation>
+    </message>
+    <message>
         <source>Sharp edge angle</source>
         <translation>锐边角度</translation>
     </message>
@@ -8319,6 +8323,10 @@
     <message>
         <source>every patch would bulge out too far</source>
         <translation>任何补片都会明显鼓出</translation>
+    </message>
+    <message>
+        <source>no patch fits, perhaps due to narrow triangles along its boundary; “Repair all” removes them</source>
+        <translation>没有补片能贴合，可能因为其边界上有狭窄的三角形；“全部修复”会移除它们</translation>
     </message>
     <message>
         <source>isolated points</source>

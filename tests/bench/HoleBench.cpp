@@ -5,6 +5,7 @@
 #include "bench/LibraryHoles.h"
 #include "document/formats/MeshFormat.h"
 #include "mesh/boundary/BoundaryNeedles.h"
+#include "mesh/boundary/BoundaryVertices.h"
 #include "mesh/boundary/Stitching.h"
 #include "mesh/defects/DuplicateFaces.h"
 #include "mesh/holes/HoleFiller.h"
@@ -308,7 +309,7 @@ void longLoops(benchmark::State& state) {
   removeFlaps(mesh);
   stitchBoundaries(mesh, std::vector<bool>(mesh.vertexSlots(), false));
   removeDegenerateFaces(mesh);
-  for (const Face f : findBoundaryNeedles(mesh, findBoundaryLoops(mesh))) mesh.removeFace(f);
+  for (const Face f : findBoundaryNeedles(mesh, findBoundaryLoops(mesh), nearWeldReach(mesh))) mesh.removeFace(f);
   const HoleFiller filler(mesh);
   std::vector<BoundaryLoop> cuts;
   for (BoundaryLoop& loop : findBoundaryLoops(mesh)) {

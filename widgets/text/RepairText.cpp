@@ -140,6 +140,9 @@ QString fillFailureReason(FillFailure failure) {
       return RepairWords::tr("every patch would intersect the part");
     case FillFailure::Bulging:
       return RepairWords::tr("every patch would bulge out too far");
+    case FillFailure::NarrowTriangles:
+      return RepairWords::tr(
+          "no patch fits, perhaps due to narrow triangles along its boundary; “Repair all” removes them");
     case FillFailure::SheetIntersecting:
       return RepairWords::tr("however thin, the body of the sheet would intersect the part");
     case FillFailure::SheetTooThin:

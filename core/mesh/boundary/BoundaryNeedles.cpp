@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary/BoundaryNeedles.h"
 
-#include "mesh/boundary/BoundaryVertices.h"
+#include "base/Tolerance.h"
 
 #include <algorithm>
 
 namespace handwheel {
 
-std::vector<Face> findBoundaryNeedles(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& loops,
-                                      double nearWeld) {
-  const double reach = nearWeldReach(mesh, nearWeld);
+std::vector<Face> findBoundaryNeedles(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, double reach) {
   const auto length = [&](HalfEdge h) { return (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm(); };
   std::vector<Face> needles;
   for (const BoundaryLoop& loop : loops) {

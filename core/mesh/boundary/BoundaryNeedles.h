@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/Tolerance.h"
 #include "mesh/boundary/BoundaryLoops.h"
+
+#include <span>
 
 namespace handwheel {
 
-// Finds the needles along boundary loops. A needle is a face with two open edges, one of them shorter than
-// nearWeldReach() and than tolerance::kNearWeldEdge of the other. Without it the opening grows by less than that reach
-// and no vertex moves. With it there is often no patch: the best ones double its third edge or intersect it. O(n).
-std::vector<Face> findBoundaryNeedles(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& loops,
-                                      double nearWeld = tolerance::kNearWeld);
+// Finds the needles along boundary loops. A needle is a face with two open edges, one of them shorter than the reach
+// in mm, of nearWeldReach(), and than tolerance::kNearWeldEdge of the other. Without it the opening grows by less than
+// the reach and no vertex moves. With it there is often no patch: the best ones double its third edge or intersect it.
+// O(edges of the loops).
+std::vector<Face> findBoundaryNeedles(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, double reach);
 
 }  // namespace handwheel

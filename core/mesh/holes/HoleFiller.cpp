@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/holes/HoleFiller.h"
 
+#include "mesh/boundary/BoundaryNeedles.h"
 #include "mesh/holes/FillCandidates.h"
 #include "mesh/holes/PatchStatistics.h"
 #include "mesh/structure/EdgeTable.h"
@@ -158,7 +159,10 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
     if (bend < leastBend) best = {failure, std::move(*patch)};
     leastBend = std::min(leastBend, bend);
   }
-  return leastBend < kNoBend ? best : attempt;
+  if (leastBend < kNoBend) return best;
+  const double reach = tolerance::kNearWeld * m_state->obstacles.bounds().diagonal().norm();
+  if (!findBoundaryNeedles(m_state->mesh, {&loop, 1}, reach).empty()) attempt.failure = FillFailure::NarrowTriangles;
+  return attempt;
 }
 
 std::vector<HoleBridge> HoleFiller::proposeHoleBridges(const BoundaryLoop& loop, std::size_t pieceEdges,

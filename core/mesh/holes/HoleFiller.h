@@ -27,6 +27,7 @@ enum class FillFailure {
   NoPatch,            // no method found a triangulation
   SelfIntersecting,   // every patch would intersect or touch the part
   Bulging,            // every patch would bulge far out of the hole
+  NarrowTriangles,    // any of the last three, with triangles along the hole that may be why: findBoundaryNeedles()
   TooMuchEffort,      // abandoned: closing it takes more than a repair of such a mesh may (Effort)
   SheetIntersecting,  // of the outer edge of a sheet: however thin, its body would intersect the part
   SheetTooThin,       // the same: the numbers of the file cannot show its thickness

@@ -3,6 +3,7 @@
 #include "mesh/repair/Repair.h"
 
 #include "mesh/boundary/BoundaryNeedles.h"
+#include "mesh/boundary/BoundaryVertices.h"
 #include "mesh/boundary/Stitching.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/defects/DuplicateFaces.h"
@@ -188,8 +189,8 @@ class Repairer {
 
   void fill(Progress progress) {
     FillableLoops fillable = fillableLoops(progress.part(0.0, 0.05));
-    if (const std::vector<Face> needles = findBoundaryNeedles(m_mesh, fillable.loops, m_options.nearWeld);
-        !needles.empty()) {
+    const double reach = nearWeldReach(m_mesh, m_options.nearWeld);
+    if (const std::vector<Face> needles = findBoundaryNeedles(m_mesh, fillable.loops, reach); !needles.empty()) {
       for (const Face f : needles) m_mesh.removeFace(f);
       m_report.removedDegenerate += needles.size();
       fillable = fillableLoops(progress.part(0.05, 0.1));

@@ -45,6 +45,9 @@ const char* problemOf(FillFailure failure) {
       return QT_TRANSLATE_NOOP("Property", "Every patch would intersect the part.");
     case FillFailure::Bulging:
       return QT_TRANSLATE_NOOP("Property", "Every patch would bulge out too far.");
+    case FillFailure::NarrowTriangles:
+      return QT_TRANSLATE_NOOP(
+          "Property", "No patch fits, perhaps due to narrow triangles along its boundary. “Repair all” removes them.");
     case FillFailure::SheetIntersecting:
       return QT_TRANSLATE_NOOP("Property", "However thin, the body of the sheet would intersect the part.");
     case FillFailure::SheetTooThin:

@@ -5,6 +5,8 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "mesh/boundary/BoundaryVertices.h"
+#include "mesh/holes/HoleFiller.h"
 #include "mesh/repair/Repair.h"
 #include "mesh/structure/MeshBuilder.h"
 
@@ -25,7 +27,7 @@ TriangleSoup tubeWithNeedle(double width) {
 }
 
 std::vector<Face> needlesOf(const HalfEdgeMesh& mesh) {
-  return findBoundaryNeedles(mesh, findBoundaryLoops(mesh));
+  return findBoundaryNeedles(mesh, findBoundaryLoops(mesh), nearWeldReach(mesh));
 }
 
 }  // namespace
@@ -37,6 +39,7 @@ class BoundaryNeedlesTest : public QObject {
   void widths();
   void whatIsNone();
   void holeWithOneIsFilled();
+  void reasonOfAFailure();
 };
 
 // The reach is 1e-5 of the diagonal, √(2² + 2² + 4²): 4.9e-5.
@@ -54,7 +57,7 @@ void BoundaryNeedlesTest::whatIsNone() {
   const TriangleSoup soup{{{1, 0, 0}, {0, 1, 0}, {1e-6, 0, 0}, {0, 1e-6, 0}, {-1e-6, 0, 0}},
                           {{2, 0, 1}, {2, 1, 3}, {2, 3, 4}}};
   QVERIFY(needlesOf(buildMesh(soup).mesh).empty());
-  QVERIFY(findBoundaryNeedles({}, {}).empty());
+  QVERIFY(findBoundaryNeedles({}, {}, 1.0).empty());
 }
 
 // Without the needle both ends are flat loops, which any lid closes. Where they are kept open, it stays.
@@ -72,6 +75,22 @@ void BoundaryNeedlesTest::holeWithOneIsFilled() {
   for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) options.keepOpen.insert(loop.id);
   QCOMPARE(repair(mesh, options).removedDegenerate, std::size_t{0});
   QCOMPARE(mesh.liveFaceCount(), std::size_t{1001});
+}
+
+// A pole through both ends, so that no patch fits. Only of the end with the needle is that a possible reason.
+void BoundaryNeedlesTest::reasonOfAFailure() {
+  for (const double width : {1e-6, 0.1}) {
+    TriangleSoup soup = tubeWithNeedle(width);
+    test::append(soup, test::moved(test::cylinder(8, 10, 0.1, 20.0, true), Vec3(0.0, 0.0, -10.0)));
+    const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+    const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
+    QCOMPARE(loops.size(), std::size_t{2});
+    for (const BoundaryLoop& loop : loops) {
+      const bool hasNeedle = loop.halfEdges.size() == 501 && width < 1e-3;
+      const FillFailure failure = HoleFiller(mesh).propose(loop, {}).failure;
+      QVERIFY(failure == (hasNeedle ? FillFailure::NarrowTriangles : FillFailure::SelfIntersecting));
+    }
+  }
 }
 
 HANDWHEEL_TEST(BoundaryNeedlesTest)

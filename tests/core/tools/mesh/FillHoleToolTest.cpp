@@ -153,7 +153,7 @@ void FillHoleToolTest::tellsWhyNot() {
   FillHoleTool tool(*m_document, services);
   const auto reason = [&] { return test::propertyNamed(tool.settings(), "triangles")->problem; };
   std::set<std::string> reasons;
-  for (int failure = 1; failure <= int(FillFailure::Bulging); ++failure) {
+  for (int failure = 1; failure <= int(FillFailure::NarrowTriangles); ++failure) {
     tool.perform("next");
     QVERIFY(tool.state() == State::Computing && reason().empty());
     tool.previewReady(ticket, {FillFailure(failure), {}});
@@ -162,7 +162,7 @@ void FillHoleToolTest::tellsWhyNot() {
     QVERIFY(tool.preview().parts.empty());
     reasons.insert(reason());
   }
-  QCOMPARE(reasons.size(), std::size_t(FillFailure::Bulging));
+  QCOMPARE(reasons.size(), std::size_t(FillFailure::NarrowTriangles));
   QVERIFY(!reasons.contains(""));
 }
 
