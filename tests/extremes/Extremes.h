@@ -49,6 +49,16 @@ struct ExtremeMesh {
   double volumeError = 1e-9;                    // relative: what holds for the volume
 };
 
+inline constexpr double kNothing = 1e-150;  // mm; less has no square
+
+// The largest extent of a mesh (mm). Above zero, though squares overflow or underflow or there is nothing at all.
+inline double lengthOf(const TriangleSoup& soup) {
+  Box box;
+  for (const Vec3& p : soup.points) box.extend(p);
+  const double length = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+  return length > 0.0 ? length : 1.0;
+}
+
 // Every corner at the same place.
 inline TriangleSoup coincident(std::size_t triangles) {
   TriangleSoup s;

@@ -12,7 +12,7 @@
 // test with sanitizers.
 namespace handwheel::test {
 
-enum class CaseGroup { Mesh, Volume, Other };
+enum class CaseGroup { Mesh, VolumeReduction, Volume, Other };
 
 inline const FidelityRegistry& measured() {
   static const FidelityRegistry all = measuredSettings();
@@ -25,6 +25,7 @@ inline double errorAt(const FidelityCase& c, double value) {
 
 inline CaseGroup groupOf(std::string_view setting) {
   if (setting.starts_with("mesh.")) return CaseGroup::Mesh;
+  if (setting == "volume.reduction") return CaseGroup::VolumeReduction;
   return setting.starts_with("volume.") || setting.starts_with("drill.") ? CaseGroup::Volume : CaseGroup::Other;
 }
 

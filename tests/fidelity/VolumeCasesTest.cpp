@@ -8,7 +8,7 @@
 
 using namespace handwheel;
 
-// What is measured of volumes, and of drilling in them.
+// What is measured of volumes but for their reduction, and of drilling in them.
 class VolumeCasesTest : public QObject {
   Q_OBJECT
 

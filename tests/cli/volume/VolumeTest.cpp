@@ -11,20 +11,6 @@
 
 using namespace handwheel;
 
-namespace {
-
-// A block whose top is missing two of its triangles.
-QByteArray openBlock() {
-  return "OFF\n8 10 0\n0 0 0\n20 0 0\n0 20 0\n20 20 0\n0 0 20\n20 0 20\n0 20 20\n20 20 20\n"
-         "3 0 2 3\n3 0 3 1\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n";
-}
-
-nlohmann::json volumeJson(const QByteArray& out) {
-  return nlohmann::json::parse(out.toStdString());
-}
-
-}  // namespace
-
 class VolumeTest : public QObject {
   Q_OBJECT
 
@@ -32,26 +18,26 @@ class VolumeTest : public QObject {
   // A mesh becomes a volume, which is inspected and becomes a mesh: a block without its top is the block.
   void thereAndBack() {
     const Fixture fixture;
-    fixture.put("a.off", openBlock());
+    fixture.put("a.off", openCube(20.0).off());
     const Ran made =
         fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.25", "--json"}, "de_DE.UTF-8");
     QCOMPARE(made.err, QByteArray());
     QCOMPARE(made.code, 0);
-    const auto figures = volumeJson(made.out);
+    const auto figures = jsonOf(made);
     QCOMPARE(figures["voxel_mm"].get<double>(), 0.25);
     QCOMPARE(figures["closed_boundaries"].get<int>(), 1);
     QVERIFY(std::abs(figures["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.03);
     QVERIFY(std::abs(figures["enclosed_mm3"].get<double>() / 8000.0 - 1.0) < 1e-6);
-    const auto inspected = volumeJson(fixture.run({"inspect", "a.handwheel", "--json"}).out);
+    const auto inspected = fixture.inspected("a.handwheel");
     QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.25);
 
     QCOMPARE(fixture.run({"remesh", "a.handwheel", "-o", "b.stl"}).code, 0);
-    const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
+    const auto mesh = fixture.inspected("b.stl");
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
     QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.01);
     const Ran fewer = fixture.run({"remesh", "a.handwheel", "-o", "c.stl", "--error", "0.2", "--json"});
     QCOMPARE(fewer.code, 0);
-    const auto reduced = volumeJson(fewer.out);
+    const auto reduced = jsonOf(fewer);
     QVERIFY(reduced["triangles"].get<int>() < reduced["triangles_before"].get<int>() / 10);
     QVERIFY(reduced["distance_mm"].get<double>() <= 0.2);
   }
@@ -60,11 +46,11 @@ class VolumeTest : public QObject {
   // unless somebody agrees; what is more than all of it stays refused.
   void memoryIsSaidAndAskedFor() {
     const Fixture fixture;
-    fixture.put("a.off", openBlock());
+    fixture.put("a.off", openCube(20.0).off());
     const Ran said = fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5"});
     QVERIFY2(said.out.startsWith("Voxels of 0.5 mm need about ") && said.out.contains(" MB available"), said.out);
     const auto figures =
-        volumeJson(fixture.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"}).out);
+        jsonOf(fixture.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"}));
     const double bytes = figures["predicted_bytes"].get<double>();
     QVERIFY(bytes > 0.0 && figures["predicted_s"].get<double>() > 0.0);
     const auto voxelFor = [&](double share) {  // of the memory; it goes by the square
@@ -107,7 +93,7 @@ class VolumeTest : public QObject {
       QCOMPARE(ran.code, 0);
       QCOMPARE(ran.err.contains("Walls thinner than a voxel (1 mm) were lost"), name == "b");
       // 212 mm² of 812 are the plate's.
-      const double near = volumeJson(ran.out)["near_share"].get<double>();
+      const double near = jsonOf(ran)["near_share"].get<double>();
       QVERIFY2(std::abs(near - (name == "b" ? 600.0 / 812.0 : 1.0)) < 0.01, qPrintable(QString::number(near)));
     }
   }
@@ -123,157 +109,20 @@ class VolumeTest : public QObject {
     QCOMPARE(fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.25"}).code, 0);
     const Ran rounded = fixture.run({"remesh", "a.handwheel", "-o", "b.stl", "--json"});
     QCOMPARE(rounded.code, 2);
-    QVERIFY(!volumeJson(rounded.out)["sound"].get<bool>());
-    const auto inFile = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
+    QVERIFY(!jsonOf(rounded)["sound"].get<bool>());
+    const auto inFile = fixture.inspected("b.stl");
     QVERIFY(inFile["closed"].get<bool>());
     const Ran exact = fixture.run({"remesh", "a.handwheel", "-o", "b.off", "--json"});
     QCOMPARE(exact.code, 0);
-    QVERIFY(volumeJson(exact.out)["sound"].get<bool>());
-    const auto meant = volumeJson(fixture.run({"inspect", "b.off", "--json"}).out);
+    QVERIFY(jsonOf(exact)["sound"].get<bool>());
+    const auto meant = fixture.inspected("b.off");
     const int lost = inFile["degenerate_faces"].get<int>() - meant["degenerate_faces"].get<int>();
     QVERIFY(lost > 1000);
     QVERIFY2(rounded.err.contains(", " + QByteArray::number(lost) + " more triangles have no area"), rounded.err);
     const Ran fewer = fixture.run({"remesh", "a.handwheel", "-o", "c.off", "--faces", "500", "--json"});
     QCOMPARE(fewer.code, 0);
-    const int left = volumeJson(fewer.out)["triangles"].get<int>();
+    const int left = jsonOf(fewer)["triangles"].get<int>();
     QVERIFY2(left >= 490 && left <= 500, QByteArray::number(left));
-  }
-
-  // The exercise that ships, without a window: along the planned path by places of the head alone, handed in and
-  // marked. Into the brain there are no points.
-  void drillTheExercise_data() {
-    QTest::addColumn<double>("end");
-    QTest::addColumn<int>("points");
-    QTest::newRow("good") << 7.5 << 100;
-    QTest::newRow("into the brain") << 16.0 << 0;
-  }
-  void drillTheExercise() {
-    QFETCH(double, end);
-    QFETCH(int, points);
-    const Fixture fixture;
-    const QString exercise = QStringLiteral(SOURCE_SAMPLES "/exercises/skull.exercise.json");
-    QCOMPARE(fixture.run({"exercise", exercise, "--stock", "-o", "stock.handwheel"}).code, 0);
-    // Beside the middle by 30 mm, in front of it by 35, on the ellipsoid of 72, 90 and 66 mm, across its surface.
-    const double x = 30.0, y = 35.0, z = 66.0 * std::sqrt(1.0 - x * x / 5184.0 - y * y / 8100.0);
-    double in[3] = {-x / 5184.0, -y / 8100.0, -z / 4356.0};
-    const double length = std::sqrt(in[0] * in[0] + in[1] * in[1] + in[2] * in[2]);
-    const double from = -8.0 - 3.0, to = end - 3.0;  // of the centre of a head of 6 mm
-    QByteArray path("t_s,x_mm,y_mm,z_mm\n");
-    for (const double depth : {from, to})
-      path += QStringLiteral("%1,%2,%3,%4\n")
-                  .arg(depth - from)  // 1 mm/s
-                  .arg(x + depth * in[0] / length, 0, 'f', 6)
-                  .arg(y + depth * in[1] / length, 0, 'f', 6)
-                  .arg(z + depth * in[2] / length, 0, 'f', 6)
-                  .toLatin1();
-    fixture.put("p.csv", path);
-    const Ran drilled =
-        fixture.run({"drill", "stock.handwheel", "--path", "p.csv", "--rate", "100", "-o", "work.handwheel", "--json"});
-    QCOMPARE(drilled.err, QByteArray());
-    QCOMPARE(drilled.code, 0);
-    // 8 mm of air, then the 6.5 mm of bone a little obliquely to the inner table.
-    const double through = volumeJson(drilled.out)["breakthrough_s"].get<double>();
-    QVERIFY2(through > 14.0 && through < 14.7, QByteArray::number(through));
-    QCOMPARE(
-        fixture.run({"exercise", exercise, "--hand-in", "work.handwheel", "--name", "Ada", "-o", "ada.handwheel"}).code,
-        0);
-    const Ran marked = fixture.run({"mark", exercise, "ada.handwheel", "--csv", "class.csv", "--report", "ada.html"});
-    QCOMPARE(marked.code, 0);
-    const QList<QByteArray> row = fixture.content("class.csv").split('\n').at(1).split(',');
-    QVERIFY2(row.contains(QByteArray::number(points)), fixture.content("class.csv"));
-    const QByteArray report = fixture.content("ada.html");
-    QVERIFY(report.contains("Thrust") && report.contains("Breakthrough: the drill is through"));
-    QCOMPARE(report.contains("entered the forbidden region"), points == 0);
-    QVERIFY(report.contains("alt=\"work0-picture-0\"") && report.contains("The hole in section"));
-    QVERIFY(report.contains("Largest thrust: ") && report.contains("Largest torque: "));
-  }
-
-  // Down through a block of 20 mm: a hole of the ball's diameter, the work of its volume, and the time at which the
-  // front comes out.
-  void drill() {
-    const Fixture fixture;
-    fixture.put("a.off", openBlock());
-    QByteArray path("t_s,x_mm,y_mm,z_mm\n0,10,10,25\n6,10,10,-5\n");  // 5 mm/s
-    fixture.put("p.csv", path);
-    const Ran ran = fixture.run({"drill", "a.off", "--path", "p.csv", "--tool", "ball:6", "--voxel", "0.35", "--rate",
-                                 "250", "--rpm", "1200", "-o", "b.handwheel", "--forces", "f.csv", "--json"},
-                                "de_DE.UTF-8");
-    QCOMPARE(ran.err, QByteArray());
-    QCOMPARE(ran.code, 0);
-    const auto figures = volumeJson(ran.out);
-    const double hole = M_PI * 9.0 * 20.0;
-    QVERIFY(std::abs(figures["removed_mm3"].get<double>() / hole - 1.0) < 0.01);
-    QVERIFY(std::abs(figures["energy_J"].get<double>() / (0.25 * hole) - 1.0) < 0.01);  // 250 N/mm²
-    // The front is 3 mm below the centre: at z = 0 after 22 mm.
-    QVERIFY(std::abs(figures["breakthrough_s"].get<double>() - 22.0 / 5.0) < 0.1);
-    // kp A f / (f + ktc d ω / 2), (A-6) with the rate of the full section.
-    const double thrust = 250.0 * M_PI * 9.0 * 5.0 / (5.0 + 0.5 * 1.64 * 6.0 * 2.0 * M_PI * 20.0);
-    QVERIFY(std::abs(figures["max_thrust_N"].get<double>() / thrust - 1.0) < 0.2);
-    QVERIFY(std::abs(figures["max_torque_Nmm"].get<double>() / (1.64 * 3.0 * thrust) - 1.0) < 0.2);
-    QVERIFY(fixture.content("f.csv").startsWith("t_s,x_mm,y_mm,z_mm,thrust_N"));
-    const auto inspected = volumeJson(fixture.run({"inspect", "b.handwheel", "--json"}).out);
-    QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.35);
-    const Ran text = fixture.run({"drill", "b.handwheel", "--path", "p.csv"});
-    QCOMPARE(text.code, 0);
-    QVERIFY(text.out.contains("not verified"));
-  }
-
-  // A hole of 12 mm in pecks of 5: the thrust is there three times, and falls to nothing between them; one without
-  // pecks has it once. Both take the same from the block.
-  void drillByProgram() {
-    const Fixture fixture;
-    fixture.put("a.off", openBlock());
-    const QByteArray begin = "G21 G90\nS1200 M3\nG0 X10 Y10 Z22\n", end = "G80\nM30\n";
-    fixture.put("pecks.ngc", begin + "G83 Z8 R21 Q5 F300\n" + end);
-    fixture.put("plain.ngc", begin + "G81 Z8 R21 F300\n" + end);
-    std::map<QString, double> removed;
-    for (const QString name : {"pecks", "plain"}) {
-      const Ran ran = fixture.run({"drill", "a.off", "--program", name + ".ngc", "--tool", "ball:6", "--voxel", "0.35",
-                                   "--rate", "250", "--forces", name + ".csv", "--json"});
-      QCOMPARE(ran.err, QByteArray());
-      QCOMPARE(ran.code, 0);
-      removed[name] = volumeJson(ran.out)["removed_mm3"].get<double>();
-      // A cylinder from the top, less half a ball that the foremost point is ahead by.
-      QVERIFY(std::abs(removed[name] / (M_PI * 9.0 * 9.0 + 18.0 * M_PI) - 1.0) < 0.01);
-      int pecks = 0;
-      double last = -1.0;  // s, of a cycle with thrust
-      for (const QByteArray& line : fixture.content(name + ".csv").split('\n').mid(1)) {
-        const QList<QByteArray> cells = line.split(',');
-        if (cells.size() < 5 || !(cells[4].toDouble() > 1.0)) continue;
-        const double time = cells[0].toDouble();
-        pecks += time - last > 0.15;
-        last = time;
-      }
-      QCOMPARE(pecks, name == "pecks" ? 3 : 1);
-    }
-    QVERIFY(std::abs(removed["pecks"] / removed["plain"] - 1.0) < 0.01);
-    fixture.put("bad.ngc", begin + "G2 X3 Y4\n");
-    const Ran bad = fixture.run({"drill", "a.off", "--program", "bad.ngc"});
-    QCOMPARE(bad.code, 1);
-    QVERIFY2(bad.err.contains("bad.ngc") && bad.err.contains("line 4") && bad.err.contains("G2"), bad.err);
-    QCOMPARE(fixture.run({"drill", "a.off", "--program", "plain.ngc", "--path", "p.csv"}).code, 1);
-  }
-
-  void whatCannotBeDrilled_data() {
-    QTest::addColumn<QStringList>("words");
-    QTest::addColumn<QByteArray>("says");
-    QTest::newRow("no path") << QStringList{"drill", "a.off"} << QByteArray("--path FILE is missing");
-    QTest::newRow("no file") << QStringList{"drill", "a.off", "--path", "none.csv"} << QByteArray("none.csv");
-    QTest::newRow("no drill") << QStringList{"drill", "a.off", "--path", "p.csv", "--tool", "chisel:3"}
-                              << QByteArray("chisel:3");
-    QTest::newRow("no material") << QStringList{"drill", "a.off", "--path", "p.csv", "--material", "moon"}
-                                 << QByteArray("moon");
-    QTest::newRow("bad path") << QStringList{"drill", "a.off", "--path", "a.off"} << QByteArray("Line 1");
-  }
-  void whatCannotBeDrilled() {
-    QFETCH(QStringList, words);
-    QFETCH(QByteArray, says);
-    const Fixture fixture;
-    fixture.put("a.off", openBlock());
-    fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10,10,25\n1,10,10,20\n");
-    const Ran ran = fixture.run(words);
-    QCOMPARE(ran.code, 1);
-    QVERIFY2(ran.err.contains(says), ran.err);
   }
 
   // Two blocks of meshes that overlap by a quarter, as meshes and one as a volume.
@@ -288,7 +137,7 @@ class VolumeTest : public QObject {
     QFETCH(QByteArray, way);
     QFETCH(double, exact);
     const Fixture fixture;
-    fixture.put("a.off", openBlock());
+    fixture.put("a.off", openCube(20.0).off());
     Shape small = cube();
     for (auto& p : small.points) p = {10.0 * p[0] + 17.5, 10.0 * p[1] + 5.0, 10.0 * p[2] + 5.0};
     fixture.put("b.off", small.off());
@@ -297,10 +146,10 @@ class VolumeTest : public QObject {
       const Ran ran = fixture.run({"boolean", "a.off", second, way, "-o", "c.stl", "--voxel", "0.25", "--json"});
       QCOMPARE(ran.err, QByteArray());
       QCOMPARE(ran.code, 0);
-      const auto figures = volumeJson(ran.out);
+      const auto figures = jsonOf(ran);
       QCOMPARE(figures["voxel_mm"].get<double>(), 0.25);
       QVERIFY(std::abs(figures["first_mm3"].get<double>() / 8000.0 - 1.0) < 0.03);
-      const auto mesh = volumeJson(fixture.run({"inspect", "c.stl", "--json"}).out);
+      const auto mesh = fixture.inspected("c.stl");
       QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
       QVERIFY2(std::abs(mesh["volume_mm3"].get<double>() / exact - 1.0) < 0.03,
                qPrintable(QString::number(mesh["volume_mm3"].get<double>())));
@@ -313,14 +162,14 @@ class VolumeTest : public QObject {
   // With sharp edges a block is the block, where marching cubes cut its edges off; and by densities it is nearly so.
   void methods() {
     const Fixture fixture;
-    fixture.put("a.off", openBlock());
+    fixture.put("a.off", openCube(20.0).off());
     std::map<QByteArray, double> off;
     for (const QByteArray sampling : {"sign", "density"}) {
       const Ran made = fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5", "--method", sampling});
       QCOMPARE(made.err, QByteArray());
       for (const QByteArray polygons : {"marching", "dual"}) {
         QCOMPARE(fixture.run({"remesh", "a.handwheel", "-o", "b.stl", "--method", polygons}).code, 0);
-        const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
+        const auto mesh = fixture.inspected("b.stl");
         QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
         QCOMPARE(mesh["self_intersecting_pairs"].get<int>(), 0);
         off[sampling + polygons] = std::abs(mesh["volume_mm3"].get<double>() / 8000.0 - 1.0);
@@ -330,7 +179,7 @@ class VolumeTest : public QObject {
     QVERIFY(off["signmarching"] > 10.0 * off["signdual"]);
     QVERIFY(off["densitymarching"] < 0.02);
     QCOMPARE(fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--fidelity", "volume.voxels=40"}).code, 0);
-    QCOMPARE(volumeJson(fixture.run({"inspect", "a.handwheel", "--json"}).out)["document"]["voxel"].get<double>(), 0.5);
+    QCOMPARE(fixture.inspected("a.handwheel")["document"]["voxel"].get<double>(), 0.5);
     QVERIFY(
         fixture.run({"voxelize", "a.off", "-o", "a.vdb", "--fidelity", "snap.radius=2"}).err.contains("does not use"));
   }
@@ -338,13 +187,13 @@ class VolumeTest : public QObject {
   // A wall of 2 mm in a block of 20 mm: an empty cube of 16 mm within.
   void walls() {
     const Fixture fixture;
-    fixture.put("a.off", openBlock());
+    fixture.put("a.off", openCube(20.0).off());
     const Ran ran =
         fixture.run({"shell", "a.off", "-o", "b.stl", "--wall", "2", "--voxel", "0.25", "--json"}, "de_DE.UTF-8");
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
-    QVERIFY(std::abs(volumeJson(ran.out)["volume_mm3"].get<double>() / (8000.0 - 4096.0) - 1.0) < 0.03);
-    const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
+    QVERIFY(std::abs(jsonOf(ran)["volume_mm3"].get<double>() / (8000.0 - 4096.0) - 1.0) < 0.03);
+    const auto mesh = fixture.inspected("b.stl");
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
     QCOMPARE(fixture.run({"shell", "a.off", "-o", "c.nrrd", "--wall", "1", "--side", "outside", "--voxel", "0.5"}).code,
              0);
@@ -352,7 +201,7 @@ class VolumeTest : public QObject {
     QCOMPARE(smaller.err, QByteArray());
     // Steiner's formula for the rounded block: the wall is left from 0.2 to 0.8 mm.
     const auto rounded = [](double d) { return 2400.0 * d + 60.0 * M_PI * d * d + 4.0 / 3.0 * M_PI * d * d * d; };
-    const auto left = volumeJson(fixture.run({"inspect", "d.stl", "--json"}).out)["volume_mm3"].get<double>();
+    const auto left = fixture.inspected("d.stl")["volume_mm3"].get<double>();
     QVERIFY2(std::abs(left / (rounded(0.8) - rounded(0.2)) - 1.0) < 0.05, qPrintable(QString::number(left)));
   }
 
@@ -370,7 +219,7 @@ class VolumeTest : public QObject {
                                       << "--voxel"
                                       << "0.25"
                                       << "--json");
-      return ran.code == 0 ? volumeJson(ran.out)["volume_mm3"].get<double>() : -1.0;
+      return ran.code == 0 ? jsonOf(ran)["volume_mm3"].get<double>() : -1.0;
     };
     const double across = 4.0 * std::cbrt(6.0 / M_PI);  // of the ball with the volume of the small block
     QVERIFY(std::abs(left({"debris", "--below", QString::number(0.9 * across)}) / 1064.0 - 1.0) < 0.03);
@@ -393,24 +242,24 @@ class VolumeTest : public QObject {
         {"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.25", "--close-gaps", "0.7", "--json"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
-    const auto figures = volumeJson(ran.out);
+    const auto figures = jsonOf(ran);
     QVERIFY(std::abs(figures["filled_mm3"].get<double>() - 90.0) < 5.0);
     QVERIFY(figures["kept_distance_mm"].get<double>() < 0.25);
-    const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
+    const auto mesh = fixture.inspected("b.stl");
     QCOMPARE(mesh["components"].get<int>(), 1);
     QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 2090.0 - 1.0) < 0.02);
   }
 
   void repairByVolume() {
     const Fixture fixture;
-    fixture.put("a.off", openBlock());
+    fixture.put("a.off", openCube(20.0).off());
     const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
-    const auto figures = volumeJson(ran.out);
+    const auto figures = jsonOf(ran);
     QVERIFY(figures["sound"].get<bool>());
     QVERIFY(figures["scan_distance_mm"].get<double>() < 0.5);
-    const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
+    const auto mesh = fixture.inspected("b.stl");
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
     QCOMPARE(mesh["self_intersecting_pairs"].get<int>(), 0);
     QVERIFY(figures["kept_distance_mm"].get<double>() <= 0.5);
@@ -419,14 +268,14 @@ class VolumeTest : public QObject {
   // A volume, too: the block comes back of its distances.
   void repairOfVolumes() {
     const Fixture fixture;
-    fixture.put("a.off", openBlock());
+    fixture.put("a.off", openCube(20.0).off());
     for (const char* const file : {"a.nrrd", "a.vdb"}) {
       QCOMPARE(fixture.run({"voxelize", "a.off", "-o", file, "--voxel", "0.5"}).code, 0);
       const Ran ran = fixture.run({"repair", file, "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"});
       QCOMPARE(ran.err, QByteArray());
       QCOMPARE(ran.code, 0);
-      QVERIFY(volumeJson(ran.out)["sound"].get<bool>());
-      const auto mesh = volumeJson(fixture.run({"inspect", "b.stl", "--json"}).out);
+      QVERIFY(jsonOf(ran)["sound"].get<bool>());
+      const auto mesh = fixture.inspected("b.stl");
       QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.02);
     }
     const Ran document = fixture.run({"repair", "a.vdb", "-o", "b.handwheel", "--by", "volume"});
@@ -486,7 +335,7 @@ class VolumeTest : public QObject {
     QFETCH(QStringList, words);
     QFETCH(QByteArray, text);
     const Fixture fixture;
-    fixture.put("a.off", openBlock());
+    fixture.put("a.off", openCube(20.0).off());
     fixture.put("flat.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
     const Ran ran = fixture.run(words);
     QCOMPARE(ran.code, 1);

@@ -2,32 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/VolumeOffset.h"
 
-#include "ClosedSurface.h"
+#include "EnclosedVolume.h"
 #include "SolidShapes.h"
 #include "TestClass.h"
 #include "volume/VolumeBoolean.h"
 #include "volume/VolumeErrors.h"
 #include "volume/VolumeSampler.h"
 #include "volume/VolumeShapes.h"
-#include "volume/surface/VolumeToSurface.h"
 
 #include <QtTest>
 #include <cmath>
 
 using namespace handwheel;
 using namespace handwheel::test;
-
-namespace {
-
-void compareVolume(const Result<SparseVolume>& made, double exact, double within) {
-  QVERIFY(made.hasValue());
-  const TriangleSoup surface = surfaceOf(*made);
-  QVERIFY(isClosedManifold(surface));
-  QVERIFY2(std::abs(enclosed(surface) / exact - 1.0) < within,
-           qPrintable(QString("%1 for %2").arg(enclosed(surface)).arg(exact)));
-}
-
-}  // namespace
 
 class VolumeOffsetTest : public QObject {
   Q_OBJECT
@@ -70,33 +57,6 @@ class VolumeOffsetTest : public QObject {
     for (const double distance : {0.3, 2.0, 4.0})
       compareVolume(movedSurface(box, -distance), std::pow(side - 2.0 * distance, 3.0), 0.03);
     QVERIFY(movedSurface(box, -5.2)->isEmpty());
-  }
-
-  void shellsOfBalls_data() {
-    QTest::addColumn<int>("side");
-    QTest::addColumn<double>("wall");
-    for (const double wall : {0.5, 1.0, 3.0})
-      for (const int side : {0, 1, 2}) QTest::addRow("%d, %g", side, wall) << side << wall;
-  }
-  void shellsOfBalls() {
-    QFETCH(int, side);
-    QFETCH(double, wall);
-    const double radius = 6.0, voxel = 0.15;
-    const auto where = static_cast<WallSide>(side);
-    const double out = where == WallSide::Outside ? wall : where == WallSide::Middle ? 0.5 * wall : 0.0;
-    const Result<SparseVolume> made = shellOf(ballOfVoxels(radius, voxel), wall, where);
-    compareVolume(made, ballVolume(radius + out) - ballVolume(radius + out - wall), 0.01);
-    // Two spheres: twice Euler's characteristic of one.
-    const TriangleSoup surface = surfaceOf(*made);
-    QCOMPARE(surface.points.size(), surface.triangles.size() / 2 + 4);
-    QVERIFY(made->sample(VoxelIndex::Zero()) < 0);
-  }
-
-  void shellsOfCubes() {
-    const double side = 12.0, wall = 1.0;
-    const SparseVolume box = boxOfVoxels(Vec3::Constant(side), Vec3(0.0, 1.0, 0.0), 0.2);
-    compareVolume(shellOf(box, wall, WallSide::Inside), std::pow(side, 3.0) - std::pow(side - 2.0 * wall, 3.0), 0.02);
-    compareVolume(shellOf(box, wall, WallSide::Outside), roundedCubeVolume(side, wall) - std::pow(side, 3.0), 0.02);
   }
 
   // Two blocks side by side, apart by a millimetre: a ball of 0.7 does not get between them, one of 0.4 does.

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CaseRuns.h"
+#include "TestClass.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+// What is measured of the reduction of a volume's surface, which takes longer than all else of volumes.
+class VolumeReductionCasesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void everyCaseRuns_data() { test::addCases(test::CaseGroup::VolumeReduction); }
+  void everyCaseRuns() { test::runCase(); }
+};
+
+HANDWHEEL_TEST(VolumeReductionCasesTest)
+#include "VolumeReductionCasesTest.moc"
