@@ -182,9 +182,10 @@ void DefectActions::follow() {
                      (m_resolveIntersections.isEnabled() && m_document->document.defects().components.size() > 1)),
             isSearched ? tr("No bodies intersect or lie inside each other.") : searching);
   const int loop = selectedLoop();
+  const FillFailure failure = m_preview.state().failure;
   const bool isBlocked = loop >= 0 && !m_document->defectList.loop(loop).isSheetBoundary &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&
-                         m_preview.state().failure == FillFailure::SelfIntersecting;
+                         (failure == FillFailure::SelfIntersecting || failure == FillFailure::NarrowTriangles);
   m_cutAndClose.setVisible(isBlocked);
   m_mayCut = free && isBlocked;
   m_shown.request(m_document, offered());

@@ -39,7 +39,8 @@ class HoleSequence {
     std::vector<Task> tasks(m_loops.size(), Task::Keep);
     bool any = false;
     for (std::size_t blocked = 0; blocked < m_loops.size(); ++blocked) {
-      if (m_fills[blocked].attempt.failure != FillFailure::SelfIntersecting) continue;
+      const FillFailure failure = m_fills[blocked].attempt.failure;
+      if (failure != FillFailure::SelfIntersecting && failure != FillFailure::NarrowTriangles) continue;
       tasks[blocked] = Task::Propose;
       for (std::size_t i = 0; i < m_loops.size(); ++i) {
         if (!bulges(i) || !boxOf(i).intersects(m_loops[blocked].box)) continue;
