@@ -160,6 +160,7 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
     leastBend = std::min(leastBend, bend);
   }
   if (leastBend < kNoBend) return best;
+  if (loop.isSheetBoundary) return attempt;  // a repair leaves it as it is
   const double reach = tolerance::kNearWeld * m_state->obstacles.bounds().diagonal().norm();
   if (!findBoundaryNeedles(m_state->mesh, {&loop, 1}, reach).empty()) attempt.failure = FillFailure::NarrowTriangles;
   return attempt;

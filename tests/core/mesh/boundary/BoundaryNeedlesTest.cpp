@@ -85,10 +85,12 @@ void BoundaryNeedlesTest::reasonOfAFailure() {
     const HalfEdgeMesh mesh = buildMesh(soup).mesh;
     const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
     QCOMPARE(loops.size(), std::size_t{2});
-    for (const BoundaryLoop& loop : loops) {
+    for (BoundaryLoop loop : loops) {
       const bool hasNeedle = loop.halfEdges.size() == 501 && width < 1e-3;
       const FillFailure failure = HoleFiller(mesh).propose(loop, {}).failure;
       QVERIFY(failure == (hasNeedle ? FillFailure::NarrowTriangles : FillFailure::SelfIntersecting));
+      loop.isSheetBoundary = true;  // its needles stay in a repair, too
+      QVERIFY(HoleFiller(mesh).propose(loop, {}).failure == FillFailure::SelfIntersecting);
     }
   }
 }
