@@ -35,6 +35,7 @@ class HoleSequenceTest : public QObject {
  private slots:
   void farFromEachOther();
   void oneInTheWayOfTheOther();
+  void oneWithANeedleInTheWayOfTheOther();
   void nothingToFill();
   void cancelled();
 };
@@ -64,6 +65,24 @@ void HoleSequenceTest::oneInTheWayOfTheOther() {
   QVERIFY(test::countEdges(mesh).sound());
   QCOMPARE(countSelfIntersections(mesh, NumberType::Float64), std::size_t(0));
   QCOMPARE(validate(mesh), std::string());
+}
+
+// A needle along the hole that is in the way changes the reason, not that it is tried again.
+void HoleSequenceTest::oneWithANeedleInTheWayOfTheOther() {
+  HalfEdgeMesh mesh = balls(0.02);
+  const HalfEdge h = findBoundaryLoops(mesh)[1].halfEdges[0];
+  const Vec3 end = mesh.position(mesh.to(h));
+  const Vertex tip = mesh.addVertex(end - 1e-6 * Vec3(end.x(), end.y(), 0.0));  // into the opening
+  mesh.pair(h, 3 * mesh.addFace({mesh.to(h), mesh.from(h), tip}));
+  QCOMPARE(validate(mesh), std::string());
+  const auto loops = findBoundaryLoops(mesh);
+  QCOMPARE(loops.size(), std::size_t(2));
+  HoleFiller oneByOne(mesh);
+  oneByOne.accept(loops[0], oneByOne.propose(loops[0], {}).patch);
+  QCOMPARE(oneByOne.propose(loops[1], {}).failure, FillFailure::NarrowTriangles);
+
+  for (const HoleFill& fill : fillHoles(mesh, loops, {})) QCOMPARE(fill.attempt.failure, FillFailure::None);
+  QVERIFY(test::countEdges(mesh).sound());
 }
 
 void HoleSequenceTest::nothingToFill() {
