@@ -12,9 +12,9 @@
 namespace handwheel {
 namespace {
 
-// One ear cutting may get stuck where another does not: a spread of tastes for flat loops and for loops that wind
+// One ear clipping may get stuck where another does not: a spread of weights for flat loops and for loops that wind
 // through space, after the user's own, with and without a lid.
-constexpr EarWeights kTastes[] = {{1, 0, 0}, {0.2, 0, 2}, {0, 2, 1}, {3, 1, 0}, {0, 0, 1}, {0.5, 3, 0}};
+constexpr EarWeights kEarWeights[] = {{1, 0, 0}, {0.2, 0, 2}, {0, 2, 1}, {3, 1, 0}, {0, 0, 1}, {0.5, 3, 0}};
 
 constexpr double kChordPart = 0.5;  // of the progress: the search for the chords that cut a loop into pieces
 
@@ -55,8 +55,8 @@ FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacl
   // Least bend is what the choice among these goes by, but it takes long.
   if (hole.loopSize <= tolerance::kOptimalFillEdges && options.method != FillMethod::Dihedral)
     add(FillMethod::Dihedral);
-  if (hole.loopSize == 3) return;  // whatever the taste, there is one ear
-  for (std::size_t i = 0; i < std::size(kTastes); ++i) {
+  if (hole.loopSize == 3) return;  // whatever the weights, there is one ear
+  for (std::size_t i = 0; i < std::size(kEarWeights); ++i) {
     m_makers.push_back([this, i] { return ears(m_hole, kBalanced + i, m_progress); });
   }
 }
@@ -155,9 +155,9 @@ FillCandidates::Made FillCandidates::piece(const HoleContext& hole, FillMethod m
   return std::nullopt;
 }
 
-FillCandidates::Made FillCandidates::ears(const HoleContext& hole, std::size_t taste, Progress progress) const {
-  EarWeights weights = taste < kBalanced ? m_options.ears : kTastes[taste - kBalanced];
-  if (taste == 1) weights.lid = 0.0;
+FillCandidates::Made FillCandidates::ears(const HoleContext& hole, std::size_t weightsIndex, Progress progress) const {
+  EarWeights weights = weightsIndex < kBalanced ? m_options.ears : kEarWeights[weightsIndex - kBalanced];
+  if (weightsIndex == 1) weights.lid = 0.0;
   return clipEars(hole, m_obstacles, weights, progress);
 }
 

@@ -48,7 +48,7 @@ class FillCandidates {
   void addRefined(std::optional<Continuity> bent);
   Made inPieces(FillMethod method);
   Made piece(const HoleContext& hole, FillMethod method, Progress progress) const;
-  Made ears(const HoleContext& hole, std::size_t taste, Progress progress) const;
+  Made ears(const HoleContext& hole, std::size_t weightsIndex, Progress progress) const;
 
   const HoleContext& m_hole;
   const Obstacles& m_obstacles;

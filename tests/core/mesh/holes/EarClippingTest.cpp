@@ -16,8 +16,8 @@ using namespace handwheel;
 namespace {
 
 // What is needed to fill the first hole of a mesh.
-struct EarCuttingCase {
-  explicit EarCuttingCase(const TriangleSoup& soup)
+struct EarClippingCase {
+  explicit EarClippingCase(const TriangleSoup& soup)
       : mesh(buildMesh(soup).mesh), hole(holeContext(mesh, findBoundaryLoops(mesh).at(0))), obstacles(mesh) {}
   HalfEdgeMesh mesh;
   HoleContext hole;
@@ -63,7 +63,7 @@ void EarClippingTest::convexPolygons() {
     for (std::size_t i = 0; i < angles.size(); ++i)
       area += 0.5 * std::sin((i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2.0 * M_PI) - angles[i]);
     RC_PRE(area > 1e-3);
-    const EarCuttingCase c(tube(angles));
+    const EarClippingCase c(tube(angles));
     const auto patch = clipEars(c.hole, c.obstacles, {});
     RC_ASSERT(patch.has_value());
     RC_ASSERT(patch->triangles.size() == angles.size() - 2);
@@ -74,7 +74,7 @@ void EarClippingTest::convexPolygons() {
 }
 
 void EarClippingTest::everyWeight() {
-  const EarCuttingCase c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
+  const EarClippingCase c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
   for (const EarWeights& w : {EarWeights{1, 1, 1}, EarWeights{1, 0, 0}, EarWeights{0, 1, 0}, EarWeights{0, 0, 1}}) {
     const auto patch = clipEars(c.hole, c.obstacles, w);
     QVERIFY(patch.has_value());
@@ -87,7 +87,7 @@ void EarClippingTest::everyWeight() {
 
 // The patch of a convex lid looks away from the part.
 void EarClippingTest::facesOutward() {
-  const EarCuttingCase c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
+  const EarClippingCase c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
   const auto patch = clipEars(c.hole, c.obstacles, {});
   QVERIFY(patch.has_value());
   QCOMPARE(patch->triangles.size(), c.hole.loopSize - 2);
@@ -103,7 +103,7 @@ void EarClippingTest::prefersShortEdges() {
     constexpr double x[] = {2.0, 0.0, -2.0, 0.0}, y[] = {0.0, 0.5, 0.0, -0.5};
     return Vec3(x[i], y[i], j);
   });
-  const EarCuttingCase c(wall);
+  const EarClippingCase c(wall);
   const auto patch = clipEars(c.hole, c.obstacles, {1, 0, 0});
   QVERIFY(patch.has_value());
   QCOMPARE(patch->triangles.size(), std::size_t{2});
@@ -118,7 +118,7 @@ void EarClippingTest::prefersShortEdges() {
 void EarClippingTest::passesOverTakenEdges() {
   TriangleSoup soup = test::tetrahedron();
   soup.triangles.resize(2);  // their common edge is a diagonal of the hole
-  const EarCuttingCase c(soup);
+  const EarClippingCase c(soup);
   const auto patch = clipEars(c.hole, c.obstacles, {});
   QVERIFY(patch.has_value());
   TriangleSoup closed = soup;
@@ -129,14 +129,14 @@ void EarClippingTest::passesOverTakenEdges() {
 void EarClippingTest::stuckOnAnObstacle() {
   TriangleSoup soup = test::annulus(12, 2, 1.0, 2.0);
   test::append(soup, test::moved(test::cylinder(6, 1, 0.1, 2.0, true), Vec3(0.03, 0.02, -1.0)));
-  const EarCuttingCase c(soup);  // its first loop is the inner circle
+  const EarClippingCase c(soup);  // its first loop is the inner circle
   QCOMPARE(c.hole.loopSize, std::size_t{12});
   QVERIFY(c.hole.points[0].norm() < 1.5);
   QVERIFY(!clipEars(c.hole, c.obstacles, {}));
 }
 
 void EarClippingTest::cancels() {
-  const EarCuttingCase c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
+  const EarClippingCase c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
   JobState job;
   job.cancelled = true;
   QVERIFY(!clipEars(c.hole, c.obstacles, {}, Progress(job)));
